@@ -1,0 +1,55 @@
+// The commands of `loopmend`: options as the person gave them, and one function each that does the work.
+#pragma once
+
+#include "core/error.h"
+#include "evolution/fill_loops.h"
+#include "io/write_mesh.h"
+#include "progress_line.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// Wrong usage that only shows once the input is read: exit code 2.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+struct InfoCommand {
+  std::filesystem::path input;
+  std::string json;  ///< file or "-"; empty: a table for people
+};
+
+struct FillCommand {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::string loops = "all";          ///< "all" or numbers, "1,3"
+  std::vector<int> at_vertices;       ///< 0-based input vertices: the loops through them
+  std::optional<int> max_edges;
+  std::optional<double> max_diameter;  ///< mesh units
+  enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
+  FillOptions fill;
+  std::string report;                 ///< file or "-"; empty: none
+  Encoding encoding = Encoding::binary;
+  Verbosity verbosity = Verbosity::normal;
+  std::string command_line;           ///< as typed, for the report
+};
+
+struct RenderCommand {
+  std::vector<std::filesystem::path> inputs;  ///< one, or two for before and after
+  std::filesystem::path output;
+  std::string color = "h";
+  int width = 0, height = 0;  ///< pixels; 0: the default
+};
+
+/// @returns an ExitCode. @throws ReadError, WriteError, UsageError, InvalidArgument.
+int run_info(const InfoCommand& command);
+int run_fill(const FillCommand& command);
+int run_sample(const std::filesystem::path& output);
+int run_render(const RenderCommand& command);
+
+}  // namespace loopmend

@@ -1,0 +1,137 @@
+#include "commands.h"
+#include "exit_codes.h"
+#include "loop_selection.h"
+#include "open_model.h"
+#include "report.h"
+
+#include "core/version.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace loopmend {
+
+namespace {
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+bool starts_with_bits_of(const TriangleSoup& result, const TriangleSoup& original) {
+  return result.points.size() >= original.points.size() && result.triangles.size() >= original.triangles.size() &&
+         std::memcmp(result.points.data(), original.points.data(), original.points.size() * sizeof(Vec3)) == 0 &&
+         std::equal(original.triangles.begin(), original.triangles.end(), result.triangles.begin());
+}
+
+bool is_filled(LoopStatus status) {
+  return status == LoopStatus::converged || status == LoopStatus::step_limit || status == LoopStatus::filled;
+}
+
+/// One line for each loop that is worth a line: all when there are few, else only those that went wrong.
+void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const FillCommand& command, double seconds) {
+  int filled = 0, failed = 0, skipped = 0;
+  for (const LoopResult& r : results) {
+    filled += is_filled(r.status);
+    failed += r.status == LoopStatus::failed;
+    skipped += r.status == LoopStatus::skipped;
+  }
+  const bool all = results.size() <= 40;
+  std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %21s  %21s\n", "loop", "edges", "new", "steps", "status",
+               "angle at seam, deg", "jump of H x diameter");
+  for (const LoopResult& r : results) {
+    if (!all && is_filled(r.status) && r.message.empty()) continue;
+    std::fprintf(out, "%5d  %6d  %6d  %5d  %-10s", r.loop.number, r.loop.edges(), r.free_vertices, r.steps,
+                 to_string(r.status));
+    if (is_filled(r.status))
+      std::fprintf(out, "  %9.4f -> %8.4f  %9.4f -> %8.4f", r.seam_before.g1_rms_deg, r.seam_after.g1_rms_deg,
+                   r.seam_before.h_jump_rms_times_diameter, r.seam_after.h_jump_rms_times_diameter);
+    std::fprintf(out, "%s%s\n", r.message.empty() ? "" : "  ", r.message.c_str());
+  }
+  std::fprintf(out, "%d filled, %d failed, %d left as asked; %s written in %.2f s\n", filled, failed, skipped,
+               command.output.c_str(), seconds);
+}
+
+/// The selected loops are worked on; the others get a result that says they were left.
+std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                      const std::vector<LoopChoice>& choices, const FillCommand& command) {
+  std::vector<BoundaryLoop> selected;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (choices[k].fill) selected.push_back(loops[k]);
+  ProgressLine progress(command.verbosity);
+  std::vector<LoopResult> filled;
+  if (!selected.empty()) {
+    progress.say("filling " + std::to_string(selected.size()) + (selected.size() == 1 ? " loop" : " loops"));
+    filled = fill_loops(model, selected, command.fill,
+                        [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); },
+                        CancelToken());
+  }
+  std::vector<LoopResult> results;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (choices[k].fill) {
+      results.push_back(std::move(filled[next++]));
+      continue;
+    }
+    LoopResult result;
+    result.loop = loops[k];
+    result.message = choices[k].why_not;
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ModelRepairs& repairs,
+                                   const std::vector<LoopResult>& results) {
+  nlohmann::ordered_json json;
+  json["version"] = version();
+  json["command_line"] = command.command_line;
+  json["input"] = input_json(command.input, import, repairs);
+  json["loops"] = nlohmann::ordered_json::array();
+  for (const LoopResult& result : results) json["loops"].push_back(loop_json(result));
+  return json;
+}
+
+}  // namespace
+
+int run_fill(const FillCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  OpenedModel opened = open_model(command.input);
+  SurfaceModel& model = opened.model;
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  const std::vector<LoopChoice> choices = choose_loops(model, loops, command);
+  const TriangleSoup original = model.soup;
+
+  const std::vector<LoopResult> results = fill_selected(model, loops, choices, command);
+  const bool unchanged = starts_with_bits_of(model.soup, original);
+  if (!unchanged) throw std::logic_error("the surroundings of a patch were changed: nothing was written");
+  write_mesh(command.output, model.soup, command.encoding);
+
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!command.report.empty()) {
+    nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results);
+    json["exterior_unchanged"] = unchanged;
+    json["peak_memory_mb"] = peak_memory_mb();
+    json["total_seconds"] = seconds;
+    write_report(command.report, json);
+  }
+  if (command.verbosity == Verbosity::normal) {
+    std::FILE* out = command.report == "-" ? stderr : stdout;
+    if (loops.empty())
+      std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written as it came.\n",
+                   command.output.c_str());
+    else
+      print_summary(out, results, command, seconds);
+  }
+  const bool failed = std::any_of(results.begin(), results.end(),
+                                  [](const LoopResult& r) { return r.status == LoopStatus::failed; });
+  return failed ? exit_loops_failed : exit_done;
+}
+
+}  // namespace loopmend

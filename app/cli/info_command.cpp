@@ -1,0 +1,64 @@
+#include "commands.h"
+#include "exit_codes.h"
+#include "open_model.h"
+#include "report.h"
+
+#include <cstdio>
+
+namespace loopmend {
+
+namespace {
+
+void print_count(std::size_t count, const char* words) {
+  if (count > 0) std::printf("  %zu %s\n", count, words);
+}
+
+void print_import(const ImportReport& import, const ModelRepairs& repairs) {
+  print_count(import.polygons_triangulated, "polygons were triangulated");
+  print_count(import.vertices_welded, "corners were welded");
+  print_count(import.unreferenced_vertices, "vertices belong to no face; they are kept");
+  print_count(import.coincident_vertices, "vertices lie exactly on another; they are kept apart");
+  print_count(import.degenerate_faces, "faces have no area; they are kept");
+  print_count(import.duplicate_faces, "faces are there twice; they are kept");
+  print_count(repairs.non_manifold_edges, "edges have more than two faces");
+  print_count(repairs.non_manifold_vertices, "vertices join several fans of faces");
+  print_count(repairs.reoriented_faces, "faces were turned round to agree with their neighbours");
+}
+
+void print_loops(const std::vector<BoundaryLoop>& loops) {
+  constexpr std::size_t most_rows = 60;
+  std::printf("\n%6s  %-9s  %6s  %12s  %12s  %9s\n", "number", "kind", "edges", "perimeter", "diameter", "planarity");
+  for (std::size_t k = 0; k < loops.size() && k < most_rows; ++k)
+    std::printf("%6d  %-9s  %6d  %12.6g  %12.6g  %9.4f\n", loops[k].number, to_string(loops[k].kind), loops[k].edges(),
+                loops[k].perimeter, loops[k].diameter, loops[k].planarity);
+  if (loops.size() > most_rows)
+    std::printf("... and %zu smaller ones (all of them with --json)\n", loops.size() - most_rows);
+}
+
+}  // namespace
+
+int run_info(const InfoCommand& command) {
+  const OpenedModel opened = open_model(command.input);
+  const SurfaceModel& model = opened.model;
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  if (!command.json.empty()) {
+    nlohmann::ordered_json json;
+    json["input"] = input_json(command.input, opened.import, model.repairs);
+    json["loops"] = nlohmann::ordered_json::array();
+    for (const BoundaryLoop& loop : loops) json["loops"].push_back(loop_json(loop));
+    write_report(command.json, json);
+    return exit_done;
+  }
+  std::printf("%s: %s, %zu vertices, %zu faces\n", command.input.c_str(), opened.import.format.c_str(),
+              opened.import.vertices, opened.import.faces);
+  print_import(opened.import, model.repairs);
+  if (loops.empty()) {
+    std::printf("The surface is closed: it has no boundary loops.\n");
+    return exit_done;
+  }
+  std::printf("%zu boundary %s\n", loops.size(), loops.size() == 1 ? "loop" : "loops");
+  print_loops(loops);
+  return exit_done;
+}
+
+}  // namespace loopmend

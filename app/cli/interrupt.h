@@ -1,0 +1,10 @@
+// Ctrl-C: ends the process at once, with nothing half-written.
+#pragma once
+
+namespace loopmend {
+
+/// Call once, before any thread is started. From then on SIGINT and SIGTERM, on whatever thread, make the process say
+/// "cancelled", remove unfinished files and exit with 130, even in the middle of a factorisation.
+void exit_on_interrupt();
+
+}  // namespace loopmend

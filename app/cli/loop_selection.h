@@ -1,0 +1,22 @@
+// Which loops a `fill` command means.
+#pragma once
+
+#include "commands.h"
+
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+struct LoopChoice {
+  bool fill = false;
+  std::string why_not;  ///< in words, where fill is false
+};
+
+/// One choice per loop. Loops that are named (by number or vertex) are meant whatever their kind; the size limits hold
+/// for all.
+/// @throws UsageError for a number or vertex that names no loop.
+std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                     const FillCommand& command);
+
+}  // namespace loopmend

@@ -1,0 +1,19 @@
+// From a path to a surface: reading, and the view in which loops can be walked.
+#pragma once
+
+#include "io/read_mesh.h"
+#include "mesh/surface_model.h"
+
+#include <filesystem>
+
+namespace loopmend {
+
+struct OpenedModel {
+  SurfaceModel model;
+  ImportReport import;
+};
+
+/// @throws ReadError, also where the file is sound but holds no usable face.
+OpenedModel open_model(const std::filesystem::path& path);
+
+}  // namespace loopmend

@@ -1,0 +1,77 @@
+#include "report.h"
+
+#include "io/atomic_file.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace loopmend {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// JSON knows no NaN: null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json seam_json(const SeamReport& seam) {
+  return {{"g0_gap", number(seam.g0_gap)},
+          {"g1_rms_deg", number(seam.g1_rms_deg)},
+          {"g1_max_deg", number(seam.g1_max_deg)},
+          {"h_jump_rms", number(seam.h_jump_rms)},
+          {"h_jump_max", number(seam.h_jump_max)},
+          {"h_jump_rms_times_diameter", number(seam.h_jump_rms_times_diameter)}};
+}
+
+}  // namespace
+
+Json input_json(const std::filesystem::path& path, const ImportReport& import, const ModelRepairs& repairs) {
+  return {{"path", path.string()},
+          {"vertices", import.vertices},
+          {"faces", import.faces},
+          {"import",
+           {{"format", import.format},
+            {"triangles", import.triangles},
+            {"polygons_triangulated", import.polygons_triangulated},
+            {"vertices_welded", import.vertices_welded},
+            {"unreferenced_vertices", import.unreferenced_vertices},
+            {"coincident_vertices", import.coincident_vertices},
+            {"degenerate_faces", import.degenerate_faces},
+            {"duplicate_faces", import.duplicate_faces},
+            {"non_manifold_edges", repairs.non_manifold_edges},
+            {"non_manifold_vertices", repairs.non_manifold_vertices},
+            {"reoriented_faces", repairs.reoriented_faces},
+            {"has_colors", import.has_colors}}}};
+}
+
+Json loop_json(const BoundaryLoop& loop) {
+  return {{"number", loop.number},       {"edges", loop.edges()},           {"perimeter", loop.perimeter},
+          {"diameter", loop.diameter},   {"planarity", loop.planarity},     {"area", loop.area},
+          {"turning", loop.turning},     {"kind", to_string(loop.kind)}};
+}
+
+Json loop_json(const LoopResult& result) {
+  Json json = loop_json(result.loop);
+  json["status"] = to_string(result.status);
+  json["message"] = result.message;
+  json["free_vertices"] = result.free_vertices;
+  json["steps"] = result.steps;
+  json["seconds"] = {{"filler", result.seconds.filler},
+                     {"assemble", result.seconds.assemble},
+                     {"solve", result.seconds.solve},
+                     {"total", result.seconds.total}};
+  json["energy"] = {{"initial", number(result.energy.initial)}, {"final", number(result.energy.final)}};
+  json["seam_before"] = seam_json(result.seam_before);
+  json["seam_after"] = seam_json(result.seam_after);
+  return json;
+}
+
+void write_report(const std::string& target, const Json& report) {
+  const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (target == "-")
+    std::cout << text << std::flush;
+  else
+    write_file_atomically(target, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace loopmend

@@ -1,0 +1,28 @@
+// The JSON report of `loopmend info` and `loopmend fill`.
+#pragma once
+
+#include "evolution/fill_loops.h"
+#include "io/read_mesh.h"
+#include "mesh/surface_model.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace loopmend {
+
+/// "input": path, vertices, faces, import {counts by kind}.
+nlohmann::ordered_json input_json(const std::filesystem::path& path, const ImportReport& import,
+                                  const ModelRepairs& repairs);
+
+/// Number, edges, lengths and kind of a loop.
+nlohmann::ordered_json loop_json(const BoundaryLoop& loop);
+
+/// The same with status, times, energies and seam figures.
+nlohmann::ordered_json loop_json(const LoopResult& result);
+
+/// Writes to the file, or to standard output for "-". @throws WriteError
+void write_report(const std::string& target, const nlohmann::ordered_json& report);
+
+}  // namespace loopmend

@@ -1,0 +1,34 @@
+// The holes as a table: one row per boundary loop of the document.
+#pragma once
+
+#include <QAbstractTableModel>
+
+namespace loopmend {
+
+class Document;
+
+class HoleTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { number, edges, perimeter, diameter, kind, state, column_count };
+  /// For sorting: the bare number behind a cell.
+  static constexpr int sort_role = Qt::UserRole + 1;
+
+  explicit HoleTable(const Document& document, QObject* parent = nullptr);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  QVariant text(int loop, int column) const;
+  QVariant sort_key(int loop, int column) const;
+  QVariant tool_tip(int loop, int column) const;
+
+  const Document& document_;
+  int rows_ = 0;
+};
+
+}  // namespace loopmend

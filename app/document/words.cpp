@@ -1,0 +1,154 @@
+#include "document/words.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend::words {
+namespace {
+
+QString tr(const char* text, int n = -1) { return QCoreApplication::translate("loopmend", text, nullptr, n); }
+
+QString count(std::size_t n) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(n)); }
+
+// One sided fits on a triangulated scan differ by about this much even when the surface is smooth.
+constexpr double tangent_seen_deg = 2.0;
+constexpr double curvature_seen = 0.5;  ///< jump of H times the hole's diameter
+
+}  // namespace
+
+QString kind(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::hole: return tr("hole");
+    case LoopKind::outer_rim: return tr("outer rim");
+    case LoopKind::touching: return tr("touching");
+    case LoopKind::cut: return tr("cut");
+  }
+  return {};
+}
+
+QString kind_help(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::hole: return tr("A hole in the surface.");
+    case LoopKind::outer_rim:
+      return tr("The rim of an open sheet. It is left out unless you select it yourself and press Fill.");
+    case LoopKind::touching: return tr("This loop passes twice through one vertex, or meets another loop there.");
+    case LoopKind::cut:
+      return tr("Not a hole: more than two triangles meet along this edge, so the surface was cut here.");
+  }
+  return {};
+}
+
+QString state(HoleState state) {
+  switch (state) {
+    case HoleState::open: return tr("open");
+    case HoleState::left_out: return tr("left out");
+    case HoleState::filled: return tr("filled");
+    case HoleState::running: return tr("running");
+    case HoleState::stepped: return tr("in progress");
+    case HoleState::converged: return tr("converged");
+    case HoleState::failed: return tr("failed");
+  }
+  return {};
+}
+
+QString state_help(HoleState state) {
+  switch (state) {
+    case HoleState::open: return tr("Not filled yet.");
+    case HoleState::left_out: return tr("Not filled unless you select it yourself.");
+    case HoleState::filled: return tr("Closed by the plain filler; no flow has run yet.");
+    case HoleState::running: return tr("A flow is moving this patch now.");
+    case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
+    case HoleState::converged: return tr("The flow has come to rest.");
+    case HoleState::failed: return tr("This did not work.");
+  }
+  return {};
+}
+
+QString flow(FlowKind flow) {
+  switch (flow) {
+    case FlowKind::mmcvf: return tr("MMCVF \u2013 curvature runs through");
+    case FlowKind::wf: return tr("WF \u2013 tangents run through, round");
+    case FlowKind::sdf: return tr("SDF \u2013 tangents run through, taut");
+    case FlowKind::mcf: return tr("MCF \u2013 soap film");
+  }
+  return {};
+}
+
+QString flow_name(FlowKind flow) { return words::flow(flow).section(QLatin1Char(' '), 0, 0); }
+
+QString flow_help(FlowKind flow) {
+  switch (flow) {
+    case FlowKind::mmcvf:
+      return tr("Minimal mean-curvature variation, sixth order: position, tangent and curvature match at the seam.");
+    case FlowKind::wf: return tr("Willmore flow, fourth order: position and tangent match; bends as little as possible.");
+    case FlowKind::sdf: return tr("Surface diffusion, fourth order: position and tangent match; mean curvature spreads evenly.");
+    case FlowKind::mcf: return tr("Mean curvature flow, second order: least area; a crease stays at the seam.");
+  }
+  return {};
+}
+
+QString number(double value) {
+  constexpr int digits = 3;
+  const double size = std::abs(value);
+  if (size == 0) return QStringLiteral("0");
+  if (!(size >= 1e-3 && size < 1e6)) return QString::number(value, 'e', digits - 1);
+  const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size))));
+  return QString::number(value, 'f', decimals);
+}
+
+QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStage stage) {
+  if (now.g0_gap > 0) return tr("The patch does not meet the scan: there is a gap of %1.").arg(number(now.g0_gap));
+  const bool tangent = now.g1_rms_deg < tangent_seen_deg;
+  const bool curvature = tangent && now.h_jump_rms_times_diameter < curvature_seen;
+  QString sentence;
+  if (curvature) {
+    sentence = tr("Position, tangent and curvature run through the seam.");
+  } else if (tangent) {
+    sentence = tr("Position and tangent run through the seam; the mean curvature jumps by %1 (rms).").arg(number(now.h_jump_rms));
+  } else {
+    sentence = tr("The patch meets the scan with a crease of %1\u00b0 (rms).").arg(number(now.g1_rms_deg));
+  }
+  if (stage == PatchStage::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
+  if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms)
+    sentence += QLatin1Char(' ') +
+                tr("The flow made the jump of curvature %1 times smaller.").arg(number(before.h_jump_rms / now.h_jump_rms));
+  return sentence;
+}
+
+QString holes(const Document& document, const std::set<int>& loops) {
+  constexpr std::size_t spelled_out = 4;
+  if (loops.size() == 1)
+    return tr("hole %1").arg(document.loops()[static_cast<std::size_t>(*loops.begin())].number);
+  if (loops.size() > spelled_out) return tr("%1 holes").arg(loops.size());
+  QStringList numbers;
+  for (int loop : loops) numbers << QString::number(document.loops()[static_cast<std::size_t>(loop)].number);
+  const QString last = numbers.isEmpty() ? QString() : numbers.takeLast();
+  return tr("holes %1 and %2").arg(numbers.join(QStringLiteral(", ")), last);
+}
+
+QString import_summary(const OpenedScan& scan) {
+  const ImportReport& in = scan.import;
+  const ModelRepairs& mended = scan.model->repairs;
+  QString text = tr("%1: %2 triangles, %3 vertices, %4 boundary loops.")
+                     .arg(QFileInfo(scan.path).fileName(), count(in.triangles), count(in.vertices), count(scan.loops.size()));
+  QStringList notes;
+  const auto note = [&notes](std::size_t n, const char* words) {
+    if (n > 0) notes << tr(words).arg(count(n));
+  };
+  note(in.polygons_triangulated, QT_TRANSLATE_NOOP("loopmend", "%1 polygons cut into triangles"));
+  note(mended.reoriented_faces, QT_TRANSLATE_NOOP("loopmend", "%1 faces turned round"));
+  note(mended.degenerate_faces, QT_TRANSLATE_NOOP("loopmend", "%1 degenerate faces left aside"));
+  note(mended.duplicate_faces, QT_TRANSLATE_NOOP("loopmend", "%1 duplicate faces left aside"));
+  note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend", "cut along %1 non-manifold edges"));
+  note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend", "split at %1 non-manifold vertices"));
+  note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend", "%1 vertices that no face uses"));
+  if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("To be able to work on it: %1.").arg(notes.join(QStringLiteral(", ")));
+  return text;
+}
+
+}  // namespace loopmend::words

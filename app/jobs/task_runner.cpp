@@ -1,0 +1,53 @@
+#include "jobs/task_runner.h"
+
+#include <QMetaObject>
+
+#include <algorithm>
+
+namespace loopmend {
+
+void Job::tell(std::function<void()> act) const {
+  QMetaObject::invokeMethod(
+      window_side_,
+      [act = std::move(act), token = token_] {
+        if (!token.cancelled()) act();
+      },
+      Qt::QueuedConnection);
+}
+
+TaskRunner::~TaskRunner() {
+  for (Worker& worker : workers_) worker.thread.join();
+}
+
+void TaskRunner::start(std::function<void()> work) {
+  reap();
+  auto done = std::make_shared<std::atomic<bool>>(false);
+  std::thread thread([work = std::move(work), done] {
+    work();
+    done->store(true);
+  });
+  workers_.push_back({std::move(thread), std::move(done)});
+}
+
+bool TaskRunner::wait(std::chrono::milliseconds at_most) {
+  const auto end = std::chrono::steady_clock::now() + at_most;
+  for (;;) {
+    reap();
+    if (workers_.empty()) return true;
+    if (std::chrono::steady_clock::now() >= end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+void TaskRunner::reap() {
+  for (auto it = workers_.begin(); it != workers_.end();) {
+    if (it->done->load()) {
+      it->thread.join();
+      it = workers_.erase(it);
+    } else {
+      ++it;
+    }
+  }
+}
+
+}  // namespace loopmend

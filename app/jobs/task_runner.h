@@ -1,0 +1,59 @@
+// Worker threads, one per job. A job that was given up goes on to its next look at the token, unseen; the window does
+// not wait for it.
+#pragma once
+
+#include "core/cancel.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <list>
+#include <memory>
+#include <thread>
+
+namespace loopmend {
+
+/// One job: its way to cancel, and its way to speak to the window.
+class Job {
+ public:
+  Job(QObject* window_side) : window_side_(window_side) {}
+
+  const CancelToken& token() const { return token_; }
+  /// Asked to stop after the present step, keeping everything.
+  bool asked_to_pause() const { return pause_.load(std::memory_order_relaxed); }
+  void ask_to_pause() { pause_.store(true, std::memory_order_relaxed); }
+
+  /// From the worker: runs `act` on the window's thread, unless the job has been cancelled by then.
+  void tell(std::function<void()> act) const;
+
+ private:
+  QObject* window_side_;
+  CancelToken token_;
+  std::atomic<bool> pause_{false};
+};
+using JobPtr = std::shared_ptr<Job>;
+
+class TaskRunner {
+ public:
+  TaskRunner() = default;
+  ~TaskRunner();
+  TaskRunner(const TaskRunner&) = delete;
+  TaskRunner& operator=(const TaskRunner&) = delete;
+
+  void start(std::function<void()> work);
+  /// @returns whether every job has ended within the time.
+  bool wait(std::chrono::milliseconds at_most);
+
+ private:
+  struct Worker {
+    std::thread thread;
+    std::shared_ptr<std::atomic<bool>> done;
+  };
+  void reap();
+
+  std::list<Worker> workers_;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,92 @@
+// loopmend-gui: starts the window.
+#include "io/atomic_file.h"
+#include "views/main_window.h"
+#include "views/mesh_view.h"
+
+#include <QApplication>
+
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+namespace {
+
+constexpr int exit_usage = 2;
+constexpr int exit_no_display = 1;
+
+constexpr const char* help =
+    "loopmend-gui - close holes in scanned meshes, in a window\n"
+    "\n"
+    "Usage: loopmend-gui [FILE]\n"
+    "\n"
+    "  FILE       a scan to open: PLY, STL, OBJ or OFF\n"
+    "  --help     print this and exit\n"
+    "  --version  print the version and exit\n"
+    "\n"
+    "Example: loopmend-gui bunny.ply\n"
+    "Without a display, use the command line: loopmend --help\n";
+
+/// @returns the exit code when there is nothing more to do, −1 otherwise.
+int answer_options(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--help" || word == "-h") {
+      std::fputs(help, stdout);
+      return 0;
+    }
+    if (word == "--version") {
+      std::printf("loopmend-gui %s\n", LOOPMEND_VERSION);
+      return 0;
+    }
+    if (word == "--") break;
+    if (word.size() > 1 && word.front() == '-' && word != "-platform" && word != "-style") {
+      std::fprintf(stderr, "loopmend-gui: unknown option %s. See loopmend-gui --help.\n", argv[i]);
+      return exit_usage;
+    }
+  }
+  return -1;
+}
+
+bool has_display() {
+  const auto is_set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("QT_QPA_PLATFORM");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (const int code = answer_options(argc, argv); code >= 0) return code;
+  if (!has_display()) {
+    std::fputs(
+        "loopmend-gui: there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set). "
+        "Start it from a desktop session, or use the command line: loopmend --help\n",
+        stderr);
+    return exit_no_display;
+  }
+  loopmend::MeshView::prepare_graphics();
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication::setApplicationName(QStringLiteral("Loopmend"));
+  QApplication::setApplicationVersion(QStringLiteral(LOOPMEND_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("loopmend"));
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  QApplication::setStyle(QStringLiteral("Fusion"));
+
+  loopmend::MainWindow window;
+  window.show();
+  const QStringList words = QApplication::arguments();
+  if (words.size() > 1) window.open(words.last());
+  const int code = QApplication::exec();
+  if (!window.shut_down(std::chrono::seconds(5))) {
+    // A worker is deep inside one factorisation. Nothing half-written may stay behind.
+    loopmend::remove_unfinished_files();
+    std::_Exit(code);
+  }
+  return code;
+}

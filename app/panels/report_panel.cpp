@@ -1,0 +1,191 @@
+#include "panels/report_panel.h"
+
+#include "document/document.h"
+#include "document/hole_selection.h"
+#include "document/words.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QTime>
+#include <QVBoxLayout>
+
+namespace loopmend {
+namespace {
+
+constexpr std::size_t most_rows = 200;
+enum Column { hole, gap, angle_rms, angle_max, jump_rms, jump_max, jump_free, column_count };
+
+double value(const SeamReport& seam, int column) {
+  switch (column) {
+    case gap: return seam.g0_gap;
+    case angle_rms: return seam.g1_rms_deg;
+    case angle_max: return seam.g1_max_deg;
+    case jump_rms: return seam.h_jump_rms;
+    case jump_max: return seam.h_jump_max;
+    case jump_free: return seam.h_jump_rms_times_diameter;
+    default: return 0;
+  }
+}
+
+QWidget* titled(const QString& title, QWidget* content, QPushButton* button) {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(8, 4, 8, 8);
+  layout->setSpacing(4);
+  auto* top = new QHBoxLayout;
+  auto* label = new QLabel(title);
+  QFont bold = label->font();
+  bold.setBold(true);
+  label->setFont(bold);
+  top->addWidget(label, 1);
+  top->addWidget(button);
+  layout->addLayout(top);
+  layout->addWidget(content, 1);
+  return box;
+}
+
+}  // namespace
+
+ReportPanel::ReportPanel(const Document& document, const HoleSelection& selection, QWidget* parent)
+    : QWidget(parent), document_(document), selection_(selection) {
+  setObjectName(QStringLiteral("reportPanel"));
+  auto* split = new QSplitter(Qt::Horizontal);
+  split->setChildrenCollapsible(false);
+  split->addWidget(build_seam());
+  split->addWidget(build_log());
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 2);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(split);
+  connect(&document, &Document::opened, this, &ReportPanel::update_seam);
+  connect(&document, &Document::holes_changed, this, &ReportPanel::update_seam);
+  connect(&selection, &HoleSelection::selection_changed, this, &ReportPanel::update_seam);
+  update_seam();
+}
+
+QWidget* ReportPanel::build_seam() {
+  seam_ = new QTableWidget(0, column_count);
+  seam_->setObjectName(QStringLiteral("seamTable"));
+  seam_->setHorizontalHeaderLabels({tr("Hole"), tr("Gap"), tr("Angle rms"), tr("Angle max"), tr("H jump rms"),
+                                    tr("H jump max"), tr("H jump \u00d7 size")});
+  const char* const help[] = {QT_TR_NOOP("The hole's number"),
+                              QT_TR_NOOP("Largest distance between the two sides of the seam"),
+                              QT_TR_NOOP("Angle between the normals on both sides, root mean square"),
+                              QT_TR_NOOP("Angle between the normals on both sides, largest"),
+                              QT_TR_NOOP("Jump of the mean curvature across the seam, root mean square, 1/length"),
+                              QT_TR_NOOP("Jump of the mean curvature across the seam, largest, 1/length"),
+                              QT_TR_NOOP("The rms jump times the hole's diameter: a number without a unit")};
+  for (int c = 0; c < column_count; ++c) {
+    seam_->horizontalHeaderItem(c)->setToolTip(tr(help[c]));
+    seam_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignVCenter | (c == hole ? Qt::AlignLeft : Qt::AlignRight));
+  }
+  seam_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  seam_->setSelectionMode(QAbstractItemView::NoSelection);
+  seam_->setFocusPolicy(Qt::NoFocus);
+  seam_->setShowGrid(false);
+  seam_->setWordWrap(false);
+  seam_->verticalHeader()->hide();
+  seam_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 9);
+  seam_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  seam_->horizontalHeader()->setSectionResizeMode(hole, QHeaderView::ResizeToContents);
+  sentence_ = new QLabel;
+  sentence_->setObjectName(QStringLiteral("seamSentence"));
+  sentence_->setWordWrap(true);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(sentence_);
+  layout->addWidget(seam_, 1);
+  auto* copy = new QPushButton(tr("Copy"));
+  copy->setObjectName(QStringLiteral("copySeam"));
+  copy->setToolTip(tr("Copy the table as tab-separated text"));
+  connect(copy, &QPushButton::clicked, this, &ReportPanel::copy_seam);
+  return titled(tr("Seam, before \u2192 now"), content, copy);
+}
+
+QWidget* ReportPanel::build_log() {
+  log_ = new QPlainTextEdit;
+  log_->setObjectName(QStringLiteral("log"));
+  log_->setReadOnly(true);
+  log_->setMaximumBlockCount(5000);
+  log_->setPlaceholderText(tr("What happens is written down here."));
+  auto* copy = new QPushButton(tr("Copy"));
+  copy->setObjectName(QStringLiteral("copyLog"));
+  copy->setToolTip(tr("Copy the whole log"));
+  connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(log_->toPlainText()); });
+  return titled(tr("Log"), log_, copy);
+}
+
+void ReportPanel::log(const QString& words) {
+  log_->appendPlainText(QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + words);
+}
+
+std::vector<int> ReportPanel::shown_loops() const {
+  std::vector<int> loops;
+  for (int loop = 0; loop < static_cast<int>(document_.loops().size()) && loops.size() < most_rows; ++loop) {
+    const bool wanted = selection_.selected().empty() || selection_.selected().contains(loop);
+    if (wanted && document_.patch_of(loop)) loops.push_back(loop);
+  }
+  return loops;
+}
+
+void ReportPanel::update_seam() {
+  const std::vector<int> loops = shown_loops();
+  seam_->setRowCount(static_cast<int>(loops.size()));
+  for (int row = 0; row < static_cast<int>(loops.size()); ++row) fill_row(row, loops[static_cast<std::size_t>(row)]);
+  if (loops.empty()) {
+    sentence_->setText(!document_.has_scan()          ? tr("Open a scan, fill a hole, and its seam is measured here.")
+                       : selection_.selected().empty() ? tr("No hole is filled yet. Press Fill, and the seam is measured here.")
+                                                       : tr("The selection is not filled yet."));
+    return;
+  }
+  const int first = loops.front();
+  const OpenPatch& patch = *document_.patch_of(first);
+  const auto at = static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), first) - patch.loops.begin());
+  if (at >= patch.state->seam.size()) return;
+  sentence_->setText(tr("Hole %1: %2")
+                         .arg(document_.loops()[static_cast<std::size_t>(first)].number)
+                         .arg(words::seam_sentence(patch.state->seam_before[at], patch.state->seam[at], patch.state->stage)));
+}
+
+void ReportPanel::fill_row(int row, int loop) {
+  const OpenPatch& patch = *document_.patch_of(loop);
+  const auto at = static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
+  for (int column = 0; column < column_count; ++column) {
+    QString text;
+    if (column == hole) {
+      text = QString::number(document_.loops()[static_cast<std::size_t>(loop)].number);
+    } else if (at < patch.state->seam.size()) {
+      const QString unit = column == angle_rms || column == angle_max ? QStringLiteral("\u00b0") : QString();
+      const QString now = words::number(value(patch.state->seam[at], column)) + unit;
+      const QString before = words::number(value(patch.state->seam_before[at], column)) + unit;
+      text = patch.state->steps == 0 ? now : before + QStringLiteral(" \u2192 ") + now;
+    }
+    auto* item = new QTableWidgetItem(text);
+    item->setTextAlignment(Qt::AlignVCenter | (column == hole ? Qt::AlignLeft : Qt::AlignRight));
+    seam_->setItem(row, column, item);
+  }
+}
+
+void ReportPanel::copy_seam() const {
+  QStringList lines;
+  for (int row = -1; row < seam_->rowCount(); ++row) {
+    QStringList cells;
+    for (int column = 0; column < column_count; ++column) {
+      const QTableWidgetItem* item = row < 0 ? seam_->horizontalHeaderItem(column) : seam_->item(row, column);
+      cells << (item ? item->text() : QString());
+    }
+    lines << cells.join(QLatin1Char('\t'));
+  }
+  QApplication::clipboard()->setText(sentence_->text() + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
+}
+
+}  // namespace loopmend

@@ -1,0 +1,53 @@
+#include "panels/status_line.h"
+
+#include "document/document.h"
+#include "document/words.h"
+#include "jobs/workbench.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+namespace loopmend {
+
+StatusLine::StatusLine(const Document& document, const Workbench& workbench, QWidget* parent)
+    : QWidget(parent), document_(document), stage_(new QLabel(tr("Ready"))), figures_(new QLabel), scan_(new QLabel) {
+  setObjectName(QStringLiteral("statusLine"));
+  stage_->setObjectName(QStringLiteral("statusStage"));
+  figures_->setObjectName(QStringLiteral("statusFigures"));
+  scan_->setObjectName(QStringLiteral("statusScan"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 0, 8, 0);
+  layout->setSpacing(24);
+  layout->addWidget(stage_);
+  layout->addWidget(figures_, 1);
+  layout->addWidget(scan_);
+  connect(&workbench, &Workbench::stage_changed, this,
+          [this](const QString& words) { stage_->setText(words.isEmpty() ? tr("Ready") : words); });
+  connect(&document, &Document::patch_moved, this, &StatusLine::show_figures);
+  connect(&document, &Document::patches_changed, figures_, &QLabel::clear);
+  connect(&document, &Document::opened, this, &StatusLine::update_scan);
+}
+
+void StatusLine::update_scan() {
+  const QLocale plain(QLocale::English);
+  figures_->clear();
+  scan_->setText(tr("%1 triangles \u00b7 %2 vertices")
+                     .arg(plain.toString(static_cast<qulonglong>(document_.scan().model->soup.triangles.size())),
+                          plain.toString(static_cast<qulonglong>(document_.scan().model->soup.points.size()))));
+}
+
+void StatusLine::show_figures(int patch_id) {
+  const OpenPatch* patch = document_.patch(patch_id);
+  if (!patch || patch->state->steps == 0) {
+    figures_->clear();
+    return;
+  }
+  const PatchState& state = *patch->state;
+  QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(words::number(state.last_step.energy));
+  if (state.last_step.tau > 0)
+    text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2").arg(words::number(state.last_step.sigma), words::number(state.last_step.tau));
+  figures_->setText(text + tr(" \u00b7 %1 s").arg(state.seconds, 0, 'f', 1));
+}
+
+}  // namespace loopmend

@@ -1,0 +1,27 @@
+// The line at the bottom: what runs, and its figures.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace loopmend {
+
+class Document;
+class Workbench;
+
+class StatusLine : public QWidget {
+  Q_OBJECT
+
+ public:
+  StatusLine(const Document& document, const Workbench& workbench, QWidget* parent = nullptr);
+
+ private:
+  void update_scan();
+  void show_figures(int patch_id);
+
+  const Document& document_;
+  QLabel *stage_, *figures_, *scan_;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,13 @@
+// A VTK render window that needs no display: an EGL context without a surface.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+class vtkRenderWindow;
+
+namespace loopmend {
+
+/// @throws Error in words when this machine offers no such context.
+vtkSmartPointer<vtkRenderWindow> make_offscreen_window(int width, int height);
+
+}  // namespace loopmend

@@ -1,0 +1,160 @@
+#include "scene/legend.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCoordinate.h>
+#include <vtkLookupTable.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace loopmend {
+namespace {
+
+constexpr int bar_steps = 96;
+
+std::string number(double value, double range) {
+  if (value == 0) return "0";
+  char text[32];
+  const double decade = std::floor(std::log10(range));
+  if (decade < -3 || decade > 3) {
+    std::snprintf(text, sizeof text, "%+.1e", value);
+  } else {
+    std::snprintf(text, sizeof text, "%+.*f", std::max(0, 1 - static_cast<int>(decade)), value);
+  }
+  std::string out = text;
+  if (out[0] == '-') out.replace(0, 1, "\xE2\x88\x92");
+  return out;
+}
+
+void quad(vtkPoints* points, vtkCellArray* cells, double x0, double y0, double x1, double y1) {
+  const vtkIdType first = points->InsertNextPoint(x0, y0, 0);
+  points->InsertNextPoint(x1, y0, 0);
+  points->InsertNextPoint(x1, y1, 0);
+  points->InsertNextPoint(x0, y1, 0);
+  const vtkIdType ids[4] = {first, first + 1, first + 2, first + 3};
+  cells->InsertNextCell(4, ids);
+}
+
+void style(vtkTextActor* text) {
+  vtkTextProperty* look = text->GetTextProperty();
+  look->SetFontFamilyToArial();
+  look->ItalicOff();
+  look->ShadowOff();
+  look->BoldOff();
+  look->SetJustificationToLeft();
+  look->SetVerticalJustificationToCentered();
+}
+
+}  // namespace
+
+Legend::Legend(vtkLookupTable* table) : table_(table) {
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) style(text);
+  for (auto& label : labels_) style(label);
+  title_->SetInput("Mean curvature H");
+  unit_->SetInput("in 1/length");
+  hollow_->SetInput("hollow");
+  bulging_->SetInput("bulging");
+  title_->GetTextProperty()->BoldOn();
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()})
+    text->GetTextProperty()->SetJustificationToRight();
+  set_ink(0.15);
+}
+
+Legend::~Legend() = default;
+
+void Legend::add_to(vtkRenderer* renderer) {
+  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) renderer->AddActor2D(part);
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) renderer->AddActor2D(text);
+  for (auto& label : labels_) renderer->AddActor2D(label);
+}
+
+void Legend::show() {
+  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) part->VisibilityOn();
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) text->VisibilityOn();
+  for (auto& label : labels_) label->VisibilityOn();
+}
+
+void Legend::hide() {
+  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) part->VisibilityOff();
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) text->VisibilityOff();
+  for (auto& label : labels_) label->VisibilityOff();
+}
+
+void Legend::set_pixel_ratio(double ratio) { ratio_ = ratio; }
+
+void Legend::set_ink(double grey) {
+  const auto ink = [](vtkTextActor* text, double g) { text->GetTextProperty()->SetColor(g, g, g); };
+  const double soft = grey < 0.5 ? grey + 0.22 : grey - 0.22;
+  ink(title_, grey);
+  for (vtkTextActor* text : {unit_.Get(), hollow_.Get(), bulging_.Get()}) ink(text, soft);
+  for (auto& label : labels_) ink(label, grey);
+  ticks_->GetProperty()->SetColor(grey, grey, grey);
+}
+
+void Legend::lay_out(int width, int height) {
+  const double margin = 16 * ratio_, bar_width = 14 * ratio_;
+  const double bar_height = std::clamp(0.42 * height, 80 * ratio_, 260 * ratio_);
+  const double right = width - margin, top = height - margin;
+  place(title_, right, top - 7 * ratio_, 13);
+  place(unit_, right, top - 25 * ratio_, 11);
+  place(hollow_, right, top - 47 * ratio_, 11);
+  const double bar_top = top - 60 * ratio_, bottom = bar_top - bar_height;
+  build_bar(right - bar_width, bottom, bar_width, bar_height);
+  place(bulging_, right, bottom - 13 * ratio_, 11);
+  const double range = table_->GetRange()[1];
+  for (int i = 0; i < label_count; ++i) {
+    const double t = static_cast<double>(i) / (label_count - 1);
+    vtkTextActor* label = labels_[static_cast<std::size_t>(i)];
+    label->SetInput(number((2 * t - 1) * range, range).c_str());
+    label->GetTextProperty()->SetJustificationToRight();
+    place(label, right - bar_width - 9 * ratio_, bottom + t * bar_height, 12);
+  }
+}
+
+void Legend::place(vtkTextActor* text, double x, double y, int logical_size) {
+  text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(logical_size * ratio_)));
+  text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  text->SetPosition(std::lround(x), std::lround(y));
+}
+
+void Legend::build_bar(double left, double bottom, double width, double height) {
+  vtkNew<vtkPoints> points, tick_points;
+  vtkNew<vtkCellArray> cells, tick_cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (int i = 0; i < bar_steps; ++i) {
+    quad(points, cells, left, bottom + height * i / bar_steps, left + width, bottom + height * (i + 1) / bar_steps);
+    double rgba[4];
+    table_->GetTableValue(i * 255 / (bar_steps - 1), rgba);
+    for (int k = 0; k < 3; ++k) colors->InsertNextValue(static_cast<unsigned char>(255 * rgba[k]));
+  }
+  for (int i = 0; i < label_count; ++i) {
+    const double y = bottom + height * i / (label_count - 1), half = 0.5 * ratio_;
+    quad(tick_points, tick_cells, left - 5 * ratio_, y - half, left, y + half);
+  }
+  const auto use = [](vtkActor2D* actor, vtkPoints* p, vtkCellArray* c, vtkUnsignedCharArray* rgb) {
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(p);
+    data->SetPolys(c);
+    if (rgb) data->GetCellData()->SetScalars(rgb);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(data);
+    actor->SetMapper(mapper);
+  };
+  use(bar_, points, cells, colors);
+  use(ticks_, tick_points, tick_cells, nullptr);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,181 @@
+#include "scene/offscreen_render.h"
+
+#include "analysis/curvature_field.h"
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "mesh/boundary_loops.h"
+#include "scene/egl_window.h"
+#include "scene/mesh_scene.h"
+#include "scene/view_direction.h"
+
+#include <vtkCamera.h>
+#include <vtkCoordinate.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+constexpr int supersampling = 2;
+
+struct Picture {
+  MeshScene scene;
+  std::shared_ptr<const SurfaceShape> shape;
+};
+
+void check(const RenderOptions& options) {
+  for (int size : {options.width, options.height})
+    if (size < 64 || size > 8192)
+      throw InvalidArgument("picture size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
+                            " is out of range. Give a width and a height between 64 and 8192 pixels.");
+  if (options.h_range && !(*options.h_range > 0)) throw InvalidArgument("the colour range must be larger than 0.");
+}
+
+/// Line widths and letters are drawn for a picture about 1000 pixels wide.
+double pixel_ratio(double width, double height) {
+  return supersampling * std::max(0.6, std::min(width / 1000.0, height / 750.0));
+}
+
+std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const Vec3& origin) {
+  std::vector<LoopLine> lines;
+  for (const BoundaryLoop& loop : loops) {
+    LoopLine line;
+    for (int v : loop.vertices) {
+      const Vec3 p = model.mesh.point(model.mesh.vertex_handle(static_cast<unsigned>(v))) - origin;
+      for (double x : {p.x(), p.y(), p.z()}) line.points.push_back(static_cast<float>(x));
+    }
+    line.style = loop.kind == LoopKind::hole || loop.kind == LoopKind::touching ? LoopStyle::open : LoopStyle::left_out;
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void fill_scene(Picture& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
+  const CurvatureField field =
+      options.shading == Shading::plain ? CurvatureField{} : curvature_field(model.mesh);
+  picture.shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, field, origin));
+  picture.scene.set_surface(picture.shape);
+  picture.scene.set_shading(options.shading);
+  picture.scene.set_loops(lines_of(model, find_boundary_loops(model), origin));
+}
+
+void aim(MeshScene& scene, const SurfaceShape& shape, const SurfaceModel& model, double aspect) {
+  const auto b = scene.bounds();
+  Stand stand;
+  stand.focus = 0.5 * Vec3(b[0] + b[1], b[2] + b[3], b[4] + b[5]);
+  stand.direction = view_direction(model, find_boundary_loops(model));
+  stand.up = view_up(stand.direction);
+  stand.radius = 0.5 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm();
+  stand.aspect = aspect;
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  place_camera(camera, stand);
+  camera->Zoom(tight_zoom(camera, shape, aspect));
+}
+
+vtkNew<vtkImageData> halve(vtkUnsignedCharArray* pixels, int width, int height) {
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const unsigned char* in = pixels->GetPointer(0);
+  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+  const int row = 3 * supersampling * width;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int k = 0; k < 3; ++k) {
+        int sum = 0;
+        for (int dy = 0; dy < supersampling; ++dy)
+          for (int dx = 0; dx < supersampling; ++dx)
+            sum += in[(supersampling * y + dy) * row + 3 * (supersampling * x + dx) + k];
+        *out++ = static_cast<unsigned char>(sum / (supersampling * supersampling));
+      }
+  return image;
+}
+
+void write_png(vtkRenderWindow* window, const RenderOptions& options, const std::filesystem::path& path) {
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  const int* size = window->GetSize();
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
+    throw Error("this machine could not draw a picture of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
+                " pixels. Try a smaller --size.");
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(halve(pixels, options.width, options.height));
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* png = writer->GetResult();
+  write_file_atomically(path, [png](std::ostream& out) {
+    out.write(reinterpret_cast<const char*>(png->GetPointer(0)), static_cast<std::streamsize>(png->GetNumberOfValues()));
+  });
+}
+
+void add_caption(vtkRenderer* renderer, const char* words, double ratio, int height) {
+  vtkNew<vtkTextActor> text;
+  text->SetInput(words);
+  vtkTextProperty* look = text->GetTextProperty();
+  look->SetFontFamilyToArial();
+  look->BoldOn();
+  look->ShadowOff();
+  look->SetColor(0.14, 0.14, 0.14);
+  look->SetFontSize(static_cast<int>(15 * ratio));
+  look->SetVerticalJustificationToTop();
+  text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  text->SetPosition(16 * ratio, height - 16 * ratio);
+  renderer->AddActor2D(text);
+}
+
+}  // namespace
+
+void render_to_png(const SurfaceModel& model, const RenderOptions& options, const std::filesystem::path& path) {
+  check(options);
+  const int width = supersampling * options.width, height = supersampling * options.height;
+  const auto window = make_offscreen_window(width, height);
+  Picture picture;
+  picture.scene.set_pixel_ratio(pixel_ratio(options.width, options.height));
+  picture.scene.set_size(width, height);
+  fill_scene(picture, model, options, scene_origin(model.soup));
+  picture.scene.set_range(options.h_range.value_or(symmetric_range(picture.shape->H)));
+  window->AddRenderer(picture.scene.renderer());
+  aim(picture.scene, *picture.shape, model, static_cast<double>(width) / height);
+  picture.scene.renderer()->ResetCameraClippingRange();
+  write_png(window, options, path);
+  window->Finalize();
+}
+
+void render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options,
+                         const std::filesystem::path& path) {
+  check(options);
+  const int width = supersampling * options.width, height = supersampling * options.height;
+  const auto window = make_offscreen_window(width, height);
+  const double ratio = pixel_ratio(options.width, options.height);
+  const Vec3 origin = scene_origin(before.soup);
+  Picture left, right;
+  for (Picture* picture : {&left, &right}) {
+    picture->scene.set_pixel_ratio(ratio);
+    fill_scene(*picture, picture == &left ? before : after, options, origin);
+    window->AddRenderer(picture->scene.renderer());
+  }
+  right.scene.set_size(width / 2, height);
+  const double range = options.h_range.value_or(symmetric_range(left.shape->H));
+  for (Picture* picture : {&left, &right}) picture->scene.set_range(range);
+  left.scene.hide_legend();
+  aim(left.scene, *left.shape, before, 0.5 * width / height);
+  right.scene.renderer()->SetActiveCamera(left.scene.renderer()->GetActiveCamera());
+  left.scene.renderer()->SetViewport(0, 0, 0.5, 1);
+  right.scene.renderer()->SetViewport(0.5, 0, 1, 1);
+  add_caption(left.scene.renderer(), "Before", ratio, height);
+  add_caption(right.scene.renderer(), "After", ratio, height);
+  left.scene.renderer()->ResetCameraClippingRange();
+  write_png(window, options, path);
+  window->Finalize();
+}
+
+}  // namespace loopmend

@@ -1,0 +1,29 @@
+// Pictures of surfaces without a window and without a display.
+#pragma once
+
+#include "mesh/surface_model.h"
+#include "scene/shading.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace loopmend {
+
+struct RenderOptions {
+  Shading shading = Shading::curvature;
+  int width = 1600;   ///< pixels, 64..8192; of the whole picture
+  int height = 1200;  ///< likewise
+  std::optional<double> h_range;  ///< colours over [−h_range, h_range], 1/length; empty: 98th percentile of the (first) surface
+};
+
+/// One picture: surface, loops as lines, legend when coloured by H. Looks towards the largest holes.
+/// @throws InvalidArgument if a size is out of range; Error if this machine cannot draw; WriteError.
+void render_to_png(const SurfaceModel& model, const RenderOptions& options, const std::filesystem::path& path);
+
+/// Two surfaces side by side: one camera (that of `before`), one colour range, one legend.
+/// @throws as render_to_png.
+void render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options,
+                         const std::filesystem::path& path);
+
+}  // namespace loopmend

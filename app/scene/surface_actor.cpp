@@ -1,0 +1,126 @@
+#include "scene/surface_actor.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUniforms.h>
+
+namespace loopmend {
+namespace {
+
+constexpr Rgb scan_color{0.80, 0.785, 0.755};
+constexpr Rgb patch_color{0.50, 0.74, 0.70};
+constexpr Rgb edge_color{0.16, 0.18, 0.22};
+
+// Key light over the left shoulder, soft fill from the right, a little sky: in view coordinates, so it follows the eye.
+// The inside of the surface is dull and dark, so that a hole reads as a hole. A patch lies on top of the rings that it
+// shares with the scan, hence the tiny shift in depth.
+constexpr const char* lighting = R"(//VTK::Light::Impl
+  vec3 loopmendNormal = normalize(normalVCVSOutput);
+  vec3 loopmendBase = diffuseColor;
+  float loopmendGloss = 0.07;
+  if (loopmendShading == 2) {
+    vec3 mirrored = reflect(normalize(vertexVC.xyz), loopmendNormal);
+    float stripe = sin(9.0 * 3.14159265 * (0.5 + 0.5 * mirrored.y / max(1e-3, length(mirrored) + abs(mirrored.z) * 0.35)));
+    float soft = clamp(fwidth(stripe) * 0.9, 0.02, 1.0);
+    loopmendBase = mix(vec3(0.11, 0.12, 0.14), vec3(0.94, 0.94, 0.92), smoothstep(-soft, soft, stripe));
+    loopmendGloss = 0.0;
+  }
+  float inside = gl_FrontFacing ? 0.0 : 1.0;
+  loopmendBase = mix(loopmendBase, vec3(0.36, 0.34, 0.33), 0.85 * inside);
+  float key = max(0.0, dot(loopmendNormal, normalize(vec3(-0.45, 0.55, 0.75))));
+  float fill = max(0.0, dot(loopmendNormal, normalize(vec3(0.75, -0.10, 0.55))));
+  float sky = 0.5 + 0.5 * loopmendNormal.y;
+  float amount = 0.46 + 0.42 * key + 0.12 * fill + 0.10 * sky;
+  float shine = pow(max(0.0, dot(loopmendNormal, normalize(vec3(-0.25, 0.35, 1.0)))), 40.0);
+  if (loopmendShading == 2) amount = mix(1.0, amount, 0.45);
+  fragOutput0 = vec4(loopmendBase * amount + loopmendGloss * shine * (1.0 - inside), 1.0);
+)";
+constexpr const char* patch_on_top = R"(  gl_FragDepth = gl_FragCoord.z - 0.00002;
+)";
+
+vtkNew<vtkFloatArray> wrap(const std::vector<float>& values, int components, const char* name) {
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  // The shape is kept alive, and never written to, as long as the arrays are in use.
+  array->SetArray(const_cast<float*>(values.data()), static_cast<vtkIdType>(values.size()), 1);
+  return array;
+}
+
+vtkNew<vtkCellArray> wrap_triangles(const std::vector<int>& triangles) {
+  vtkNew<vtkTypeInt32Array> offsets, connectivity;
+  const auto count = static_cast<vtkIdType>(triangles.size() / 3);
+  offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<vtkTypeInt32>(3 * i));
+  connectivity->SetArray(const_cast<int*>(triangles.data()), static_cast<vtkIdType>(triangles.size()), 1);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
+}  // namespace
+
+SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
+  mapper_->SetInputData(data_);
+  mapper_->SetLookupTable(table);
+  mapper_->UseLookupTableScalarRangeOn();
+  mapper_->InterpolateScalarsBeforeMappingOn();
+  mapper_->ScalarVisibilityOff();
+  mapper_->StaticOn();
+  actor_->SetMapper(mapper_);
+  vtkProperty* look = actor_->GetProperty();
+  const Rgb& color = role == Role::scan ? scan_color : patch_color;
+  look->SetColor(color[0], color[1], color[2]);
+  look->SetEdgeColor(edge_color[0], edge_color[1], edge_color[2]);
+  look->SetInterpolationToPhong();
+  look->SetDiffuse(1);
+  look->SetAmbient(0);
+  vtkShaderProperty* shader = actor_->GetShaderProperty();
+  const std::string code = std::string(lighting) + (role == Role::patch ? patch_on_top : "");
+  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
+  shader->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading_));
+}
+
+SurfaceActor::~SurfaceActor() = default;
+
+vtkActor* SurfaceActor::actor() const { return actor_; }
+
+void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape) {
+  if (shape == shape_) return;
+  const std::shared_ptr<const SurfaceShape> old = std::move(shape_);  // its arrays stay valid until they are replaced
+  shape_ = std::move(shape);
+  vtkNew<vtkPoints> points;
+  points->SetData(wrap(shape_->points, 3, "points"));
+  data_->SetPoints(points);
+  data_->GetPointData()->SetNormals(wrap(shape_->normals, 3, "normals"));
+  data_->SetPolys(wrap_triangles(shape_->triangles));
+  update_scalars();
+}
+
+void SurfaceActor::update_scalars() {
+  const bool known = shape_ && !shape_->H.empty();
+  data_->GetPointData()->SetScalars(known ? wrap(shape_->H, 1, "H").Get() : nullptr);
+  mapper_->SetScalarVisibility(known && shading_ == Shading::curvature);
+  data_->Modified();
+}
+
+void SurfaceActor::set_shading(Shading shading) {
+  shading_ = shading;
+  actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading));
+  mapper_->SetScalarVisibility(shape_ && !shape_->H.empty() && shading == Shading::curvature);
+}
+
+void SurfaceActor::set_edges(Edges edges) { actor_->GetProperty()->SetEdgeVisibility(edges == Edges::shown); }
+
+void SurfaceActor::recolor() { mapper_->Modified(); }
+
+}  // namespace loopmend

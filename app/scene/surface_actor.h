@@ -1,0 +1,47 @@
+// One surface in the scene, the scan or a patch: arrays in, an actor with our own lighting out.
+#pragma once
+
+#include "scene/color_map.h"
+#include "scene/shading.h"
+#include "scene/surface_shape.h"
+
+#include <vtkNew.h>
+
+#include <memory>
+
+class vtkActor;
+class vtkFloatArray;
+class vtkPolyData;
+class vtkPolyDataMapper;
+
+namespace loopmend {
+
+class SurfaceActor {
+ public:
+  enum class Role { scan, patch };
+
+  SurfaceActor(Role role, vtkLookupTable* table);
+  ~SurfaceActor();
+
+  /// Draws another surface, or another state of the same one.
+  void set_shape(std::shared_ptr<const SurfaceShape> shape);
+  void set_shading(Shading shading);
+  void set_edges(Edges edges);
+  /// To be called after the table's range changed.
+  void recolor();
+
+  vtkActor* actor() const;
+  const SurfaceShape* shape() const { return shape_.get(); }
+
+ private:
+  void update_scalars();
+
+  Role role_;
+  Shading shading_ = Shading::curvature;
+  std::shared_ptr<const SurfaceShape> shape_;
+  vtkNew<vtkPolyData> data_;
+  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<vtkActor> actor_;
+};
+
+}  // namespace loopmend

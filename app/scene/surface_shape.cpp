@@ -1,0 +1,124 @@
+#include "scene/surface_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+constexpr int blended_rings = 3;
+
+void put(std::vector<float>& out, std::size_t i, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) out[3 * i + static_cast<std::size_t>(k)] = static_cast<float>(v[k]);
+}
+
+Vec3 get(const std::vector<float>& in, int i) {
+  const auto at = 3 * static_cast<std::size_t>(i);
+  return {in[at], in[at + 1], in[at + 2]};
+}
+
+Points area_weighted_normals(const SurfaceShape& shape) {
+  Points normals(shape.points.size() / 3, Vec3::Zero());
+  for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3) {
+    const int a = shape.triangles[t], b = shape.triangles[t + 1], c = shape.triangles[t + 2];
+    const Vec3 p = get(shape.points, a);
+    const Vec3 n = (get(shape.points, b) - p).cross(get(shape.points, c) - p);
+    for (int v : {a, b, c}) normals[static_cast<std::size_t>(v)] += n;
+  }
+  for (Vec3& n : normals) {
+    const double length = n.norm();
+    n = length > 0 ? Vec3(n / length) : Vec3::UnitZ();
+  }
+  return normals;
+}
+
+void set_normals(SurfaceShape& shape, const Points& fitted) {
+  shape.normals.resize(shape.points.size());
+  const bool complete = fitted.size() * 3 == shape.points.size() &&
+                        std::all_of(fitted.begin(), fitted.end(), [](const Vec3& n) { return n.squaredNorm() > 0.5; });
+  const Points fallback = complete ? Points{} : area_weighted_normals(shape);
+  for (std::size_t i = 0; i < shape.points.size() / 3; ++i) {
+    const bool usable = i < fitted.size() && fitted[i].squaredNorm() > 0.5;
+    put(shape.normals, i, usable ? fitted[i] : fallback[i]);
+  }
+}
+
+std::vector<float> to_floats(const std::vector<double>& values) {
+  std::vector<float> out(values.size());
+  std::transform(values.begin(), values.end(), out.begin(), [](double v) { return static_cast<float>(v); });
+  return out;
+}
+
+void add_triangle(SurfaceShape& shape, const Triangle& t) { shape.triangles.insert(shape.triangles.end(), t.begin(), t.end()); }
+
+}  // namespace
+
+Vec3 scene_origin(const TriangleSoup& soup) {
+  if (soup.points.empty()) return Vec3::Zero();
+  Vec3 low = soup.points.front(), high = low;
+  for (const Vec3& p : soup.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return 0.5 * (low + high);
+}
+
+SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin) {
+  SurfaceShape shape;
+  shape.points.resize(3 * soup.points.size());
+  for (std::size_t i = 0; i < soup.points.size(); ++i) put(shape.points, i, soup.points[i] - origin);
+  shape.triangles.reserve(3 * soup.triangles.size());
+  for (const Triangle& t : soup.triangles) add_triangle(shape, t);
+  set_normals(shape, {});
+  return shape;
+}
+
+SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Vec3& origin) {
+  SurfaceShape shape;
+  shape.points.resize(3 * mesh.n_vertices());
+  for (std::size_t i = 0; i < mesh.n_vertices(); ++i)
+    put(shape.points, i, mesh.point(mesh.vertex_handle(static_cast<unsigned>(i))) - origin);
+  shape.triangles.reserve(3 * mesh.n_faces());
+  for (auto face : mesh.faces()) {
+    Triangle t{};
+    int k = 0;
+    for (auto v : mesh.fv_range(face)) t[static_cast<std::size_t>(k++)] = v.idx();
+    add_triangle(shape, t);
+  }
+  set_normals(shape, field.normals);
+  shape.H = to_floats(field.H);
+  return shape;
+}
+
+SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin) {
+  SurfaceShape shape;
+  shape.points.resize(3 * patch.positions.size());
+  for (std::size_t i = 0; i < patch.positions.size(); ++i)
+    put(shape.points, i, patch.to_mesh(patch.positions[i]) - origin);
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    const Triangle& tri = patch.triangles[t];
+    const bool near_patch = std::all_of(tri.begin(), tri.end(), [&](int v) {
+      return patch.ring[static_cast<std::size_t>(v)] <= blended_rings;
+    });
+    if (t < static_cast<std::size_t>(patch.patch_triangles) || near_patch) add_triangle(shape, tri);
+  }
+  set_normals(shape, field.normals);
+  shape.H = to_floats(field.H);
+  return shape;
+}
+
+double symmetric_range(std::span<const float> H) {
+  std::vector<float> known;
+  known.reserve(H.size());
+  std::copy_if(H.begin(), H.end(), std::back_inserter(known), [](float h) { return std::isfinite(h); });
+  if (known.empty()) return 1;
+  const auto quantile = [&](double q) {
+    const auto at = known.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(known.size() - 1));
+    std::nth_element(known.begin(), at, known.end());
+    return std::abs(static_cast<double>(*at));
+  };
+  const double range = std::max(quantile(0.02), quantile(0.98));
+  return range > 0 ? range : 1;
+}
+
+}  // namespace loopmend

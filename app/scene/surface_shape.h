@@ -1,0 +1,36 @@
+// A surface as the scene draws it: plain float arrays that a worker fills and the graphics take over without a copy.
+#pragma once
+
+#include "analysis/curvature_field.h"
+#include "mesh/patch.h"
+#include "mesh/surface_model.h"
+
+#include <span>
+#include <vector>
+
+namespace loopmend {
+
+/// Positions are relative to an origin that the whole scene shares, so that far-off scans keep their digits as floats.
+struct SurfaceShape {
+  std::vector<float> points;   ///< 3 × #V, mesh units, minus the scene's origin
+  std::vector<float> normals;  ///< 3 × #V, unit
+  std::vector<int> triangles;  ///< 3 × #F
+  std::vector<float> H;        ///< #V, 1/length, NaN where unknown; empty before it was computed
+};
+
+/// The middle of the bounding box.
+Vec3 scene_origin(const TriangleSoup& soup);
+
+/// The first picture: area-weighted normals, no H.
+SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin);
+
+/// The view's vertices with fitted normals and H; area-weighted normals where there is no fit.
+SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Vec3& origin);
+
+/// The patch and the three rings around it, where its H runs into that of the open scan.
+SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin);
+
+/// Half-width R of the colour range [−R, R]: the larger of |2nd| and |98th percentile|; 1 when nothing is known.
+double symmetric_range(std::span<const float> H);
+
+}  // namespace loopmend

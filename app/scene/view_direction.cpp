@@ -1,0 +1,88 @@
+#include "scene/view_direction.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+Vec3 rim_normal(const SurfaceModel& model, const BoundaryLoop& loop) {
+  Vec3 sum = Vec3::Zero();
+  for (int v : loop.vertices)
+    for (auto face : model.mesh.vf_range(model.mesh.vertex_handle(static_cast<unsigned>(v)))) {
+      auto it = model.mesh.cfv_iter(face);
+      const Vec3 a = model.mesh.point(*it++), b = model.mesh.point(*it++), c = model.mesh.point(*it);
+      sum += (b - a).cross(c - a);
+    }
+  return sum;
+}
+
+/// Newell's normal of the loop itself; the hole lies to the left of the boundary halfedges.
+Vec3 loop_normal(const SurfaceModel& model, const BoundaryLoop& loop) {
+  Vec3 sum = Vec3::Zero();
+  const std::size_t n = loop.vertices.size();
+  const auto at = [&](std::size_t i) -> Vec3 {
+    return model.mesh.point(model.mesh.vertex_handle(static_cast<unsigned>(loop.vertices[i % n])));
+  };
+  for (std::size_t i = 0; i < n; ++i) sum += (at(i) - loop.center).cross(at(i + 1) - loop.center);
+  return sum;
+}
+
+}  // namespace
+
+Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop) {
+  const Vec3 around = rim_normal(model, loop).normalized(), across = loop_normal(model, loop).normalized();
+  const Vec3 both = across + 0.5 * around;
+  return both.norm() > 1e-6 && both.allFinite() ? Vec3(both.normalized()) : Vec3(Vec3::UnitZ());
+}
+
+Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  Vec3 sum = Vec3::Zero(), largest = Vec3(0, 0, 1);
+  double largest_perimeter = 0;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.kind != LoopKind::hole && loop.kind != LoopKind::touching) continue;
+    const Vec3 d = facing(model, loop);
+    sum += loop.perimeter * d;
+    if (loop.perimeter > largest_perimeter) {
+      largest_perimeter = loop.perimeter;
+      largest = d;
+    }
+  }
+  const Vec3 main = sum.norm() > 0.4 * largest_perimeter ? Vec3(sum.normalized()) : largest;
+  const Vec3 up = view_up(main);
+  const Vec3 side = up.cross(main).normalized();
+  return (main + 0.28 * up - 0.22 * side).normalized();
+}
+
+Vec3 view_up(const Vec3& direction) { return std::abs(direction.y()) < 0.9 ? Vec3::UnitY() : Vec3(0, 0, -1); }
+
+void place_camera(vtkCamera* camera, const Stand& stand) {
+  const double half = 0.5 * camera->GetViewAngle() * pi / 180;
+  const double narrowest = std::atan(std::tan(half) * std::min(1.0, stand.aspect));
+  const double distance = stand.radius / std::sin(narrowest);
+  const Vec3 eye = stand.focus + distance * stand.direction;
+  camera->SetFocalPoint(stand.focus.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(stand.up.data());
+}
+
+double tight_zoom(vtkCamera* camera, const SurfaceShape& shape, double aspect) {
+  constexpr double share = 0.86;
+  Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> to_clip(
+      camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
+  double widest = 0;
+  for (std::size_t i = 0; i + 2 < shape.points.size(); i += 3) {
+    const Eigen::Vector4d p = to_clip * Eigen::Vector4d(shape.points[i], shape.points[i + 1], shape.points[i + 2], 1);
+    if (p.w() > 0) widest = std::max({widest, std::abs(p.x() / p.w()), std::abs(p.y() / p.w())});
+  }
+  return widest > 0 ? std::clamp(share / widest, 0.2, 3.0) : 1;
+}
+
+}  // namespace loopmend

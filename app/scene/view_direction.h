@@ -1,0 +1,35 @@
+// From where to look at a surface, and where to stand to see all of it.
+#pragma once
+
+#include "core/types.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/surface_model.h"
+#include "scene/surface_shape.h"
+
+class vtkCamera;
+
+namespace loopmend {
+
+/// Unit vector from the middle of the loop to an eye that looks straight into it.
+Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop);
+
+/// Towards most of the fillable rims, slightly from above and from the left; from the front when there are none.
+Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+/// y up, or z up when looking along y.
+Vec3 view_up(const Vec3& direction);
+
+/// A sphere that should be seen whole, and the eye's direction. `aspect` is width / height.
+struct Stand {
+  Vec3 focus = Vec3::Zero();
+  double radius = 1;
+  Vec3 direction = Vec3::UnitZ();
+  Vec3 up = Vec3::UnitY();
+  double aspect = 1;
+};
+void place_camera(vtkCamera* camera, const Stand& stand);
+
+/// By how much the camera may zoom so that every point stays inside 86 % of the picture, about its middle.
+double tight_zoom(vtkCamera* camera, const SurfaceShape& shape, double aspect);
+
+}  // namespace loopmend

@@ -1,0 +1,15 @@
+// Version, licence, and on whose work this stands.
+#pragma once
+
+#include <QDialog>
+
+namespace loopmend {
+
+class About : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit About(QWidget* parent = nullptr);
+};
+
+}  // namespace loopmend

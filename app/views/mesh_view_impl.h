@@ -1,0 +1,77 @@
+// Private to MeshView: what its two source files share.
+#pragma once
+
+#include "document/document.h"
+#include "document/hole_selection.h"
+#include "scene/mesh_scene.h"
+#include "views/camera_flight.h"
+#include "views/loop_picker.h"
+#include "views/mesh_view.h"
+#include "views/view_overlay.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkCamera.h>
+#include <vtkFloatArray.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <QTimer>
+
+#include <algorithm>
+
+namespace loopmend {
+
+struct MeshView::Impl {
+  Impl(const Document& d, HoleSelection& s) : document(d), selection(s) {}
+
+  const Document& document;
+  HoleSelection& selection;
+  QVTKOpenGLNativeWidget* canvas = nullptr;
+  ViewOverlay* overlay = nullptr;
+  CameraFlight* flight = nullptr;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  MeshScene scene;
+  LoopPicker picker;
+  QTimer redraw_timer;
+  vtkNew<vtkFloatArray> depth;
+  vtkMTimeType seen_camera = 0;
+  QSize seen_size;
+  bool depth_is_fresh = false;
+  QPoint pressed_at;
+  Shading shading = Shading::curvature;
+
+  vtkRenderer* renderer() const { return scene.renderer(); }
+  vtkCamera* camera() const { return renderer()->GetActiveCamera(); }
+  QSize pixels() const { return canvas->size() * canvas->devicePixelRatioF(); }
+
+  void follow_camera() {
+    const QSize size = pixels();
+    if (camera()->GetMTime() == seen_camera && size == seen_size) return;
+    seen_camera = camera()->GetMTime();
+    seen_size = size;
+    depth_is_fresh = false;
+    const double aspect = static_cast<double>(size.width()) / std::max(1, size.height());
+    const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> clip(
+        camera()->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
+    picker.set_view(clip, size.width(), size.height());
+    const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> turn(
+        camera()->GetModelViewTransformMatrix()->GetData());
+    if (document.has_scan()) overlay->set_axes(turn.block<3, 3>(0, 0));
+  }
+
+  float depth_at(int x, int y) {
+    if (!depth_is_fresh) {
+      canvas->makeCurrent();
+      window->GetZbufferData(0, 0, seen_size.width() - 1, seen_size.height() - 1, depth);
+      depth_is_fresh = true;
+    }
+    const vtkIdType at = static_cast<vtkIdType>(seen_size.height() - 1 - y) * seen_size.width() + x;
+    return at < depth->GetNumberOfValues() ? depth->GetValue(at) : 1;
+  }
+
+  double aspect() const { return static_cast<double>(canvas->width()) / std::max(1, canvas->height()); }
+};
+
+}  // namespace loopmend

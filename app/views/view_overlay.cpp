@@ -1,0 +1,98 @@
+#include "views/view_overlay.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <array>
+
+namespace loopmend {
+namespace {
+
+const std::array<QColor, 3> axis_colors{QColor(205, 62, 58), QColor(70, 150, 60), QColor(52, 104, 200)};
+constexpr int axis_margin = 46;
+constexpr double axis_length = 28;
+
+QRectF caption_box(const QPainter& painter, const QPolygonF& loop, const QString& text, const QSize& inside) {
+  const QFontMetricsF metrics(painter.font());
+  QRectF box(0, 0, metrics.horizontalAdvance(text) + 16, metrics.height() + 8);
+  const QRectF bounds = loop.boundingRect();
+  box.moveCenter(QPointF(bounds.center().x(), bounds.top() - box.height() / 2 - 8));
+  if (box.top() < 8) box.moveTop(std::min(bounds.bottom() + 8, inside.height() - box.height() - 8));
+  box.moveLeft(std::clamp(box.left(), 8.0, std::max(8.0, inside.width() - box.width() - 8)));
+  return box;
+}
+
+}  // namespace
+
+ViewOverlay::ViewOverlay(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setObjectName(QStringLiteral("viewOverlay"));
+}
+
+void ViewOverlay::set_highlight(const QPolygonF& loop, const QString& caption) {
+  loop_ = loop;
+  caption_ = caption;
+  update();
+}
+
+void ViewOverlay::clear_highlight() {
+  if (loop_.isEmpty()) return;
+  loop_.clear();
+  update();
+}
+
+void ViewOverlay::set_axes(const Eigen::Matrix3d& axes) {
+  axes_ = axes;
+  with_axes_ = true;
+  update();
+}
+
+void ViewOverlay::hide_axes() {
+  with_axes_ = false;
+  update();
+}
+
+void ViewOverlay::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (with_axes_) paint_axes(painter);
+  if (!loop_.isEmpty()) paint_highlight(painter);
+}
+
+void ViewOverlay::paint_highlight(QPainter& painter) const {
+  const auto stroke = [&](const QColor& color, double width) {
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(loop_);
+  };
+  stroke(QColor(20, 24, 30, 110), 9);
+  stroke(QColor(255, 214, 40), 6);
+  stroke(QColor(255, 250, 220), 2);
+  if (caption_.isEmpty()) return;
+  const QRectF box = caption_box(painter, loop_, caption_, size());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(24, 28, 34, 225));
+  painter.drawRoundedRect(box, 5, 5);
+  painter.setPen(QColor(245, 245, 242));
+  painter.drawText(box, Qt::AlignCenter, caption_);
+}
+
+void ViewOverlay::paint_axes(QPainter& painter) const {
+  const QPointF middle(axis_margin, height() - axis_margin);
+  std::array<int, 3> far_first{0, 1, 2};
+  std::sort(far_first.begin(), far_first.end(), [this](int a, int b) { return axes_(2, a) < axes_(2, b); });
+  const char* const names[] = {"x", "y", "z"};
+  for (int axis : far_first) {
+    const QPointF way(axes_(0, axis), -axes_(1, axis));
+    QColor color = axis_colors[static_cast<std::size_t>(axis)];
+    if (axes_(2, axis) < -0.2) color.setAlpha(140);
+    painter.setPen(QPen(color, 2.2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(middle, middle + axis_length * way);
+    const QPointF label = middle + (axis_length + 9) * way;
+    painter.drawText(QRectF(label - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QLatin1String(names[axis]));
+  }
+}
+
+}  // namespace loopmend

@@ -1,0 +1,63 @@
+#include "analysis/curvature_field.h"
+
+#include "operators/local_fit.h"
+
+#include <omp.h>
+
+#include <limits>
+
+namespace loopmend {
+
+namespace {
+
+CurvatureField field_of(const Points& points, const Triangles& triangles, int threads) {
+  const int n = static_cast<int>(points.size());
+  const Topology topology(n, triangles);
+  CurvatureField field;
+  field.normals = angle_weighted_normals(points, triangles);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  field.H.assign(n, nan);
+  field.K.assign(n, nan);
+#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_num_procs())
+  {
+    FitScratch scratch(n);
+    LocalFit fit;
+#pragma omp for schedule(dynamic, 1024)
+    for (int i = 0; i < n; ++i) {
+      if (topology.valence(i) == 0) continue;
+      const Vec3 reference = field.normals[i];
+      if (reference.isZero()) continue;
+      fit_quadratic(points, topology, i, reference, Stencil::two_ring, scratch, fit);
+      if (!fit.valid) continue;
+      field.H[i] = fit.H;
+      field.K[i] = fit.K;
+      field.normals[i] = fit.normal;
+    }
+  }
+  return field;
+}
+
+}  // namespace
+
+CurvatureField curvature_field(const TriMesh& mesh, int threads) {
+  Points points;
+  points.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) points.push_back(mesh.point(v));
+  Triangles triangles;
+  triangles.reserve(mesh.n_faces());
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge_handle(f);
+    triangles.push_back({mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(),
+                         mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx()});
+  }
+  return field_of(points, triangles, threads);
+}
+
+CurvatureField curvature_field(const Patch& patch) {
+  CurvatureField field = field_of(patch.positions, patch.triangles, 1);
+  for (double& H : field.H) H /= patch.scale;
+  for (double& K : field.K) K /= patch.scale * patch.scale;
+  return field;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,23 @@
+#include "core/error.h"
+
+namespace loopmend {
+
+namespace {
+std::string sentence(const std::filesystem::path& path, const std::string& problem, const std::string& place,
+                     const std::string& cure) {
+  std::string text = path.string() + ": " + problem;
+  if (!place.empty()) text += " (" + place + ")";
+  text += ".";
+  if (!cure.empty()) text += " " + cure;
+  return text;
+}
+}  // namespace
+
+ReadError::ReadError(const std::filesystem::path& path, const std::string& problem, const std::string& place,
+                     const std::string& cure)
+    : Error(sentence(path, problem, place, cure)) {}
+
+WriteError::WriteError(const std::filesystem::path& path, const std::string& problem, const std::string& cure)
+    : Error(sentence(path, problem, "", cure)) {}
+
+}  // namespace loopmend

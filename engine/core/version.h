@@ -1,0 +1,6 @@
+// The version of the engine, "major.minor.patch".
+#pragma once
+
+namespace loopmend {
+const char* version();
+}  // namespace loopmend

@@ -1,0 +1,38 @@
+// The energies that the flows descend, and the derivative of H along normal displacements.
+#pragma once
+
+#include "mesh/patch.h"
+#include "operators/operator_set.h"
+
+namespace loopmend {
+
+/// Weights of the two curvature energies: E = variation · ∫‖∇H‖² dA + bending · ∫H² dA. Patch frame.
+struct EnergyWeights {
+  double variation = 1;  ///< minimal mean-curvature-variation, paper eq. (1.1)
+  double bending = 0;    ///< Willmore, ∫H² dA
+};
+
+/// The energy as a quadratic form in H at fixed geometry, E = Hᵀ Q H, over the triangles whose H the patch can change.
+struct CurvatureEnergy {
+  SparseMatrix Q;               ///< #V by #V: variation · C + bending · M
+  std::vector<int> faces;       ///< triangles it runs over
+  Eigen::VectorXd mass;         ///< #V: barycentric areas
+};
+
+CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weights);
+
+/// E alone, for the curvatures given.
+double energy_value(const CurvatureEnergy& energy, const Eigen::VectorXd& H);
+
+/// B = ∂H/∂s, #V by n, for displacements s along the normals of the free vertices (NUMERICS §4, exact for frozen fit
+/// coordinates): B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩ − ⟨2H_i w^∇_ij − w^◇_ij, n_j⟩.
+RowSparseMatrix curvature_jacobian(const OperatorSet& ops, int free_count);
+
+/// ∂(Hᵀ Q H)/∂s at fixed H: how the energy changes with the metric alone. n.
+Eigen::VectorXd metric_gradient(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights,
+                                const std::vector<int>& faces);
+
+/// Area of the patch's own triangles, patch frame.
+double patch_area(const Patch& patch);
+
+}  // namespace loopmend

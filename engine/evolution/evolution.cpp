@@ -1,0 +1,289 @@
+#include "evolution/evolution.h"
+
+#include "core/error.h"
+#include "evolution/mesh_care.h"
+#include "evolution/state.h"
+#include "flows/decay_rate.h"
+#include "flows/gauss_newton.h"
+#include "mesh/quality.h"
+#include "solvers/linear_solver.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double steady_sigma = 1e4;       ///< a step that jumps to the steady state of the linear part
+constexpr double first_gauss_newton_sigma = 500;
+constexpr int most_trials = 12;            ///< before the step is given up
+constexpr int steps_with_mesh_care = 15;
+constexpr double flow_tolerance = 1.05;    ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
+constexpr double newton_tolerance = 1 + 1e-9;
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void check(const EvolutionOptions& options) {
+  if (!(options.sigma >= 1e-6 && options.sigma <= 1e8))
+    throw InvalidArgument("the time step sigma must lie between 1e-6 and 1e8, not " + std::to_string(options.sigma));
+  if (options.max_steps < 1)
+    throw InvalidArgument("the number of steps must be at least 1, not " + std::to_string(options.max_steps));
+}
+
+/// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
+int order_of(FlowKind flow) { return flow == FlowKind::mcf ? 2 : flow == FlowKind::mmcvf ? 6 : 4; }
+
+bool has_energy(FlowKind flow) { return flow == FlowKind::mmcvf || flow == FlowKind::wf; }
+
+EnergyWeights energy_of(FlowKind flow) { return flow == FlowKind::wf ? EnergyWeights{0, 1} : EnergyWeights{1, 0}; }
+
+}  // namespace
+
+const char* to_string(EvolutionStatus status) {
+  switch (status) {
+    case EvolutionStatus::ready: return "ready";
+    case EvolutionStatus::converged: return "converged";
+    case EvolutionStatus::step_limit: return "step_limit";
+    case EvolutionStatus::cancelled: return "cancelled";
+    case EvolutionStatus::failed: return "failed";
+  }
+  return "";
+}
+
+struct Evolution::Impl {
+  EvolutionOptions options;
+  EvolutionState state;
+  Stencil stencil = Stencil::two_ring;
+  EvolutionStatus status = EvolutionStatus::ready;
+  std::string message;
+  std::vector<StepRecord> history;
+  double initial_energy = 0;
+
+  Eigen::AlignedBox3d room;    ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
+  double decay_rate = 0;       ///< patch frame
+  double sigma = 0;            ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;               ///< of the next Gauss-Newton step
+  int small_moves = 0;         ///< Gauss-Newton steps in a row that moved nothing to speak of
+  std::unique_ptr<GeneralSolver> general;
+  std::unique_ptr<SpdSolver> spd;
+
+  void prepare(Patch start);
+  void take_options(const EvolutionOptions& new_options);
+  bool acceptable(const EvolutionState& next, double tolerance) const;
+  void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma);
+  void care_for_mesh(double tolerance);
+  bool replace_if_good(Patch patch, double tolerance);
+  void gauss_newton_step(const CancelToken& cancel);
+  bool try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
+  void semi_implicit_step(const CancelToken& cancel);
+  double edge_length() const {
+    return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);
+  }
+  void stop(EvolutionStatus why, std::string words) {
+    status = why;
+    message = std::move(words);
+  }
+};
+
+void Evolution::Impl::prepare(Patch start) {
+  if (start.free_count == 0) throw InvalidArgument("the patch has no free vertex to evolve");
+  for (const Vec3& p : start.positions)
+    if (!p.allFinite()) throw InvalidArgument("the patch has a vertex that is not finite");
+  for (int i = 0; i < start.free_count; ++i) room.extend(start.positions[i]);
+  for (const auto& loop : start.loops)
+    for (int v : loop) room.extend(start.positions[v]);
+  const Vec3 margin = Vec3::Constant(0.5 * room.diagonal().norm());
+  room = Eigen::AlignedBox3d(room.min() - margin, room.max() + margin);
+  state = make_state(std::move(start), options.flow, stencil);
+  initial_energy = shown_energy(options.flow, state);
+}
+
+void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
+  check(new_options);
+  const bool other_flow = new_options.flow != options.flow;
+  options = new_options;
+  if (other_flow) state = make_state(std::move(state.patch), options.flow, stencil, state.topology);
+  decay_rate = slowest_decay_rate(options.flow, state.patch);
+  if (!(decay_rate > 0)) decay_rate = 1;
+  sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
+  mu = decay_rate / (2 * first_gauss_newton_sigma);
+  small_moves = 0;
+  general = make_general_solver(options.solver);
+  spd = make_spd_solver();
+  stop(EvolutionStatus::ready, "");
+}
+
+bool Evolution::Impl::acceptable(const EvolutionState& next, double tolerance) const {
+  if (!std::isfinite(next.measure) || next.folds > state.folds) return false;
+  for (int i = 0; i < next.patch.free_count; ++i)
+    if (!room.contains(next.patch.positions[i])) return false;
+  return next.measure <= state.measure * tolerance || next.measure < 1e-20;
+}
+
+void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma) {
+  record.step = static_cast<int>(history.size()) + 1;
+  record.max_move = s.cwiseAbs().maxCoeff() / edge_length();
+  record.sigma = used_sigma;
+  record.tau = used_sigma / decay_rate * std::pow(state.patch.scale, order_of(options.flow));
+  state = std::move(next);
+  record.energy = shown_energy(options.flow, state);
+  history.push_back(record);
+}
+
+bool Evolution::Impl::replace_if_good(Patch patch, double tolerance) {
+  EvolutionState next = make_state(std::move(patch), options.flow, stencil);
+  if (next.folds > state.folds || !(next.measure <= tolerance * state.measure)) return false;
+  state = std::move(next);
+  return true;
+}
+
+/// Only while the surface still moves: near the end the mesh must stand still for the solve to converge.
+void Evolution::Impl::care_for_mesh(double tolerance) {
+  if (history.size() > steps_with_mesh_care || history.back().max_move < 0.05) return;
+  replace_if_good(tangentially_relaxed(state), tolerance);
+  replace_if_good(with_delaunay_flips(state.patch), tolerance);
+  if (state.folds > 0) {
+    EvolutionState next = make_state(remeshed(state.patch), options.flow, stencil);
+    if (next.folds < state.folds && std::isfinite(next.measure)) state = std::move(next);
+  }
+  history.back().energy = shown_energy(options.flow, state);
+}
+
+bool Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel) {
+  Stopwatch watch;
+  SparseMatrix A = system.curvature;
+  const SparseMatrix M(system.mass.asDiagonal());
+  A += mu * M;
+  Eigen::MatrixXd s;
+  const bool solved = spd->factorize(A) && spd->solve(-system.half_gradient, s);
+  record.solve_seconds += watch.lap();
+  if (!solved) return false;
+  for (double share : {1.0, 0.5, 0.25}) {
+    if (cancel.cancelled()) return false;
+    const Eigen::VectorXd move = share * s.col(0);
+    EvolutionState next = displaced(state, options.flow, stencil, move);
+    const bool good = acceptable(next, newton_tolerance);
+    record.assemble_seconds += watch.lap();
+    if (!good) continue;
+    accept(std::move(next), record, move, decay_rate / (2 * mu));
+    return true;
+  }
+  return false;
+}
+
+void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
+  Stopwatch watch;
+  const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(options.flow));
+  StepRecord record;
+  record.assemble_seconds = watch.lap();
+  for (int trial = 0; trial < most_trials; ++trial) {
+    if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
+    if (try_gauss_newton(system, record, cancel)) {
+      const double used_mu = mu;
+      mu = std::max(0.2 * mu, 1e-8 * decay_rate);
+      const bool small = history.back().max_move < 1e-4;
+      small_moves = small ? small_moves + 1 : 0;
+      if ((small && used_mu <= decay_rate) || small_moves >= 3) return stop(EvolutionStatus::converged, "");
+      care_for_mesh(1.2);
+      return;
+    }
+    ++record.rejections;
+    mu *= 10;
+  }
+  if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
+  stop(EvolutionStatus::converged, "no further step lowers the energy");
+}
+
+void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
+  Stopwatch watch;
+  const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
+  const FlowSystem system = assemble_flow(options.flow, FlowState(state.ops, state.patch.free_count));
+  SparseMatrix identity(state.patch.free_count, state.patch.free_count);
+  identity.setIdentity();
+  StepRecord record;
+  record.assemble_seconds = watch.lap();
+  for (int trial = 0; trial < most_trials; ++trial) {
+    if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
+    if (trial == 2 && has_energy(options.flow)) {
+      mu = decay_rate / (2 * sigma);
+      return gauss_newton_step(cancel);
+    }
+    const double tau = sigma / decay_rate;
+    Eigen::VectorXd s;
+    const SolveReport report = general->solve(identity - tau * system.jacobian, tau * system.velocity, s);
+    record.solve_seconds += watch.lap();
+    if (report.solved) {
+      EvolutionState next = displaced(state, options.flow, stencil, s);
+      const bool good = acceptable(next, flow_tolerance);
+      record.assemble_seconds += watch.lap();
+      if (good) {
+        const double used = sigma;
+        accept(std::move(next), record, s, used);
+        sigma = std::min(wanted, sigma * 3);
+        if (history.back().max_move < 1e-3 * std::min(1.0, used)) return stop(EvolutionStatus::converged, "");
+        care_for_mesh(flow_tolerance);
+        return;
+      }
+    }
+    ++record.rejections;
+    sigma /= 10;
+  }
+  stop(EvolutionStatus::failed, "no time step was small enough to be accepted: the flow has no limit from here");
+}
+
+Evolution::Evolution(Patch start, EvolutionOptions options) : impl_(std::make_unique<Impl>()) {
+  check(options);
+  impl_->options = options;
+  impl_->prepare(std::move(start));
+  impl_->take_options(options);
+}
+
+Evolution::~Evolution() = default;
+Evolution::Evolution(Evolution&&) noexcept = default;
+Evolution& Evolution::operator=(Evolution&&) noexcept = default;
+
+void Evolution::step(const CancelToken& cancel) {
+  if (impl_->status == EvolutionStatus::step_limit) impl_->stop(EvolutionStatus::ready, "");
+  if (impl_->status != EvolutionStatus::ready) return;
+  if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
+  const bool newton = impl_->options.mode == EvolutionMode::steady && has_energy(impl_->options.flow);
+  newton ? impl_->gauss_newton_step(cancel) : impl_->semi_implicit_step(cancel);
+}
+
+EvolutionStatus Evolution::run(const OnStep& on_step, const CancelToken& cancel) {
+  for (int k = 0; k < impl_->options.max_steps; ++k) {
+    const std::size_t before = impl_->history.size();
+    step(cancel);
+    if (on_step && impl_->history.size() > before) on_step(*this, impl_->history.back());
+    if (impl_->status != EvolutionStatus::ready) return impl_->status;
+  }
+  impl_->stop(EvolutionStatus::step_limit,
+              "stopped after " + std::to_string(impl_->options.max_steps) + " steps, before the steady state");
+  return impl_->status;
+}
+
+void Evolution::set_options(const EvolutionOptions& options) { impl_->take_options(options); }
+const Patch& Evolution::patch() const { return impl_->state.patch; }
+const EvolutionOptions& Evolution::options() const { return impl_->options; }
+EvolutionStatus Evolution::status() const { return impl_->status; }
+const std::string& Evolution::message() const { return impl_->message; }
+const std::vector<StepRecord>& Evolution::history() const { return impl_->history; }
+double Evolution::initial_energy() const { return impl_->initial_energy; }
+double Evolution::energy() const { return shown_energy(impl_->options.flow, impl_->state); }
+
+}  // namespace loopmend

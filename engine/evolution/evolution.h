@@ -1,0 +1,85 @@
+// The evolution of one patch under one flow: a start in, accepted states out.
+#pragma once
+
+#include "core/cancel.h"
+#include "flows/flow_kind.h"
+#include "mesh/patch.h"
+#include "solvers/solver_kind.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+enum class EvolutionMode {
+  steady,  ///< straight to the steady state: Gauss-Newton on the energy (MMCVF, WF), large steps (SDF, MCF)
+  steps,   ///< the paper's semi-implicit scheme, §4, one step of size sigma after another
+};
+
+struct EvolutionOptions {
+  FlowKind flow = FlowKind::mmcvf;
+  EvolutionMode mode = EvolutionMode::steady;
+  double sigma = 10;    ///< time step, dimensionless, 1e-6..1e8: tau = sigma / (slowest decay rate of the flow); steps only
+  int max_steps = 60;   ///< accepted steps of one run()
+  SolverKind solver = SolverKind::automatic;
+};
+
+enum class EvolutionStatus {
+  ready,       ///< more steps can be taken
+  converged,   ///< the last step moved nothing that could be seen, or no step lowers the energy any more
+  step_limit,  ///< max_steps taken
+  cancelled,   ///< by the token; the state is the last accepted one
+  failed,      ///< no acceptable step was found; the state is the last accepted one
+};
+
+const char* to_string(EvolutionStatus status);
+
+/// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
+struct StepRecord {
+  int step = 0;           ///< from 1
+  double energy = 0;      ///< after the step
+  double sigma = 0;       ///< the step's size, dimensionless
+  double tau = 0;         ///< the step's size in the flow's own time, mesh units
+  double max_move = 0;    ///< largest move of a vertex, in mean edge lengths of the patch
+  int rejections = 0;     ///< trials thrown away before this one was accepted
+  double assemble_seconds = 0;
+  double solve_seconds = 0;
+};
+
+/// Holds the last accepted state at every moment. Not thread-safe: one thread steps, others get copies through the
+/// callback. Fixed vertices are never moved.
+class Evolution {
+ public:
+  /// @throws InvalidArgument if an option is out of range, or the patch has no free vertex.
+  Evolution(Patch start, EvolutionOptions options);
+  ~Evolution();
+  Evolution(Evolution&&) noexcept;
+  Evolution& operator=(Evolution&&) noexcept;
+
+  /// Called after every accepted step, on the stepping thread.
+  using OnStep = std::function<void(const Evolution&, const StepRecord&)>;
+
+  /// One accepted step; status() tells what came of it. Does nothing unless status() is ready or step_limit.
+  void step(const CancelToken& cancel);
+  /// Steps until converged, failed, cancelled, or max_steps more are taken.
+  EvolutionStatus run(const OnStep& on_step, const CancelToken& cancel);
+  /// Goes on from the present state with other options; status() is ready again.
+  void set_options(const EvolutionOptions& options);
+
+  const Patch& patch() const;
+  const EvolutionOptions& options() const;
+  EvolutionStatus status() const;
+  /// In words, for a person: why it stopped, what was left out. Empty while ready.
+  const std::string& message() const;
+  const std::vector<StepRecord>& history() const;
+  double initial_energy() const;  ///< of the start, units as in StepRecord
+  double energy() const;          ///< of the present state
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace loopmend

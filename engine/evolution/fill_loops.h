@@ -1,0 +1,71 @@
+// Filling the loops of a model from end to end: fillers, evolution, checks, paste. What `loopmend fill` and the
+// window's "Fill" call.
+#pragma once
+
+#include "analysis/seam_report.h"
+#include "core/cancel.h"
+#include "evolution/evolution.h"
+#include "filling/loop_filler.h"
+#include "mesh/boundary_loops.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+struct FillOptions {
+  FillerOptions filler;
+  std::optional<EvolutionOptions> evolution = EvolutionOptions{};  ///< empty: leave the G0 filler
+  int threads = 0;  ///< loops worked on at once; 0: as many as there are cores. The result does not depend on it.
+};
+
+enum class LoopStatus {
+  converged,   ///< filled, steady state reached
+  step_limit,  ///< filled, stopped at the step limit
+  filled,      ///< the filler alone: asked for, or because the flow would have spoilt it (see the message)
+  failed,      ///< left open; the message says why
+  skipped,     ///< not asked for
+};
+
+const char* to_string(LoopStatus status);
+
+struct LoopResult {
+  BoundaryLoop loop;
+  LoopStatus status = LoopStatus::skipped;
+  std::string message;
+  int free_vertices = 0;
+  int steps = 0;
+  struct { double filler = 0, assemble = 0, solve = 0, total = 0; } seconds;
+  struct { double initial = 0, final = 0; } energy;  ///< of the whole problem that the loop was solved in
+  SeamReport seam_before, seam_after;
+};
+
+struct FillProgress {
+  int loops_done = 0;
+  int loops_total = 0;
+  int loop_number = 0;   ///< the one that was just worked on
+  std::string stage;     ///< "triangulating", "evolving", "checking", "done"
+};
+/// May be called from several threads, one call at a time.
+using OnFillProgress = std::function<void(const FillProgress&)>;
+
+/// Loops whose surroundings overlap belong to one problem. @returns groups of indices into `loops`.
+std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+/// The fillers of one group, made into a problem. Loops without a valid filler are left out.
+struct PatchStart {
+  std::optional<Patch> patch;                ///< empty when no loop of the group could be filled
+  std::vector<FillerOutcome> fillers;        ///< one per loop of the group
+};
+PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
+                       const CancelToken& cancel);
+
+/// Fills the loops and pastes the patches in the order of `loops`. On cancel the model is as it was.
+/// @returns one result per loop, in order; empty when cancelled.
+std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                   const FillOptions& options, const OnFillProgress& progress,
+                                   const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,18 @@
+// Keeping the triangles of an evolving patch good: normal motion alone squeezes them.
+#pragma once
+
+#include "evolution/state.h"
+
+namespace loopmend {
+
+/// Slides every free vertex half the way to the centroid of its one-ring, within its fitted quadratic, so that the
+/// surface keeps its shape to second order (NUMERICS §4). At most a quarter of the shortest edge.
+Patch tangentially_relaxed(const EvolutionState& state);
+
+/// Guarded Delaunay flips inside the patch.
+Patch with_delaunay_flips(const Patch& patch);
+
+/// Splits, collapses, flips, smoothing and untangling under guard.
+Patch remeshed(const Patch& patch);
+
+}  // namespace loopmend

@@ -1,0 +1,62 @@
+#include "evolution/state.h"
+
+#include "energy/curvature_energy.h"
+#include "mesh/quality.h"
+
+namespace loopmend {
+
+namespace {
+
+double squared_laplacian_of_H(const Patch& patch, const OperatorSet& ops) {
+  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
+  double sum = 0;
+  for (int i = 0; i < patch.free_count; ++i) {
+    const double lap = ops.apply_laplacian(i, ops.H);
+    sum += mass[i] * lap * lap;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double measure_of(FlowKind flow, const Patch& patch, const OperatorSet& ops) {
+  switch (flow) {
+    case FlowKind::mcf: return patch_area(patch);
+    case FlowKind::sdf: return squared_laplacian_of_H(patch, ops);
+    case FlowKind::wf: return energy_value(curvature_energy(patch, {0, 1}), ops.H);
+    case FlowKind::mmcvf: return energy_value(curvature_energy(patch, {1, 0}), ops.H);
+  }
+  return 0;
+}
+
+EvolutionState make_state(Patch patch, FlowKind flow, Stencil stencil, std::shared_ptr<const Topology> topology) {
+  EvolutionState state;
+  state.topology =
+      topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
+  std::vector<char> wanted(patch.vertex_count());
+  for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= flow_reach;
+  state.ops = compute_operators(patch.positions, patch.triangles, *state.topology, stencil, wanted);
+  state.measure = measure_of(flow, patch, state.ops);
+  state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  state.patch = std::move(patch);
+  return state;
+}
+
+EvolutionState displaced(const EvolutionState& state, FlowKind flow, Stencil stencil, const Eigen::VectorXd& s) {
+  Patch patch = state.patch;
+  for (int i = 0; i < patch.free_count; ++i) patch.positions[i] += s[i] * state.ops.normal[i];
+  return make_state(std::move(patch), flow, stencil, state.topology);
+}
+
+double shown_energy(FlowKind flow, const EvolutionState& state) {
+  const double scale = state.patch.scale;
+  switch (flow) {
+    case FlowKind::mcf:
+    case FlowKind::sdf: return patch_area(state.patch) * scale * scale;
+    case FlowKind::wf: return state.measure;
+    case FlowKind::mmcvf: return state.measure / (scale * scale);
+  }
+  return 0;
+}
+
+}  // namespace loopmend

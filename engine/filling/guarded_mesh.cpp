@@ -1,0 +1,325 @@
+#include "filling/guarded_mesh.h"
+
+#include "mesh/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+const double guard_cosine = std::cos(80 * std::numbers::pi / 180);
+
+/// The guard: at least as good as before, or good enough.
+bool allowed(double after, double before) { return after >= std::min(guard_cosine, before); }
+
+double cosine(const Vec3& a, const Vec3& b) { return a.isZero() || b.isZero() ? -1 : a.dot(b); }
+
+}  // namespace
+
+GuardedMesh::GuardedMesh(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
+                         std::vector<double> size)
+    : locked_(locked), size_(std::move(size)) {
+  for (const Vec3& p : points) mesh_.add_vertex(p);
+  for (const Triangle& t : triangles) mesh_.add_face(VH(t[0]), VH(t[1]), VH(t[2]));
+  rim_normal_.assign(mesh_.n_edges(), Vec3::Zero());
+  for (const auto& [edge, normal] : rim_normals) {
+    const HH h = mesh_.find_halfedge(VH(edge.first), VH(edge.second));
+    if (h.is_valid()) rim_normal_[mesh_.edge_handle(h).idx()] = normal;
+  }
+}
+
+double GuardedMesh::length(EH e) const {
+  const HH h = mesh_.halfedge_handle(e, 0);
+  return (mesh_.point(mesh_.to_vertex_handle(h)) - mesh_.point(mesh_.from_vertex_handle(h))).norm();
+}
+
+double GuardedMesh::target(EH e) const {
+  const HH h = mesh_.halfedge_handle(e, 0);
+  return (size_[mesh_.to_vertex_handle(h).idx()] + size_[mesh_.from_vertex_handle(h).idx()]) / 2;
+}
+
+Vec3 GuardedMesh::face_normal(TriMesh::FaceHandle f) const {
+  const HH h = mesh_.halfedge_handle(f);
+  return unit_normal(mesh_.point(mesh_.from_vertex_handle(h)), mesh_.point(mesh_.to_vertex_handle(h)),
+                     mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h))));
+}
+
+/// Normal on the other side of h; on the rim that of the surroundings, or this face's own where there are none.
+Vec3 GuardedMesh::normal_across(HH h) const {
+  const HH other = mesh_.opposite_halfedge_handle(h);
+  if (!mesh_.is_boundary(other)) return face_normal(mesh_.face_handle(other));
+  const Vec3& rim = rim_normal_[mesh_.edge_handle(h).idx()];
+  return rim.isZero() ? face_normal(mesh_.face_handle(h)) : rim;
+}
+
+double GuardedMesh::edge_cosine(EH e) const {
+  HH h = mesh_.halfedge_handle(e, 0);
+  if (mesh_.is_boundary(h)) h = mesh_.opposite_halfedge_handle(h);
+  return cosine(face_normal(mesh_.face_handle(h)), normal_across(h));
+}
+
+/// Worst cosine over the spokes and the link of v, were v at `position`.
+double GuardedMesh::fan_worst(VH v, const Vec3& position) const {
+  std::vector<Vec3> normals;
+  double worst = 1;
+  for (const auto h : mesh_.voh_range(v)) {
+    if (mesh_.is_boundary(h)) continue;
+    const HH link = mesh_.next_halfedge_handle(h);
+    normals.push_back(unit_normal(position, mesh_.point(mesh_.from_vertex_handle(link)),
+                                  mesh_.point(mesh_.to_vertex_handle(link))));
+    const HH across = mesh_.opposite_halfedge_handle(link);
+    if (!mesh_.is_boundary(across) || !rim_normal_[mesh_.edge_handle(link).idx()].isZero())
+      worst = std::min(worst, cosine(normals.back(), normal_across(link)));
+  }
+  for (std::size_t k = 0; k < normals.size(); ++k)
+    worst = std::min(worst, cosine(normals[k], normals[(k + 1) % normals.size()]));
+  return worst;
+}
+
+/// Worst cosine over all edges of a set of triangles that is to stand where the mesh now has others with the same border.
+double GuardedMesh::worst_cosine(const Triangles& faces, const std::map<int, Vec3>& moved) const {
+  const auto place = [&](int v) {
+    const auto found = moved.find(v);
+    return found != moved.end() ? found->second : Vec3(mesh_.point(VH(v)));
+  };
+  std::vector<Vec3> normals;
+  for (const Triangle& t : faces) normals.push_back(unit_normal(place(t[0]), place(t[1]), place(t[2])));
+  double worst = 1;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = faces[f][k], b = faces[f][(k + 1) % 3];
+      bool inside = false;
+      for (std::size_t g = 0; g < faces.size() && !inside; ++g)
+        for (int l = 0; l < 3 && !inside; ++l)
+          if (faces[g][l] == b && faces[g][(l + 1) % 3] == a) {
+            inside = true;
+            if (g > f) worst = std::min(worst, cosine(normals[f], normals[g]));
+          }
+      if (inside) continue;
+      const HH h = mesh_.find_halfedge(VH(b), VH(a));
+      if (!h.is_valid()) continue;
+      const Vec3 outside =
+          mesh_.is_boundary(h) ? rim_normal_[mesh_.edge_handle(h).idx()] : face_normal(mesh_.face_handle(h));
+      if (mesh_.is_boundary(h) && outside.isZero()) continue;
+      worst = std::min(worst, cosine(normals[f], outside));
+    }
+  return worst;
+}
+
+bool GuardedMesh::guarded_move(VH v, const Vec3& position) {
+  if (!allowed(fan_worst(v, position), fan_worst(v, mesh_.point(v)))) return false;
+  mesh_.set_point(v, position);
+  return true;
+}
+
+void GuardedMesh::split_long_edges() {
+  for (int pass = 0; pass < 10; ++pass) {
+    std::vector<std::pair<double, int>> queue;
+    for (const auto e : mesh_.edges()) {
+      if (mesh_.is_boundary(e)) continue;
+      const bool chord = is_locked(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 0))) &&
+                         is_locked(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 1)));
+      const double ratio = length(e) / target(e);
+      if (ratio > (chord ? 0.5 : 4.0 / 3)) queue.emplace_back(-ratio, e.idx());
+    }
+    if (queue.empty()) return;
+    std::sort(queue.begin(), queue.end());
+    for (const auto& [ratio, index] : queue) {
+      const EH e(index);
+      const HH h = mesh_.halfedge_handle(e, 0);
+      const double size = target(e);
+      const Vec3 middle =
+          (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
+      const VH v = mesh_.add_vertex(middle);
+      size_.resize(mesh_.n_vertices());
+      size_[v.idx()] = size;
+      mesh_.split(e, v);
+      rim_normal_.resize(mesh_.n_edges(), Vec3::Zero());
+    }
+  }
+}
+
+bool GuardedMesh::collapse_guarded(HH h) {
+  const VH v = mesh_.from_vertex_handle(h), u = mesh_.to_vertex_handle(h);
+  if (is_locked(v) || !mesh_.is_collapse_ok(h)) return false;
+  const Vec3 place = is_locked(u) ? Vec3(mesh_.point(u)) : Vec3((mesh_.point(u) + mesh_.point(v)) / 2);
+  for (const auto w : mesh_.vv_range(v)) {
+    if (w == u) continue;
+    if (is_locked(u) && is_locked(w) && !mesh_.find_halfedge(u, w).is_valid()) return false;
+    if ((mesh_.point(w) - place).norm() > 4.0 / 3 * (size_[w.idx()] + size_[u.idx()]) / 2) return false;
+  }
+  std::set<int> faces;
+  for (const auto f : mesh_.vf_range(v)) faces.insert(f.idx());
+  for (const auto f : mesh_.vf_range(u)) faces.insert(f.idx());
+  Triangles before, after;
+  for (int f : faces) {
+    Triangle t;
+    int k = 0, hits = 0;
+    for (const auto w : mesh_.fv_range(TriMesh::FaceHandle(f))) {
+      t[k++] = w.idx();
+      if (w == u || w == v) ++hits;
+    }
+    before.push_back(t);
+    if (hits == 2) continue;
+    for (int& w : t)
+      if (w == v.idx()) w = u.idx();
+    after.push_back(t);
+  }
+  if (after.empty() || !allowed(worst_cosine(after, {{u.idx(), place}}), worst_cosine(before, {}))) return false;
+  mesh_.collapse(h);
+  mesh_.set_point(u, place);
+  return true;
+}
+
+void GuardedMesh::collapse_short_edges() {
+  std::vector<std::pair<double, int>> queue;
+  for (const auto e : mesh_.edges()) {
+    const double ratio = length(e) / target(e);
+    if (!mesh_.is_boundary(e) && ratio < 0.75) queue.emplace_back(ratio, e.idx());
+  }
+  std::sort(queue.begin(), queue.end());
+  for (const auto& [ratio, index] : queue) {
+    const EH e(index);
+    if (mesh_.status(e).deleted() || length(e) >= 0.75 * target(e)) continue;
+    if (!collapse_guarded(mesh_.halfedge_handle(e, 0))) collapse_guarded(mesh_.halfedge_handle(e, 1));
+  }
+  // Faces, edges and vertices keep their numbers until points() and triangles() are asked for: no garbage collection.
+}
+
+bool GuardedMesh::opposite_angles_exceed_pi(EH e) const {
+  const auto angle = [&](HH h) {
+    const Vec3 apex = mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)));
+    const Vec3 a = mesh_.point(mesh_.from_vertex_handle(h)) - apex, b = mesh_.point(mesh_.to_vertex_handle(h)) - apex;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  };
+  return angle(mesh_.halfedge_handle(e, 0)) + angle(mesh_.halfedge_handle(e, 1)) > std::numbers::pi + 1e-6;
+}
+
+bool GuardedMesh::flip_guarded(EH e) {
+  if (mesh_.is_boundary(e) || !mesh_.is_flip_ok(e)) return false;
+  const HH h = mesh_.halfedge_handle(e, 0), o = mesh_.halfedge_handle(e, 1);
+  const int a = mesh_.from_vertex_handle(h).idx(), b = mesh_.to_vertex_handle(h).idx();
+  const int c = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)).idx();
+  const int d = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(o)).idx();
+  if (is_locked(VH(c)) && is_locked(VH(d))) return false;
+  if (!allowed(worst_cosine({{a, d, c}, {d, b, c}}, {}), worst_cosine({{a, b, c}, {b, a, d}}, {}))) return false;
+  mesh_.flip(e);
+  return true;
+}
+
+void GuardedMesh::flip_to_delaunay() {
+  for (int pass = 0; pass < 10; ++pass) {
+    int flips = 0;
+    for (const auto e : mesh_.edges())
+      if (!mesh_.is_boundary(e) && opposite_angles_exceed_pi(e) && flip_guarded(e)) ++flips;
+    if (flips == 0) return;
+  }
+}
+
+void GuardedMesh::smooth_tangentially() {
+  for (const auto v : mesh_.vertices()) {
+    if (is_locked(v)) continue;
+    Vec3 centroid = Vec3::Zero(), normal = Vec3::Zero();
+    double total = 0;
+    const Vec3 p = mesh_.point(v);
+    for (const auto h : mesh_.voh_range(v)) {
+      if (mesh_.is_boundary(h)) continue;
+      const Vec3 a = mesh_.point(mesh_.to_vertex_handle(h));
+      const Vec3 b = mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)));
+      const Vec3 cross = (a - p).cross(b - p);
+      const double area = cross.norm() / 2;
+      centroid += area * (p + a + b) / 3;
+      normal += cross;
+      total += area;
+    }
+    if (!(total > 0) || normal.isZero()) continue;
+    normal.normalize();
+    const Vec3 move = centroid / total - p;
+    guarded_move(v, p + move - normal.dot(move) * normal);
+  }
+}
+
+void GuardedMesh::move_towards(const Points& goal) {
+  std::size_t k = 0;
+  for (const auto v : mesh_.vertices()) {
+    const Vec3& to = goal[k++];
+    if (is_locked(v)) continue;
+    const Vec3 from = mesh_.point(v);
+    for (double share : {1.0, 0.5, 0.25})
+      if (guarded_move(v, from + share * (to - from))) break;
+  }
+}
+
+std::vector<GuardedMesh::EH> GuardedMesh::edges_beyond(double limit) const {
+  std::vector<EH> edges;
+  for (const auto e : mesh_.edges()) {
+    if (mesh_.is_boundary(e) && rim_normal_[e.idx()].isZero()) continue;
+    if (edge_cosine(e) < limit) edges.push_back(e);
+  }
+  return edges;
+}
+
+int GuardedMesh::bad_edges(double degrees) const {
+  return static_cast<int>(edges_beyond(std::cos(degrees * std::numbers::pi / 180)).size());
+}
+
+void GuardedMesh::relax_around(const std::vector<EH>& edges, int rings) {
+  std::set<int> region;
+  for (EH e : edges)
+    for (int side : {0, 1}) region.insert(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, side)).idx());
+  for (int ring = 0; ring < rings; ++ring) {
+    std::set<int> grown = region;
+    for (int v : region)
+      for (const auto w : mesh_.vv_range(VH(v))) grown.insert(w.idx());
+    region = std::move(grown);
+  }
+  for (int sweep = 0; sweep < 10 * rings; ++sweep)
+    for (int v : region) {
+      if (is_locked(VH(v))) continue;
+      Vec3 mean = Vec3::Zero();
+      for (const auto w : mesh_.vv_range(VH(v))) mean += mesh_.point(w);
+      mesh_.set_point(VH(v), mean / static_cast<double>(mesh_.valence(VH(v))));
+    }
+}
+
+void GuardedMesh::untangle() {
+  std::vector<EH> bad = edges_beyond(guard_cosine);
+  for (int ring = 1; ring <= 4 && !bad.empty(); ++ring) {
+    for (EH e : bad) flip_guarded(e);
+    bad = edges_beyond(guard_cosine);
+    if (bad.empty()) return;
+    const TriMesh before = mesh_;
+    relax_around(bad, ring);
+    std::vector<EH> left = edges_beyond(guard_cosine);
+    if (left.size() < bad.size())
+      bad = std::move(left);
+    else
+      mesh_ = before;
+  }
+}
+
+Points GuardedMesh::points() const {
+  Points result;
+  for (const auto v : mesh_.vertices()) result.push_back(mesh_.point(v));
+  return result;
+}
+
+Triangles GuardedMesh::triangles() const {
+  std::vector<int> number(mesh_.n_vertices(), -1);
+  int next = 0;
+  for (const auto v : mesh_.vertices()) number[v.idx()] = next++;
+  Triangles result;
+  for (const auto f : mesh_.faces()) {
+    Triangle t;
+    int k = 0;
+    for (const auto v : mesh_.fv_range(f)) t[k++] = number[v.idx()];
+    result.push_back(t);
+  }
+  return result;
+}
+
+}  // namespace loopmend

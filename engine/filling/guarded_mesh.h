@@ -1,0 +1,68 @@
+// A patch that is being remeshed under guard: no operation may fold it, none may touch its rim.
+#pragma once
+
+#include "mesh/tri_mesh.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace loopmend {
+
+/// Normals of the surroundings across the rim: key (a, b) is the rim edge as it runs in the patch.
+using RimNormals = std::map<std::pair<int, int>, Vec3>;
+
+/// A guarded operation is undone, or not done, when it takes the worst dihedral of the edges it touches beyond 80° and
+/// beyond what it was (FILLING.md). Vertices 0..locked−1 are the rim: they never move, and no edge between two of them
+/// is ever made.
+class GuardedMesh {
+ public:
+  /// @param size  target edge length at each vertex.
+  GuardedMesh(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
+              std::vector<double> size);
+
+  /// Splits edges above 4/3 of the target (chords between rim vertices above 1/2); the midpoints stay on the edges.
+  void split_long_edges();
+  void collapse_short_edges();  ///< below 3/4 of the target
+  void flip_to_delaunay();      ///< where the two angles opposite an edge sum to more than π
+  void smooth_tangentially();   ///< towards the area-weighted centroid of the one-ring, within the tangent plane
+  /// Moves free vertices towards `goal` (in the numbering of points()) as far as the guard allows: all the way, half, a
+  /// quarter.
+  void move_towards(const Points& goal);
+  /// Flips and local uniform relaxation around bad edges, kept only where their number falls.
+  void untangle();
+
+  /// Edges with a dihedral over `degrees`, the rim's included.
+  int bad_edges(double degrees) const;
+  /// Free vertices follow the locked ones; numbers may have changed since the last call.
+  Points points() const;
+  Triangles triangles() const;
+  int locked() const { return locked_; }
+
+ private:
+  using VH = TriMesh::VertexHandle;
+  using EH = TriMesh::EdgeHandle;
+  using HH = TriMesh::HalfedgeHandle;
+
+  bool is_locked(VH v) const { return v.idx() < locked_; }
+  double target(EH e) const;
+  double length(EH e) const;
+  Vec3 face_normal(TriMesh::FaceHandle f) const;
+  Vec3 normal_across(HH h) const;
+  double edge_cosine(EH e) const;
+  double fan_worst(VH v, const Vec3& position) const;
+  double worst_cosine(const Triangles& faces, const std::map<int, Vec3>& moved) const;
+  bool guarded_move(VH v, const Vec3& position);
+  bool flip_guarded(EH e);
+  bool collapse_guarded(HH h);
+  bool opposite_angles_exceed_pi(EH e) const;
+  void relax_around(const std::vector<EH>& edges, int rings);
+  std::vector<EH> edges_beyond(double cosine) const;
+
+  TriMesh mesh_;
+  int locked_;
+  std::vector<Vec3> rim_normal_;  ///< by edge; zero where the edge is not on the rim or nothing lies across
+  std::vector<double> size_;      ///< by vertex
+};
+
+}  // namespace loopmend

@@ -1,0 +1,230 @@
+#include "filling/loop_filler.h"
+
+#include "core/error.h"
+#include "filling/fairing.h"
+#include "filling/guarded_mesh.h"
+#include "filling/size_field.h"
+#include "filling/triangulate_loop.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int longest_for_cubic = 350;         // FILLING.md, step 1
+constexpr int longest_for_all_methods = 5000;
+
+/// Everything the filler needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
+struct LoopSite {
+  int n = 0;
+  Points points;            ///< the loop, then the rings around it
+  Triangles surroundings;   ///< over `points`
+  std::vector<double> size; ///< n: mean length of the edges of the surroundings at each loop vertex
+  RimNormals rim_normals;
+  Patch frame;              ///< an empty patch: its centre and scale
+};
+
+LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
+  LoopSite site;
+  LoopFiller empty;
+  for (int v : loop.vertices) empty.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  site.frame = make_patch(model, {loop}, {empty});
+  site.n = loop.edges();
+  site.points = site.frame.positions;  // no free vertices, and ring 1 comes first: the loop in its own order
+  site.surroundings = site.frame.triangles;
+
+  std::vector<double> sum(site.points.size(), 0), count(site.points.size(), 0);
+  std::set<std::pair<int, int>> rim;
+  for (int i = 0; i < site.n; ++i) rim.insert({i, (i + 1) % site.n});
+  for (const Triangle& t : site.surroundings)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      const double length = (site.points[a] - site.points[b]).norm();
+      for (int v : {a, b}) {
+        sum[v] += length;
+        count[v] += 1;
+      }
+      if (rim.count({b, a}))
+        site.rim_normals[{b, a}] = unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+    }
+  for (int i = 0; i < site.n; ++i) site.size.push_back(sum[i] / std::max(1.0, count[i]));
+  return site;
+}
+
+/// A triangulation on its way to a filler: the loop's n points first, then new ones.
+struct Candidate {
+  Points points;
+  Triangles triangles;
+  FillerQuality quality;
+
+  int badness() const { return quality.folds + quality.self_intersections; }
+};
+
+/// Patch and surroundings in one list, the patch's triangles first.
+void join(const LoopSite& site, const Candidate& c, Points& points, Triangles& triangles) {
+  points = c.points;
+  points.insert(points.end(), site.points.begin() + site.n, site.points.end());
+  triangles = c.triangles;
+  const int shift = static_cast<int>(c.points.size()) - site.n;
+  for (Triangle t : site.surroundings) {
+    for (int& v : t) v = v < site.n ? v : v + shift;
+    triangles.push_back(t);
+  }
+}
+
+FillerQuality assess(const LoopSite& site, const Candidate& c) {
+  Points points;
+  Triangles triangles;
+  join(site, c, points, triangles);
+  const int count = static_cast<int>(c.triangles.size());
+  FillerQuality quality;
+  quality.folds = count_folds(points, triangles, count);
+  quality.self_intersections = static_cast<int>(self_intersections(points, triangles, count).size());
+  quality.min_angle_deg = min_angle_deg(points, triangles, count);
+  return quality;
+}
+
+/// The triangulations to try, best first; stops at the first that is neither folded nor cut.
+std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelToken& cancel) {
+  std::vector<TriangulationMethod> methods;
+  if (site.n <= longest_for_cubic)
+    methods = {TriangulationMethod::cubic, TriangulationMethod::delaunay, TriangulationMethod::planar};
+  else if (site.n <= longest_for_all_methods)
+    methods = {TriangulationMethod::delaunay_only, TriangulationMethod::planar};
+  else
+    methods = {TriangulationMethod::planar, TriangulationMethod::delaunay_only};
+  std::vector<int> loop(site.n);
+  for (int i = 0; i < site.n; ++i) loop[i] = i;
+  std::vector<Candidate> candidates;
+  for (TriangulationMethod method : methods) {
+    if (cancel.cancelled()) break;
+    Candidate c;
+    c.triangles = triangulate_loop(site.points, site.surroundings, loop, method);
+    if (c.triangles.empty()) continue;
+    c.points.assign(site.points.begin(), site.points.begin() + site.n);
+    c.quality = assess(site, c);
+    candidates.push_back(std::move(c));
+    if (candidates.back().badness() == 0) break;
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.badness() < b.badness(); });
+  return candidates;
+}
+
+GuardedMesh guarded(const LoopSite& site, const SizeField& size, const Candidate& c) {
+  std::vector<double> sizes;
+  for (const Vec3& p : c.points) sizes.push_back(size.at(p));
+  return GuardedMesh(c.points, c.triangles, site.n, site.rim_normals, std::move(sizes));
+}
+
+Candidate harvest(const LoopSite& site, const GuardedMesh& mesh) {
+  Candidate c;
+  c.points = mesh.points();
+  c.triangles = mesh.triangles();
+  c.quality = assess(site, c);
+  return c;
+}
+
+void remesh_once(GuardedMesh& mesh) {
+  mesh.split_long_edges();
+  mesh.flip_to_delaunay();
+  mesh.collapse_short_edges();
+  mesh.flip_to_delaunay();
+  for (int sweep = 0; sweep < 3; ++sweep) mesh.smooth_tangentially();
+}
+
+void relax_once(GuardedMesh& mesh) {
+  mesh.move_towards(minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked()));
+  mesh.flip_to_delaunay();
+  mesh.smooth_tangentially();
+}
+
+/// Refinement, remeshing and relaxation; a round that makes the patch worse is thrown away (FILLING.md, steps 3 to 5).
+Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, const CancelToken& cancel) {
+  const auto try_round = [&](const auto& round) {
+    GuardedMesh mesh = guarded(site, size, best);
+    round(mesh);
+    Candidate next = harvest(site, mesh);
+    if (next.badness() <= best.badness()) best = std::move(next);
+  };
+  for (int round = 0; round < 5 && !cancel.cancelled(); ++round) try_round(remesh_once);
+  for (int round = 0; round < 8 && !cancel.cancelled(); ++round) try_round(relax_once);
+  for (int round = 0; round < 3 && best.badness() > 0 && !cancel.cancelled(); ++round)
+    try_round([](GuardedMesh& mesh) {
+      mesh.untangle();
+      remesh_once(mesh);
+    });
+  return best;
+}
+
+/// A loop of three edges whose triangle is there already, on the other side: an isolated triangle, not a hole.
+bool closes_a_lone_triangle(const LoopSite& site) {
+  return site.n == 3 && std::any_of(site.surroundings.begin(), site.surroundings.end(), [](const Triangle& t) {
+           return std::max({t[0], t[1], t[2]}) < 3;
+         });
+}
+
+std::string remaining_faults(const FillerQuality& quality) {
+  std::string text;
+  if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
+  if (quality.self_intersections > 0)
+    text += (text.empty() ? "" : " and ") + std::to_string(quality.self_intersections) + " self-intersections";
+  return text.empty() ? text : "the filler has " + text + " left";
+}
+
+}  // namespace
+
+FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const FillerOptions& options,
+                        const CancelToken& cancel) {
+  if (!(options.density >= 0.1 && options.density <= 10))
+    throw InvalidArgument("density must lie between 0.1 and 10, not " + std::to_string(options.density));
+  FillerOutcome outcome;
+  if (loop.kind == LoopKind::touching) {
+    outcome.message = "the loop touches another loop, or itself, at a vertex: which way round to fill it is not determined";
+    return outcome;
+  }
+  if (loop.kind == LoopKind::cut) {
+    outcome.message = "the loop runs along an edge with more than two faces: it is no hole of the surface";
+    return outcome;
+  }
+  if (!(loop.diameter > 0)) {
+    outcome.message = "all vertices of the loop are in one place";
+    return outcome;
+  }
+  const LoopSite site = make_site(model, loop);
+  if (closes_a_lone_triangle(site)) {
+    outcome.message = "the loop is the rim of a single triangle";
+    return outcome;
+  }
+  const std::vector<Candidate> candidates = first_triangulations(site, cancel);
+  if (candidates.empty()) {
+    if (!cancel.cancelled()) outcome.message = "no valid triangulation of this loop was found";
+    return outcome;
+  }
+  std::vector<double> sizes = site.size;
+  for (double& size : sizes) size /= options.density;
+  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), sizes);
+  Candidate best;
+  for (const Candidate& candidate : candidates) {
+    Candidate refined = refine(site, size, candidate, cancel);
+    if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
+    if (best.badness() == 0 || cancel.cancelled()) break;
+  }
+  if (cancel.cancelled()) return outcome;
+
+  LoopFiller filler;
+  for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  for (std::size_t i = site.n; i < best.points.size(); ++i) filler.points.push_back(site.frame.to_mesh(best.points[i]));
+  filler.triangles = std::move(best.triangles);
+  outcome.filler = std::move(filler);
+  outcome.quality = best.quality;
+  outcome.message = remaining_faults(best.quality);
+  return outcome;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,95 @@
+#include "filling/patch_remesh.h"
+
+#include "filling/size_field.h"
+#include "mesh/quality.h"
+
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+int rim_size(const Patch& patch) {
+  int rim = 0;
+  for (const auto& loop : patch.loops) rim += static_cast<int>(loop.size());
+  return rim;
+}
+
+/// Mean length of the edges of the surroundings at each rim vertex.
+std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
+  std::vector<double> sum(rim, 0), count(rim, 0);
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = patch.triangles[f][k], b = patch.triangles[f][(k + 1) % 3];
+      const double length = (patch.positions[a] - patch.positions[b]).norm();
+      for (int v : {a, b})
+        if (v - patch.free_count < rim) {
+          sum[v - patch.free_count] += length;
+          count[v - patch.free_count] += 1;
+        }
+    }
+  for (int i = 0; i < rim; ++i) sum[i] /= std::max(1.0, count[i]);
+  return sum;
+}
+
+}  // namespace
+
+GuardedMesh open_for_remeshing(const Patch& patch) {
+  const int n = patch.free_count, rim = rim_size(patch);
+  const auto renumber = [&](int v) { return v < n ? v + rim : v - n; };
+  Points points(patch.positions.begin() + n, patch.positions.begin() + n + rim);
+  points.insert(points.end(), patch.positions.begin(), patch.positions.begin() + n);
+  Triangles triangles;
+  std::set<std::pair<int, int>> open;  // directed edges of the patch without a partner: its rim
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    Triangle t = patch.triangles[f];
+    for (int& v : t) v = renumber(v);
+    triangles.push_back(t);
+    for (int k = 0; k < 3; ++k)
+      if (!open.erase({t[(k + 1) % 3], t[k]})) open.insert({t[k], t[(k + 1) % 3]});
+  }
+  RimNormals normals;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
+    const Triangle& t = patch.triangles[f];
+    for (int k = 0; k < 3; ++k) {
+      const std::pair<int, int> edge{renumber(t[(k + 1) % 3]), renumber(t[k])};
+      if (open.count(edge))
+        normals[edge] = unit_normal(patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]);
+    }
+  }
+  const SizeField field(Points(points.begin(), points.begin() + rim), rim_edge_lengths(patch, rim));
+  std::vector<double> sizes;
+  for (const Vec3& p : points) sizes.push_back(field.at(p));
+  return GuardedMesh(points, triangles, rim, normals, std::move(sizes));
+}
+
+Patch with_interior(const Patch& patch, const GuardedMesh& mesh) {
+  const Points points = mesh.points();
+  const int rim = mesh.locked();
+  Patch result = patch;
+  result.free_count = static_cast<int>(points.size()) - rim;
+  const int shift = result.free_count - patch.free_count;
+  result.positions.assign(points.begin() + rim, points.end());
+  result.positions.insert(result.positions.end(), patch.positions.begin() + patch.free_count, patch.positions.end());
+  result.ring.assign(result.free_count, 0);
+  result.ring.insert(result.ring.end(), patch.ring.begin() + patch.free_count, patch.ring.end());
+  result.view_vertex.assign(result.free_count, -1);
+  result.view_vertex.insert(result.view_vertex.end(), patch.view_vertex.begin() + patch.free_count,
+                            patch.view_vertex.end());
+  result.triangles.clear();
+  for (Triangle t : mesh.triangles()) {
+    for (int& v : t) v = v < rim ? v + result.free_count : v - rim;
+    result.triangles.push_back(t);
+  }
+  result.patch_triangles = static_cast<int>(result.triangles.size());
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
+    Triangle t = patch.triangles[f];
+    for (int& v : t) v += shift;
+    result.triangles.push_back(t);
+  }
+  for (auto& loop : result.loops)
+    for (int& v : loop) v += shift;
+  return result;
+}
+
+}  // namespace loopmend

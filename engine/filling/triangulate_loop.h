@@ -1,0 +1,25 @@
+// The first triangulation of a loop, by CGAL: no new vertices, n − 2 triangles.
+#pragma once
+
+#include "core/types.h"
+
+#include <vector>
+
+namespace loopmend {
+
+/// How CGAL is asked. Measured in FILLING.md: cubic search is right more often, Delaunay-guided search scales.
+enum class TriangulationMethod {
+  cubic,           ///< all triangulations, O(n³): up to a few hundred edges
+  delaunay,        ///< guided by a 3D Delaunay triangulation, with the cubic search where that fails
+  delaunay_only,   ///< the same without the cubic search: for long loops
+  planar,          ///< constrained Delaunay in the loop's plane, where its projection is simple
+};
+
+/// @param points       the loop's neighbourhood, #P
+/// @param surroundings triangles of the mesh around the loop, over `points`; chords that are edges of these are avoided
+/// @param loop         n ≥ 3 indices into `points`, in the order of the boundary halfedges
+/// @returns n − 2 triangles over `points`, oriented like the surroundings; empty when there is no such triangulation.
+Triangles triangulate_loop(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
+                           TriangulationMethod method);
+
+}  // namespace loopmend

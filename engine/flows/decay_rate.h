@@ -1,0 +1,14 @@
+// The slowest decay rate of a flow on a patch: the unit in which time steps are measured.
+#pragma once
+
+#include "flows/flow_kind.h"
+#include "mesh/patch.h"
+
+namespace loopmend {
+
+/// λ₁ > 0, smallest eigenvalue of the flow's linear part on the patch with clamped boundary (NUMERICS §4): of ½M⁻¹K with
+/// K the clamped cotan Laplacian to the power 1 (MCF), 2 (SDF, WF) or 3 (MMCVF). Patch frame, 1/time. A step of
+/// τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found.
+double slowest_decay_rate(FlowKind flow, const Patch& patch);
+
+}  // namespace loopmend

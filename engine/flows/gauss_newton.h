@@ -1,0 +1,18 @@
+// The steady state by Gauss-Newton on the curvature energy: the same energy and weights as the flow, symmetric.
+#pragma once
+
+#include "energy/curvature_energy.h"
+
+namespace loopmend {
+
+/// (μM + Bᵀ Q B) s = −½∇E, with E = Hᵀ Q H, B = ∂H/∂s. One step is a step of the flow of size τ = 1/(2μ) for small τ.
+struct GaussNewtonSystem {
+  double energy = 0;           ///< E at the present state
+  Eigen::VectorXd half_gradient;  ///< n: ½ ∂E/∂s
+  SparseMatrix curvature;      ///< n by n: Bᵀ Q B
+  Eigen::VectorXd mass;        ///< n
+};
+
+GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights);
+
+}  // namespace loopmend

@@ -1,0 +1,201 @@
+#include "io/file_content.h"
+
+#include "core/error.h"
+#include "io/text_cursor.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <system_error>
+
+namespace loopmend {
+
+namespace {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+[[noreturn]] void fail_open(const std::filesystem::path& path, int reason) {
+  if (reason == ENOENT || reason == ENOTDIR) {
+    throw ReadError(path, "there is no such file", "", "Check the spelling and the folder.");
+  }
+  if (reason == EACCES || reason == EPERM) {
+    throw ReadError(path, "no permission to read this file", "", "Change its permissions, or read a copy.");
+  }
+  throw ReadError(path, "cannot be read: " + std::generic_category().message(reason), "", "");
+}
+
+/// Looks before opening: opening a pipe would wait for ever.
+void require_regular_file(const std::filesystem::path& path, const struct stat& status) {
+  if (S_ISDIR(status.st_mode)) throw ReadError(path, "is a folder, not a file", "", "Choose a file inside it.");
+  if (!S_ISREG(status.st_mode)) {
+    throw ReadError(path, "is not a regular file", "", "Copy its content to a file first.");
+  }
+}
+
+bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
+
+bool looks_like_utf16(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  if (starts_with(bytes, "\xFF\xFE"sv) || starts_with(bytes, "\xFE\xFF"sv)) return true;
+  // Without a mark: ASCII text has a zero in every second place.
+  const std::size_t count = std::min<std::size_t>(bytes.size() / 2, 32);
+  if (count < 4) return false;
+  const auto is_text = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\r' || c == '\t'; };
+  bool low_first = true;
+  bool high_first = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    low_first = low_first && is_text(bytes[2 * i]) && bytes[2 * i + 1] == '\0';
+    high_first = high_first && bytes[2 * i] == '\0' && is_text(bytes[2 * i + 1]);
+  }
+  return low_first || high_first;
+}
+
+/// Refuses what is certainly no mesh, in words that help.
+void refuse_known_strangers(const FileContent& file) {
+  using namespace std::string_view_literals;
+  const std::string_view bytes = file.bytes;
+  if (starts_with(bytes, "version https://git-lfs.github.com/"sv)) {
+    throw ReadError(file.path, "this is a Git LFS pointer, not the mesh itself", "",
+                    "Run `git lfs pull` in its repository to fetch the mesh.");
+  }
+  if (looks_like_utf16(bytes)) {
+    throw ReadError(file.path, "the text is encoded as UTF-16", "byte 0", "Save it as UTF-8 or plain ASCII.");
+  }
+  if (starts_with(bytes, "PK\x03\x04"sv)) {
+    throw ReadError(file.path, "this is a ZIP archive (3MF, or a compressed mesh), not a mesh file", "byte 0",
+                    "Unpack it, or export as PLY, STL, OBJ or OFF.");
+  }
+  if (starts_with(bytes, "\x1F\x8B"sv)) {
+    throw ReadError(file.path, "this file is compressed with gzip", "byte 0", "Unpack it first.");
+  }
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = ascii_lower(c);
+  return extension;
+}
+
+/// The first token after comments and blank lines; empty if there is none.
+std::string_view first_token(std::string_view text) {
+  TextCursor cursor(text);
+  while (cursor.next_line()) {
+    const std::string_view token = cursor.next_token();
+    if (!token.empty() && token.front() != '#') return token;
+  }
+  return {};
+}
+
+bool fits_binary_stl(std::string_view bytes) {
+  if (bytes.size() < 84) return false;
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);  // little endian, as every machine we build for
+  return bytes.size() == 84 + std::uint64_t{50} * count;
+}
+
+bool looks_binary(std::string_view bytes) { return bytes.substr(0, 1024).find('\0') != std::string_view::npos; }
+
+/// "solid" opens every text STL and some binary ones; only the text goes on with words.
+bool looks_like_ascii_stl(std::string_view text, std::string_view first) {
+  return equals_ignoring_case(first, "solid") && !looks_binary(text);
+}
+
+bool is_off_keyword(std::string_view token) {
+  const std::size_t at = token.find("OFF");
+  if (at == std::string_view::npos || at > 5) return false;
+  const auto among = [](std::string_view part, std::string_view allowed) {
+    return part.find_first_not_of(allowed) == std::string_view::npos;
+  };
+  // "OFF8" is what a lost line break makes of "OFF" and the number of vertices.
+  return among(token.substr(0, at), "STCN4n") && among(token.substr(at + 3), "0123456789");
+}
+
+bool is_obj_keyword(std::string_view token) {
+  constexpr std::array<std::string_view, 14> words = {"v",  "vn", "vt", "vp", "f",      "o",      "g",
+                                                      "s",  "l",  "p",  "mg", "mtllib", "usemtl", "cstype"};
+  return std::find(words.begin(), words.end(), token) != words.end();
+}
+
+}  // namespace
+
+std::string_view mesh_text(const FileContent& file) {
+  std::string_view text = file.bytes;
+  if (starts_with(text, "\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
+FileContent load_file(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) fail_open(path, errno);
+  require_regular_file(path, status);
+  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (descriptor.number() < 0) fail_open(path, errno);
+  if (::fstat(descriptor.number(), &status) != 0) fail_open(path, errno);
+  require_regular_file(path, status);
+
+  FileContent file{path, {}};
+  file.bytes.resize(static_cast<std::size_t>(status.st_size));
+  std::size_t got = 0;
+  while (got < file.bytes.size()) {
+    const ssize_t count = ::read(descriptor.number(), file.bytes.data() + got, file.bytes.size() - got);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_open(path, errno);
+    if (count == 0) break;  // it shrank meanwhile: what is there is judged like any other file
+    got += static_cast<std::size_t>(count);
+  }
+  file.bytes.resize(got);
+  if (file.bytes.empty()) throw ReadError(path, "the file is empty (0 bytes)", "", "Export or copy the mesh again.");
+  return file;
+}
+
+MeshFormat detect_format(const FileContent& file) {
+  refuse_known_strangers(file);
+  const std::string_view text = mesh_text(file);
+  const std::string_view first = first_token(text.substr(0, 65536));
+  if (first == "ply") return MeshFormat::ply;
+  if (fits_binary_stl(file.bytes)) return MeshFormat::stl_binary;
+  if (looks_like_ascii_stl(text, first)) return MeshFormat::stl_ascii;
+  if (is_off_keyword(first)) return MeshFormat::off;
+
+  const std::string extension = lower_extension(file.path);
+  if (extension == ".stl" && !is_obj_keyword(first)) {
+    if (looks_binary(text)) return MeshFormat::stl_binary;
+    throw ReadError(file.path, "does not begin with \"solid\" as text STL files do, and is not binary", "byte 0",
+                    "The file is damaged or is something else under this name.");
+  }
+  if (extension == ".off" && !first.empty() && first.find_first_not_of("0123456789") == std::string_view::npos) {
+    return MeshFormat::off;  // the keyword is optional in this format
+  }
+  if (extension == ".obj" || is_obj_keyword(first)) return MeshFormat::obj;
+  if (extension == ".ply") {
+    throw ReadError(file.path, "does not begin with \"ply\" as every PLY file does", "byte 0",
+                    "The file is damaged or is something else under this name.");
+  }
+  if (extension == ".off") {
+    throw ReadError(file.path, "does not begin with \"OFF\" as OFF files do", "byte 0",
+                    "The file is damaged or is something else under this name.");
+  }
+  throw ReadError(file.path, "this is not a mesh format that Loopmend knows", "",
+                  "It reads PLY, STL, OBJ and OFF files.");
+}
+
+}  // namespace loopmend

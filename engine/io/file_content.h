@@ -1,0 +1,28 @@
+// A whole file in memory, and the guess what kind of mesh it holds.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace loopmend {
+
+struct FileContent {
+  std::filesystem::path path;
+  std::string bytes;  ///< exactly what the file holds
+};
+
+enum class MeshFormat { ply, stl_ascii, stl_binary, obj, off };
+
+/// Loads the file.
+/// @throws ReadError if it is missing, a directory, not a regular file, unreadable or empty.
+FileContent load_file(const std::filesystem::path& path);
+
+/// Tells the format by content first, by the extension only where the content does not say.
+/// @throws ReadError for content that is known to be something else (Git LFS pointer, UTF-16, archive) or unknown.
+MeshFormat detect_format(const FileContent& file);
+
+/// The bytes without a UTF-8 byte order mark.
+std::string_view mesh_text(const FileContent& file);
+
+}  // namespace loopmend

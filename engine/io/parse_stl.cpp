@@ -1,0 +1,168 @@
+#include "io/exact_points.h"
+#include "io/parse_errors.h"
+#include "io/polygon_soup.h"
+#include "io/text_cursor.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+namespace loopmend {
+
+namespace {
+
+constexpr std::size_t header_bytes = 84;
+constexpr std::size_t facet_bytes = 50;
+
+/// STL repeats a vertex in every facet: corners at the same place become one point, in order of first occurrence.
+class Welder {
+ public:
+  explicit Welder(PolygonSoup& soup) : soup_(soup), first_(first_point_table(soup.points)) {}
+
+  void add_corner(const Vec3& point) {
+    const int index = static_cast<int>(soup_.points.size());
+    soup_.points.push_back(point);
+    const int first = first_.find_or_add(index);
+    if (first != index) {
+      soup_.points.pop_back();
+      ++soup_.vertices_welded;
+    }
+    soup_.corners.push_back(first);
+  }
+
+ private:
+  PolygonSoup& soup_;
+  FirstPoint first_;
+};
+
+/// Text STL: words across lines, as the format has them; upper and lower case are the same.
+class AsciiStl {
+ public:
+  explicit AsciiStl(const FileContent& file) : errors_(file), cursor_(mesh_text(file)), welder_(soup_) {}
+
+  PolygonSoup read() {
+    bool inside = false;
+    for (;;) {
+      const std::string_view word = cursor_.next_token_across_lines();
+      if (word.empty()) break;
+      if (!inside && equals_ignoring_case(word, "solid")) {
+        inside = true;
+        cursor_.skip_line();  // its name
+      } else if (inside && equals_ignoring_case(word, "endsolid")) {
+        inside = false;
+        cursor_.skip_line();
+      } else if (inside && equals_ignoring_case(word, "facet")) {
+        read_facet();
+      } else {
+        fail_word(word, inside ? "\"facet\" or \"endsolid\"" : "\"solid\"");
+      }
+    }
+    if (inside) errors_.truncated("a solid: \"endsolid\" is missing", cursor_.place());
+    return std::move(soup_);
+  }
+
+ private:
+  void read_facet() {
+    std::string_view word = cursor_.next_token_across_lines();
+    if (equals_ignoring_case(word, "normal")) {
+      for (int i = 0; i < 3; ++i) cursor_.next_token_across_lines();  // not needed: it follows from the corners
+      word = cursor_.next_token_across_lines();
+    }
+    if (!equals_ignoring_case(word, "outer")) fail_word(word, in_quotes("outer"));
+    expect("loop");
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      expect("vertex");
+      Vec3 point;
+      for (double& x : point) x = coordinate();
+      if (!point.allFinite()) errors_.not_finite(3 * soup_.polygon_count() + corner, cursor_.place());
+      welder_.add_corner(point);
+    }
+    expect("endloop");
+    expect("endfacet");
+    soup_.close_polygon();
+  }
+
+  double coordinate() {
+    const std::string_view token = cursor_.next_token();
+    const std::optional<double> value = parse_double(token);
+    if (!value) errors_.not_a_number(token, "a coordinate", cursor_.place());
+    return *value;
+  }
+
+  void expect(std::string_view word) {
+    const std::string_view token = cursor_.next_token_across_lines();
+    if (!equals_ignoring_case(token, word)) fail_word(token, in_quotes(word));
+  }
+
+  [[noreturn]] void fail_word(std::string_view word, const std::string& expected) const {
+    if (word.empty()) errors_.truncated("facet " + std::to_string(soup_.polygon_count()), cursor_.place());
+    errors_.fail(in_quotes(word) + " stands where " + expected + " should be", cursor_.place(),
+                 "Correct that place, or export the mesh again.");
+  }
+
+  ParseErrors errors_;
+  TextCursor cursor_;
+  PolygonSoup soup_;
+  Welder welder_;
+};
+
+std::uint32_t little_endian_word(const char* bytes) {
+  std::uint32_t word = 0;
+  for (int i = 3; i >= 0; --i) word = (word << 8) | static_cast<unsigned char>(bytes[i]);
+  return word;
+}
+
+/// The announced number of facets must be there, and not many more.
+std::size_t require_facet_count(const FileContent& file, const ParseErrors& errors) {
+  using namespace std::string_view_literals;
+  const std::string_view bytes = file.bytes;
+  if (bytes.size() < header_bytes) errors.truncated("the header of a binary STL file", "byte " + std::to_string(bytes.size()));
+  const std::uint64_t count = little_endian_word(bytes.data() + 80);
+  const std::uint64_t needed = header_bytes + facet_bytes * count;
+  if (bytes.size() < needed) {
+    errors.fail("announces " + std::to_string(count) + " triangles, which take " + std::to_string(needed) +
+                    " bytes, but the file has " + std::to_string(bytes.size()),
+                "byte 80", "It is incomplete or damaged; export or copy it again.");
+  }
+  const std::string_view rest = bytes.substr(needed);
+  if (rest.size() >= facet_bytes && rest.find_first_not_of("\0 \t\r\n"sv) != std::string_view::npos) {
+    errors.fail("announces " + std::to_string(count) + " triangles, but " + std::to_string(rest.size()) +
+                    " more bytes follow them",
+                "byte 80", "The count and the data do not belong together; export the mesh again.");
+  }
+  if (count > std::numeric_limits<int>::max() / 3) errors.fail("more than 715827882 triangles", "byte 80");
+  return count;
+}
+
+}  // namespace
+
+PolygonSoup parse_stl_ascii(const FileContent& file) { return AsciiStl(file).read(); }
+
+PolygonSoup parse_stl_binary(const FileContent& file) {
+  const ParseErrors errors(file);
+  const std::size_t count = require_facet_count(file, errors);
+  PolygonSoup soup;
+  Welder welder(soup);
+  soup.corners.reserve(3 * count);
+  soup.ends.reserve(count);
+  for (std::size_t facet = 0; facet < count; ++facet) {
+    const std::size_t corners_at = header_bytes + facet * facet_bytes + 12;  // after the normal
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Vec3 point;
+      const char* bytes = file.bytes.data() + corners_at + 12 * corner;
+      for (double& x : point) {
+        x = static_cast<double>(std::bit_cast<float>(little_endian_word(bytes)));
+        bytes += 4;
+      }
+      if (!point.allFinite()) {
+        errors.not_finite(3 * facet + corner, "byte " + std::to_string(corners_at + 12 * corner));
+      }
+      welder.add_corner(point);
+    }
+    soup.close_polygon();
+  }
+  return soup;
+}
+
+}  // namespace loopmend

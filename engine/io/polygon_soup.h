@@ -1,0 +1,38 @@
+// What the parsers of the four formats hand over: points and polygons exactly as the file holds them.
+#pragma once
+
+#include "core/types.h"
+#include "io/file_content.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loopmend {
+
+/// Polygons of any size, stored flat. Indices are in range and coordinates finite when a parser returns.
+struct PolygonSoup {
+  Points points;
+  std::vector<Color> colors;             ///< as many as points, or empty
+  std::vector<int> corners;              ///< vertex indices of all polygons, one after the other
+  std::vector<std::size_t> ends;         ///< per polygon: one past its last corner
+  std::size_t missing_colors = 0;        ///< vertices without a colour of their own in a file with colours
+  std::size_t skipped_elements = 0;      ///< things that are neither vertex nor face: lines, points, edges
+  std::size_t vertices_welded = 0;       ///< STL only
+
+  std::size_t polygon_count() const { return ends.size(); }
+  void close_polygon() { ends.push_back(corners.size()); }
+  std::span<const int> polygon(std::size_t k) const {
+    const std::size_t begin = k == 0 ? 0 : ends[k - 1];
+    return {corners.data() + begin, ends[k] - begin};
+  }
+};
+
+/// Each reads one whole file. @throws ReadError naming the place; a part of a file never comes back.
+PolygonSoup parse_ply(const FileContent& file);
+PolygonSoup parse_stl_ascii(const FileContent& file);
+PolygonSoup parse_stl_binary(const FileContent& file);
+PolygonSoup parse_obj(const FileContent& file);
+PolygonSoup parse_off(const FileContent& file);
+
+}  // namespace loopmend

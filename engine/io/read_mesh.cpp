@@ -1,0 +1,166 @@
+#include "io/read_mesh.h"
+
+#include "core/error.h"
+#include "io/exact_points.h"
+#include "io/file_content.h"
+#include "io/first_occurrence.h"
+#include "io/polygon_soup.h"
+#include "io/triangulate_polygon.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace loopmend {
+
+namespace {
+
+const char* format_name(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::ply: return "PLY";
+    case MeshFormat::stl_ascii:
+    case MeshFormat::stl_binary: return "STL";
+    case MeshFormat::obj: return "OBJ";
+    case MeshFormat::off: return "OFF";
+  }
+  return "";
+}
+
+PolygonSoup parse(const FileContent& file, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::ply: return parse_ply(file);
+    case MeshFormat::stl_ascii: return parse_stl_ascii(file);
+    case MeshFormat::stl_binary: return parse_stl_binary(file);
+    case MeshFormat::obj: return parse_obj(file);
+    case MeshFormat::off: return parse_off(file);
+  }
+  return {};
+}
+
+void require_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
+  if (soup.polygon_count() > 0) return;
+  const std::string cure = "Loopmend needs a surface: export the mesh together with its faces.";
+  if (soup.points.empty()) throw ReadError(path, "holds no points and no faces", "", cure);
+  throw ReadError(path, "holds points but no faces", std::to_string(soup.points.size()) + " points", cure);
+}
+
+Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup) {
+  const std::size_t count = soup.corners.size() - 2 * soup.polygon_count();
+  if (count > std::numeric_limits<int>::max()) throw ReadError(path, "more than 2147483647 triangles", "", "");
+  Triangles triangles;
+  triangles.reserve(count);
+  for (std::size_t k = 0; k < soup.polygon_count(); ++k) triangulate_polygon(soup.points, soup.polygon(k), triangles);
+  return triangles;
+}
+
+std::size_t count_polygons(const PolygonSoup& soup) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < soup.polygon_count(); ++k) count += soup.polygon(k).size() > 3 ? 1 : 0;
+  return count;
+}
+
+std::size_t count_unreferenced(const TriangleSoup& soup) {
+  std::vector<bool> used(soup.points.size(), false);
+  for (const Triangle& triangle : soup.triangles) {
+    for (const int v : triangle) used[static_cast<std::size_t>(v)] = true;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+}
+
+std::size_t count_coincident(const Points& points) {
+  FirstPoint first = first_point_table(points);
+  std::size_t count = 0;
+  for (int v = 0; v < static_cast<int>(points.size()); ++v) count += first.find_or_add(v) != v ? 1 : 0;
+  return count;
+}
+
+/// A vertex twice, or an area that is zero up to rounding.
+bool is_degenerate(const Points& points, const Triangle& t) {
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
+  const auto at = [&](int v) -> const Vec3& { return points[static_cast<std::size_t>(v)]; };
+  Vec3 u = at(t[1]) - at(t[0]);
+  Vec3 v = at(t[2]) - at(t[0]);
+  const double scale = std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
+  if (scale == 0.0) return true;
+  u /= scale;  // so that very small and very large meshes neither vanish nor overflow
+  v /= scale;
+  return u.cross(v).norm() <= 4.0 * std::numeric_limits<double>::epsilon();
+}
+
+std::size_t count_degenerate(const TriangleSoup& soup) {
+  const auto degenerate = [&](const Triangle& t) { return is_degenerate(soup.points, t); };
+  return static_cast<std::size_t>(std::count_if(soup.triangles.begin(), soup.triangles.end(), degenerate));
+}
+
+/// The three vertices in ascending order.
+Triangle sorted(Triangle t) {
+  if (t[0] > t[1]) std::swap(t[0], t[1]);
+  if (t[1] > t[2]) std::swap(t[1], t[2]);
+  if (t[0] > t[1]) std::swap(t[0], t[1]);
+  return t;
+}
+
+std::size_t count_duplicates(const Triangles& triangles) {
+  const auto key = [&](int f) { return sorted(triangles[static_cast<std::size_t>(f)]); };
+  const auto hash = [&](int f) {
+    std::uint64_t value = 0;
+    for (const int v : key(f)) value = mix_hash(value, static_cast<std::uint64_t>(v));
+    return value;
+  };
+  FirstOccurrence first(hash, [&](int f, int g) { return key(f) == key(g); });
+  std::size_t count = 0;
+  for (int f = 0; f < static_cast<int>(triangles.size()); ++f) count += first.find_or_add(f) != f ? 1 : 0;
+  return count;
+}
+
+ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const TriangleSoup& soup) {
+  ImportReport report;
+  report.format = format_name(format);
+  report.vertices = soup.points.size();
+  report.faces = polygons.polygon_count();
+  report.triangles = soup.triangles.size();
+  report.polygons_triangulated = count_polygons(polygons);
+  report.vertices_welded = polygons.vertices_welded;
+  report.unreferenced_vertices = count_unreferenced(soup);
+  report.degenerate_faces = count_degenerate(soup);
+  report.duplicate_faces = count_duplicates(soup.triangles);
+  report.coincident_vertices = count_coincident(soup.points);
+  report.missing_colors = polygons.missing_colors;
+  report.skipped_elements = polygons.skipped_elements;
+  report.has_colors = !soup.colors.empty();
+  return report;
+}
+
+ImportedMesh import(const std::filesystem::path& path) {
+  PolygonSoup polygons;
+  MeshFormat format{};
+  {
+    const FileContent file = load_file(path);  // its memory is given back before the mesh is built
+    format = detect_format(file);
+    polygons = parse(file, format);
+  }
+  require_faces(path, polygons);
+  ImportedMesh mesh;
+  mesh.soup.triangles = triangulate(path, polygons);
+  mesh.soup.points = std::move(polygons.points);
+  mesh.soup.colors = std::move(polygons.colors);
+  mesh.report = make_report(format, polygons, mesh.soup);
+  return mesh;
+}
+
+}  // namespace
+
+ImportedMesh read_mesh(const std::filesystem::path& path) {
+  try {
+    return import(path);
+  } catch (const std::bad_alloc&) {
+    throw ReadError(path, "the mesh is too large for the memory of this computer", "", "Close other programs, or reduce it.");
+  } catch (const std::length_error&) {
+    throw ReadError(path, "the mesh is too large for this program", "", "Reduce it first.");
+  }
+}
+
+}  // namespace loopmend

@@ -1,0 +1,102 @@
+#include "io/text_cursor.h"
+
+#include <locale.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <system_error>
+
+namespace loopmend {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+/// from_chars leaves the value open when it is too large or too small for a double; strtod says which of the two.
+double out_of_range_value(std::string_view token) {
+  static const locale_t c_locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  return ::strtod_l(std::string(token).c_str(), nullptr, c_locale);
+}
+
+}  // namespace
+
+char ascii_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool equals_ignoring_case(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (ascii_lower(a[i]) != ascii_lower(b[i])) return false;
+  }
+  return true;
+}
+
+std::optional<double> parse_double(std::string_view token) {
+  if (!token.empty() && token.front() == '+') {
+    token.remove_prefix(1);
+    if (!token.empty() && token.front() == '-') return std::nullopt;
+  }
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (token.empty() || end != token.data() + token.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return out_of_range_value(token);
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view token) {
+  if (!token.empty() && token.front() == '+') {
+    token.remove_prefix(1);
+    if (!token.empty() && token.front() == '-') return std::nullopt;
+  }
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (token.empty() || error != std::errc() || end != token.data() + token.size()) return std::nullopt;
+  return value;
+}
+
+std::string in_quotes(std::string_view token) {
+  constexpr std::size_t longest = 40;
+  std::string text = "\"";
+  for (const char c : token.substr(0, longest)) text += (c >= ' ' && c <= '~') ? c : '?';
+  if (token.size() > longest) text += "...";
+  return text + "\"";
+}
+
+TextCursor::TextCursor(std::string_view text, char comment_mark) : text_(text), comment_mark_(comment_mark) {}
+
+bool TextCursor::next_line() {
+  if (next_ >= text_.size()) {
+    at_ = line_end_ = next_ = text_.size();
+    return false;
+  }
+  at_ = next_;
+  std::size_t end = at_;
+  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r') ++end;
+  next_ = end;
+  if (next_ < text_.size()) next_ += (text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n') ? 2 : 1;
+  line_end_ = end;
+  if (comment_mark_ != '\0') {
+    const std::size_t comment = text_.substr(at_, end - at_).find(comment_mark_);
+    if (comment != std::string_view::npos) line_end_ = at_ + comment;
+  }
+  ++line_number_;
+  return true;
+}
+
+std::string_view TextCursor::next_token() {
+  while (at_ < line_end_ && is_blank(text_[at_])) ++at_;
+  const std::size_t begin = at_;
+  while (at_ < line_end_ && !is_blank(text_[at_])) ++at_;
+  return text_.substr(begin, at_ - begin);
+}
+
+std::string_view TextCursor::next_token_across_lines() {
+  for (;;) {
+    const std::string_view token = next_token();
+    if (!token.empty() || !next_line()) return token;
+  }
+}
+
+}  // namespace loopmend

@@ -1,0 +1,60 @@
+// Walking through the text of a mesh file: lines, tokens, numbers. Independent of the locale; cannot run past the end.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace loopmend {
+
+/// 'A'..'Z' to lower case; every other byte as it is.
+char ascii_lower(char c);
+bool equals_ignoring_case(std::string_view a, std::string_view b);
+
+/// The double that is nearest to the decimal text, as strtod in the C locale finds it; a leading '+' is allowed, "nan"
+/// and "inf" are numbers. Nothing if the token is not wholly a number.
+std::optional<double> parse_double(std::string_view token);
+
+/// Nothing if the token is not wholly a decimal integer that fits.
+std::optional<std::int64_t> parse_integer(std::string_view token);
+
+/// For error messages: the token in quotes, shortened, with unprintable bytes as '?'.
+std::string in_quotes(std::string_view token);
+
+/// Lines end with \n, \r\n or \r; tokens are separated by blanks and tabs.
+class TextCursor {
+ public:
+  /// @param comment_mark  everything from this character to the end of a line is left out; '\0' for none.
+  explicit TextCursor(std::string_view text, char comment_mark = '\0');
+
+  /// Steps to the next line; false at the end of the text.
+  bool next_line();
+  /// The next token of this line; empty at its end.
+  std::string_view next_token();
+  /// The next token, on this line or a later one; empty at the end of the text.
+  std::string_view next_token_across_lines();
+  /// Leaves out the rest of this line.
+  void skip_line() { at_ = line_end_; }
+
+  /// Whether the last token was followed by nothing at all, not even a blank.
+  bool at_line_end() const { return at_ == line_end_; }
+  std::size_t line_number() const { return line_number_; }
+  /// "line 12", for error messages.
+  std::string place() const { return "line " + std::to_string(line_number_); }
+  /// How many bytes of text there are from the next token on.
+  std::size_t bytes_left() const { return text_.size() - at_; }
+  /// Where in the text the next line begins.
+  std::size_t next_line_offset() const { return next_; }
+
+ private:
+  std::string_view text_;
+  char comment_mark_;
+  std::size_t at_ = 0;        // next byte to look at
+  std::size_t line_end_ = 0;  // one past the last byte of this line, without a comment
+  std::size_t next_ = 0;      // first byte of the next line
+  std::size_t line_number_ = 0;
+};
+
+}  // namespace loopmend

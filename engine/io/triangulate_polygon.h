@@ -1,0 +1,17 @@
+// One polygon of a file into triangles.
+#pragma once
+
+#include "core/types.h"
+
+#include <span>
+
+namespace loopmend {
+
+/// Appends size - 2 triangles over the polygon's vertices, oriented like it, in an order that depends on the polygon
+/// alone. Quads take the diagonal inside them, the shorter one if both are; larger polygons, also concave ones and ones
+/// with a hole cut in along a double edge, a constrained Delaunay triangulation in the plane that fits them best; ones
+/// that cross themselves the triangulation of least area (up to 128 corners) or a fan.
+/// @param polygon  at least 3 indices into `points`
+void triangulate_polygon(const Points& points, std::span<const int> polygon, Triangles& triangles);
+
+}  // namespace loopmend

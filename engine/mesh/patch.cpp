@@ -1,0 +1,117 @@
+#include "mesh/patch.h"
+
+#include "core/error.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace loopmend {
+
+namespace {
+
+using VertexHandle = TriMesh::VertexHandle;
+
+/// The fixed vertices in rings around the loops, and the triangles between them.
+struct Surroundings {
+  std::vector<int> view_vertex;
+  std::vector<int> ring;
+  std::unordered_map<int, int> index;  // view vertex → place in the two vectors
+};
+
+Surroundings collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops) {
+  Surroundings s;
+  const auto add = [&](int v, int ring) {
+    if (!s.index.emplace(v, static_cast<int>(s.view_vertex.size())).second) return;
+    s.view_vertex.push_back(v);
+    s.ring.push_back(ring);
+  };
+  for (const BoundaryLoop& loop : loops)
+    for (int v : loop.vertices) add(v, 1);
+  for (std::size_t k = 0; k < s.view_vertex.size(); ++k) {
+    if (s.ring[k] >= patch_rings) break;
+    for (const auto next : mesh.vv_range(VertexHandle(s.view_vertex[k]))) add(next.idx(), s.ring[k] + 1);
+  }
+  return s;
+}
+
+void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopFiller>& fillers) {
+  if (loops.size() != fillers.size() || loops.empty())
+    throw InvalidArgument("a patch needs one filler for each loop, and at least one loop");
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (fillers[k].points.size() < loops[k].vertices.size())
+      throw InvalidArgument("a filler has fewer points than its loop");
+}
+
+}  // namespace
+
+Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                 const std::vector<LoopFiller>& fillers) {
+  check_sizes(loops, fillers);
+  Patch patch;
+  Eigen::AlignedBox3d box;
+  for (const BoundaryLoop& loop : loops)
+    for (int v : loop.vertices) box.extend(model.mesh.point(VertexHandle(v)));
+  patch.center = box.center();
+  patch.scale = box.diagonal().norm();
+  if (!(patch.scale > 0)) throw InvalidArgument("a loop has no extent: all its vertices are in one place");
+
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    patch.free_count += static_cast<int>(fillers[k].points.size() - loops[k].vertices.size());
+  const Surroundings around = collect_rings(model.mesh, loops);
+
+  int next_free = 0;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const int rim = loops[k].edges();
+    std::vector<int> number(fillers[k].points.size());
+    for (int i = 0; i < rim; ++i) number[i] = patch.free_count + around.index.at(loops[k].vertices[i]);
+    for (std::size_t i = rim; i < number.size(); ++i) {
+      number[i] = next_free++;
+      patch.positions.push_back(patch.to_frame(fillers[k].points[i]));
+    }
+    for (const Triangle& t : fillers[k].triangles) patch.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    patch.loops.emplace_back(number.begin(), number.begin() + rim);
+    patch.loop_numbers.push_back(loops[k].number);
+  }
+  patch.patch_triangles = static_cast<int>(patch.triangles.size());
+
+  patch.ring.assign(patch.free_count, 0);
+  patch.view_vertex.assign(patch.free_count, -1);
+  for (std::size_t i = 0; i < around.view_vertex.size(); ++i) {
+    patch.ring.push_back(around.ring[i]);
+    patch.view_vertex.push_back(around.view_vertex[i]);
+    patch.positions.push_back(patch.to_frame(model.mesh.point(VertexHandle(around.view_vertex[i]))));
+  }
+  std::vector<int> faces;
+  for (int v : around.view_vertex)
+    for (const auto face : model.mesh.vf_range(VertexHandle(v))) faces.push_back(face.idx());
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  for (int f : faces) {
+    Triangle t;
+    int k = 0;
+    for (const auto v : model.mesh.fv_range(TriMesh::FaceHandle(f))) {
+      const auto found = around.index.find(v.idx());
+      if (found != around.index.end()) t[k++] = patch.free_count + found->second;
+    }
+    if (k == 3) patch.triangles.push_back(t);
+  }
+  return patch;
+}
+
+PatchGeometry patch_geometry(const Patch& patch) {
+  PatchGeometry geometry;
+  int rim = 0;
+  while (patch.free_count + rim < patch.vertex_count() && patch.ring[patch.free_count + rim] == 1) ++rim;
+  geometry.rim.assign(patch.view_vertex.begin() + patch.free_count, patch.view_vertex.begin() + patch.free_count + rim);
+  for (int i = 0; i < patch.free_count; ++i) geometry.points.push_back(patch.to_mesh(patch.positions[i]));
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    Triangle t = patch.triangles[f];
+    for (int& v : t) v = v < patch.free_count ? v + rim : v - patch.free_count;
+    geometry.triangles.push_back(t);
+  }
+  return geometry;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,24 @@
+// Figures that tell whether a triangulation is fit to compute on: angles, folds.
+#pragma once
+
+#include "core/types.h"
+
+namespace loopmend {
+
+/// Unit normal of a triangle; zero when it has no area.
+Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Smallest angle of the triangle in radians; 0 when degenerate.
+double min_angle(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Edges shared by two triangles whose normals differ by more than 90°, where at least one of the two is among the first
+/// `count` triangles. A degenerate triangle counts as folded against each neighbour.
+int count_folds(const Points& points, const Triangles& triangles, int count);
+
+/// Smallest angle of the first `count` triangles, in degrees; 180 when there are none.
+double min_angle_deg(const Points& points, const Triangles& triangles, int count);
+
+/// Mean length of the edges of the first `count` triangles; 0 when there are none.
+double mean_edge_length(const Points& points, const Triangles& triangles, int count);
+
+}  // namespace loopmend

@@ -1,0 +1,113 @@
+#include "mesh/self_intersections.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
+
+#include <Eigen/Geometry>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+
+namespace loopmend {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+
+Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+/// The pair test by the number of shared vertices; shared corners are matched by index, not by place.
+class PairTest {
+ public:
+  PairTest(const Points& points, const Triangles& triangles) : points_(points), triangles_(triangles) {}
+
+  bool cut(int f, int g) const {
+    const Triangle &a = triangles_[f], &b = triangles_[g];
+    std::array<int, 3> in_a{}, in_b{};
+    int shared = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (a[i] == b[j]) {
+          in_a[shared] = i;
+          in_b[shared] = j;
+          ++shared;
+        }
+    const Kernel::Triangle_3 s = triangle(a), t = triangle(b);
+    if (s.is_degenerate() || t.is_degenerate() || shared == 3) return false;
+    if (shared == 0) return CGAL::do_intersect(s, t);
+    if (shared == 1) {
+      return CGAL::do_intersect(opposite_edge(a, in_a[0]), t) || CGAL::do_intersect(opposite_edge(b, in_b[0]), s);
+    }
+    const Kernel::Point_3 p = point(a[in_a[0]]), q = point(a[in_a[1]]);
+    const Kernel::Point_3 r = point(a[3 - in_a[0] - in_a[1]]), u = point(b[3 - in_b[0] - in_b[1]]);
+    return CGAL::coplanar(p, q, r, u) && CGAL::coplanar_orientation(p, q, r, u) == CGAL::POSITIVE;
+  }
+
+ private:
+  Kernel::Point_3 point(int v) const { return to_cgal(points_[v]); }
+  Kernel::Triangle_3 triangle(const Triangle& t) const { return {point(t[0]), point(t[1]), point(t[2])}; }
+  Kernel::Segment_3 opposite_edge(const Triangle& t, int corner) const {
+    return {point(t[(corner + 1) % 3]), point(t[(corner + 2) % 3])};
+  }
+  const Points& points_;
+  const Triangles& triangles_;
+};
+
+}  // namespace
+
+std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count) {
+  std::vector<Box> first, all;
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    CGAL::Bbox_3 box;
+    for (int v : triangles[f]) box += to_cgal(points[v]).bbox();
+    all.emplace_back(box, static_cast<int>(f));
+    if (static_cast<int>(f) < count) first.emplace_back(box, static_cast<int>(f));
+  }
+  std::vector<std::pair<int, int>> pairs;
+  const PairTest test(points, triangles);
+  CGAL::box_intersection_d(first.begin(), first.end(), all.begin(), all.end(), [&](const Box& a, const Box& b) {
+    const int f = a.info(), g = b.info();
+    if (f == g || (g < count && g < f)) return;
+    if (test.cut(f, g)) pairs.emplace_back(f, g);
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+namespace bg = boost::geometry;
+using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
+using TreeBox = bg::model::box<TreePoint>;
+
+struct TriangleIndex::Impl {
+  bg::index::rtree<std::pair<TreeBox, int>, bg::index::quadratic<16>> tree;
+};
+
+TriangleIndex::TriangleIndex(const Points& points, const Triangles& triangles) : impl_(std::make_unique<Impl>()) {
+  std::vector<std::pair<TreeBox, int>> entries;
+  entries.reserve(triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    Eigen::AlignedBox3d box;
+    for (int v : triangles[f]) box.extend(points[v]);
+    entries.emplace_back(TreeBox({box.min().x(), box.min().y(), box.min().z()}, {box.max().x(), box.max().y(), box.max().z()}),
+                         static_cast<int>(f));
+  }
+  impl_->tree = decltype(impl_->tree)(entries);  // packed: O(n log n)
+}
+
+TriangleIndex::~TriangleIndex() = default;
+TriangleIndex::TriangleIndex(TriangleIndex&&) noexcept = default;
+TriangleIndex& TriangleIndex::operator=(TriangleIndex&&) noexcept = default;
+
+std::vector<int> TriangleIndex::near(const Vec3& low, const Vec3& high) const {
+  const TreeBox box({low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()});
+  std::vector<int> found;
+  for (auto it = impl_->tree.qbegin(bg::index::intersects(box)); it != impl_->tree.qend(); ++it)
+    found.push_back(it->second);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace loopmend

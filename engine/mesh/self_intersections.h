@@ -1,0 +1,31 @@
+// Which triangles cut each other (exact predicates, through CGAL).
+#pragma once
+
+#include "core/types.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace loopmend {
+
+/// Pairs (a, b), a < b, of triangles that meet in more than their common vertices or edge, where a is among the first
+/// `count`. Triangles without area count as cutting nothing.
+std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count);
+
+/// Finds the triangles near a box fast. Keeps its own copy of the triangles' boxes.
+class TriangleIndex {
+ public:
+  TriangleIndex(const Points& points, const Triangles& triangles);
+  ~TriangleIndex();
+  TriangleIndex(TriangleIndex&&) noexcept;
+  TriangleIndex& operator=(TriangleIndex&&) noexcept;
+  /// Triangles whose bounding box meets the box; ascending. Safe to call from several threads.
+  std::vector<int> near(const Vec3& low, const Vec3& high) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace loopmend

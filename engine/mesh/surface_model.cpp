@@ -1,0 +1,223 @@
+#include "mesh/surface_model.h"
+
+#include "core/error.h"
+#include "mesh/orient_soup.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+using VertexHandle = TriMesh::VertexHandle;
+
+std::uint64_t directed_key(int a, int b) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) | static_cast<std::uint32_t>(b);
+}
+std::uint64_t edge_key(int a, int b) { return a < b ? directed_key(a, b) : directed_key(b, a); }
+
+void check_indices(const TriangleSoup& soup) {
+  const int n = static_cast<int>(soup.points.size());
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+    for (int v : soup.triangles[f])
+      if (v < 0 || v >= n)
+        throw InvalidArgument("face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but there are " +
+                              std::to_string(n) + " vertices");
+}
+
+/// Soup triangles that can be part of a surface: three different corners, not seen before. Fills the two counts.
+std::vector<int> usable_faces(const TriangleSoup& soup, ModelRepairs& repairs) {
+  std::vector<std::array<int, 4>> keys;
+  keys.reserve(soup.triangles.size());
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    Triangle t = soup.triangles[f];
+    std::sort(t.begin(), t.end());
+    if (t[0] == t[1] || t[1] == t[2])
+      ++repairs.degenerate_faces;
+    else
+      keys.push_back({t[0], t[1], t[2], static_cast<int>(f)});
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<int> faces;
+  faces.reserve(keys.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (k > 0 && std::equal(keys[k].begin(), keys[k].begin() + 3, keys[k - 1].begin()))
+      ++repairs.duplicate_faces;
+    else
+      faces.push_back(keys[k][3]);
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// True if every edge has at most two faces that agree in orientation, and the faces at every vertex form one fan.
+bool is_oriented_manifold(const Triangles& triangles, std::size_t vertex_count, ModelRepairs& repairs) {
+  std::vector<std::uint64_t> directed, undirected;
+  directed.reserve(3 * triangles.size());
+  undirected.reserve(3 * triangles.size());
+  std::vector<int> faces_at(vertex_count, 0), edges_at(vertex_count, 0), rims_at(vertex_count, 0);
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) {
+      directed.push_back(directed_key(t[k], t[(k + 1) % 3]));
+      undirected.push_back(edge_key(t[k], t[(k + 1) % 3]));
+      ++faces_at[t[k]];
+    }
+  std::sort(directed.begin(), directed.end());
+  std::sort(undirected.begin(), undirected.end());
+  bool clean = std::adjacent_find(directed.begin(), directed.end()) == directed.end();
+  for (std::size_t i = 0; i < undirected.size();) {
+    std::size_t j = i;
+    while (j < undirected.size() && undirected[j] == undirected[i]) ++j;
+    if (j - i > 2) {
+      ++repairs.non_manifold_edges;
+      clean = false;
+    }
+    for (int v : {static_cast<int>(undirected[i] >> 32), static_cast<int>(undirected[i] & 0xffffffffu)}) {
+      ++edges_at[v];
+      if (j - i == 1) ++rims_at[v];
+    }
+    i = j;
+  }
+  if (!clean) return false;
+  // An interior vertex could still carry two closed fans: the walk in the halfedge mesh would miss one of them.
+  std::vector<int> fan_start(vertex_count, 0);
+  for (std::size_t v = 0; v < vertex_count; ++v)
+    if (rims_at[v] > 2) return false;
+  std::vector<std::vector<std::array<int, 2>>> links(vertex_count);
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) links[t[k]].push_back({t[(k + 1) % 3], t[(k + 2) % 3]});
+  for (auto& link : links) {
+    if (link.empty()) continue;
+    std::sort(link.begin(), link.end());
+    // Follow the link from its start (a vertex that no pair ends in, if there is one) and count the steps.
+    int start = link.front()[0];
+    for (const auto& pair : link)
+      if (std::none_of(link.begin(), link.end(), [&](const auto& other) { return other[1] == pair[0]; }))
+        start = pair[0];
+    std::size_t steps = 0;
+    for (int at = start; steps < link.size();) {
+      const auto next = std::lower_bound(link.begin(), link.end(), std::array<int, 2>{at, -1});
+      if (next == link.end() || (*next)[0] != at) break;
+      at = (*next)[1];
+      ++steps;
+      if (at == start) break;
+    }
+    if (steps != link.size()) return false;
+  }
+  return true;
+}
+
+/// Cuts and turns what is not an oriented manifold; keeps the soup's order of triangles.
+void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles,
+                 std::vector<int>& origin, ModelRepairs& repairs) {
+  OrientedSoup oriented = orient_soup(soup.points, view_triangles);
+  origin = std::move(oriented.origin);
+  std::set<int> split;
+  for (std::size_t v = soup.points.size(); v < origin.size(); ++v) split.insert(origin[v]);
+  repairs.non_manifold_vertices = split.size();
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const Triangle& t = oriented.triangles[k];
+    Triangle& given = soup.triangles[faces[k]];
+    const auto runs = [&](int a, int b) {
+      for (int c = 0; c < 3; ++c)
+        if (given[c] == a && given[(c + 1) % 3] == b) return true;
+      return false;
+    };
+    if (!runs(origin[t[0]], origin[t[1]])) {
+      std::swap(given[1], given[2]);
+      ++repairs.reoriented_faces;
+    }
+  }
+  view_triangles = std::move(oriented.triangles);
+}
+
+}  // namespace
+
+SurfaceModel make_surface_model(TriangleSoup soup) {
+  check_indices(soup);
+  SurfaceModel model;
+  const std::vector<int> faces = usable_faces(soup, model.repairs);
+  if (faces.empty()) throw InvalidArgument("no usable face: every face is degenerate");
+  Triangles triangles;
+  triangles.reserve(faces.size());
+  for (int f : faces) triangles.push_back(soup.triangles[f]);
+  std::vector<int> origin(soup.points.size());
+  std::iota(origin.begin(), origin.end(), 0);
+  if (!is_oriented_manifold(triangles, soup.points.size(), model.repairs))
+    repair_view(soup, faces, triangles, origin, model.repairs);
+
+  std::vector<int> view_of(origin.size(), -1);
+  for (const Triangle& t : triangles)
+    for (int v : t) view_of[v] = 0;
+  std::vector<char> used(soup.points.size(), 0);
+  model.mesh.reserve(origin.size(), triangles.size() * 3 / 2 + 16, triangles.size());
+  for (std::size_t v = 0; v < origin.size(); ++v) {
+    if (view_of[v] < 0) continue;
+    used[origin[v]] = 1;
+    view_of[v] = model.mesh.add_vertex(soup.points[origin[v]]).idx();
+    model.soup_vertex.push_back(origin[v]);
+  }
+  model.repairs.unreferenced_vertices = std::count(used.begin(), used.end(), 0);
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const Triangle& t = triangles[k];
+    const auto face =
+        model.mesh.add_face(VertexHandle(view_of[t[0]]), VertexHandle(view_of[t[1]]), VertexHandle(view_of[t[2]]));
+    if (!face.is_valid())
+      throw InvalidArgument("face " + std::to_string(faces[k]) + " cannot be joined to its neighbours");
+    model.soup_face.push_back(faces[k]);
+  }
+  model.soup = std::move(soup);
+  return model;
+}
+
+namespace {
+
+void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
+  const int rim_size = static_cast<int>(patch.rim.size());
+  const int vertex_count = rim_size + static_cast<int>(patch.points.size());
+  std::set<std::pair<int, int>> directed;
+  for (const Triangle& t : patch.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      if (a < 0 || a >= vertex_count || a == b) throw InvalidArgument("a patch triangle names a vertex that is not there");
+      if (!directed.insert({a, b}).second) throw InvalidArgument("the patch is not an oriented manifold");
+    }
+  for (const auto& [a, b] : directed) {
+    const bool open = !directed.count({b, a});
+    const bool on_rim = a < rim_size && b < rim_size;
+    if (open && !on_rim) throw InvalidArgument("the patch has an open edge away from its rim");
+    if (!on_rim) continue;
+    const auto h = model.mesh.find_halfedge(VertexHandle(patch.rim[a]), VertexHandle(patch.rim[b]));
+    if (open && (!h.is_valid() || !model.mesh.is_boundary(h)))
+      throw InvalidArgument("a rim edge of the patch is not a boundary edge of the surface");
+    if (!open && h.is_valid()) throw InvalidArgument("a chord of the patch is an edge of the surface already");
+  }
+}
+
+}  // namespace
+
+void append_patch(SurfaceModel& model, const PatchGeometry& patch) {
+  check_patch_fits(model, patch);
+  std::vector<VertexHandle> view;
+  view.reserve(patch.rim.size() + patch.points.size());
+  for (int v : patch.rim) view.emplace_back(v);
+  for (const Vec3& p : patch.points) {
+    view.push_back(model.mesh.add_vertex(p));
+    model.soup_vertex.push_back(static_cast<int>(model.soup.points.size()));
+    model.soup.points.push_back(p);
+    if (!model.soup.colors.empty()) model.soup.colors.push_back({200, 200, 200, 255});
+  }
+  for (const Triangle& t : patch.triangles) {
+    const auto face = model.mesh.add_face(view[t[0]], view[t[1]], view[t[2]]);
+    if (!face.is_valid()) throw std::logic_error("append_patch: a checked patch did not fit");
+    model.soup_face.push_back(static_cast<int>(model.soup.triangles.size()));
+    model.soup.triangles.push_back(
+        {model.soup_vertex[view[t[0]].idx()], model.soup_vertex[view[t[1]].idx()], model.soup_vertex[view[t[2]].idx()]});
+  }
+}
+
+}  // namespace loopmend

@@ -1,0 +1,45 @@
+// The opened surface: the soup as read, and a manifold, oriented halfedge view of it in which loops can be walked.
+#pragma once
+
+#include "mesh/tri_mesh.h"
+#include "mesh/triangle_soup.h"
+
+#include <cstddef>
+
+namespace loopmend {
+
+/// What had to be done to the soup before it could be seen as an oriented manifold. Counts; all 0 for a clean mesh.
+struct ModelRepairs {
+  std::size_t degenerate_faces = 0;        ///< a vertex twice in one face: kept in the file, left out of the view
+  std::size_t duplicate_faces = 0;         ///< same three vertices as an earlier face: likewise
+  std::size_t non_manifold_edges = 0;      ///< edges with more than two faces: the view is cut there
+  std::size_t non_manifold_vertices = 0;   ///< vertices with more than one fan of faces: split in the view
+  std::size_t reoriented_faces = 0;        ///< faces turned round to agree with their neighbours, in view and file
+  std::size_t unreferenced_vertices = 0;   ///< points that no face uses: kept in the file
+};
+
+/// `soup` is what is written back: its points and the order of its triangles never change; filling only appends.
+struct SurfaceModel {
+  TriangleSoup soup;
+  TriMesh mesh;                  ///< #V' vertices; isolated points are left out
+  std::vector<int> soup_vertex;  ///< #V': view vertex → soup point (several may share one where the view was cut)
+  std::vector<int> soup_face;    ///< #F': view face → soup triangle
+  ModelRepairs repairs;
+};
+
+/// Builds the view. Deterministic.
+/// @throws InvalidArgument if an index is out of range or no usable face is left.
+SurfaceModel make_surface_model(TriangleSoup soup);
+
+/// A triangulation that fits into one or more boundary loops of a model, ready to be pasted.
+struct PatchGeometry {
+  std::vector<int> rim;  ///< view vertices that the patch shares with the model; patch vertex i < #rim is rim[i]
+  Points points;         ///< the patch's own vertices; patch vertex #rim + k is points[k]
+  Triangles triangles;   ///< over patch vertices, oriented like the surroundings
+};
+
+/// Appends the patch to soup and view. New soup points and triangles come last; nothing that was there moves.
+/// @throws InvalidArgument if the patch does not fit (a rim edge is not a boundary edge); the model is then unchanged.
+void append_patch(SurfaceModel& model, const PatchGeometry& patch);
+
+}  // namespace loopmend

@@ -1,0 +1,49 @@
+// Local quadratic fit at one vertex, and the operator weights that follow from it (paper §4, after its reference [18]).
+#pragma once
+
+#include "operators/topology.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace loopmend {
+
+/// Over which neighbours the quadratic is fitted.
+enum class Stencil {
+  one_ring,  ///< the paper's N_1(i), unweighted; widened where it does not determine the quadratic
+  two_ring,  ///< N_2(i), weighted by 1/d²: less sensitive to bad triangles and to noise
+};
+
+/// Weights such that Θf(r_i) ≈ Σ_j w_ij (f(r_j) − f(r_i)) for j in `neighbors`; the centre's own weight is −Σ w_ij.
+struct LocalFit {
+  std::vector<int> neighbors;  ///< m vertices
+  Eigen::VectorXd laplacian;   ///< m, 1/length²: Δ
+  Eigen::Matrix3Xd gradient;   ///< 3 by m, 1/length: ∇
+  Eigen::Matrix3Xd diamond;    ///< 3 by m, 1/length²: ◇ = 2H∇ − S∇, the second tangent operator of §2
+  Eigen::Matrix3Xd gauss;      ///< 3 by m, 1/length³: K ≈ Σ_j gauss_j · (r_j − r_i)
+  Vec3 normal = Vec3::Zero();  ///< r_u × r_v, unit
+  Eigen::Matrix3d second_form = Eigen::Matrix3d::Zero();  ///< 1/length: the surface is r + t + ½ (tᵀ II t) n for tangential t
+  double H = 0;                ///< mean curvature, 1/length; −1/R on a sphere with outward normals
+  double K = 0;                ///< Gaussian curvature, 1/length²
+  int rings = 0;               ///< how far the stencil had to reach: 1, 2 or 3
+  bool valid = false;          ///< false: rank-deficient or folded over; then all weights are 0
+};
+
+/// Scratch memory that one thread reuses over many fits.
+struct FitScratch {
+  explicit FitScratch(int vertex_count) : mark(vertex_count, 0) {}
+  std::vector<char> mark;
+};
+
+/// Fits r(u, v) and f(u, v) at vertex i by [u, v, u²/2, uv, v²/2], interpolating the centre. Coordinates: projection to
+/// the plane of `reference_normal`, each neighbour put back to its true distance. Where the one-ring has fewer than five
+/// vertices, lies on a boundary, or is ill-conditioned, the two-ring is taken; then the three-ring.
+/// @param reference_normal  unit, e.g. the angle-weighted normal at i.
+void fit_quadratic(const Points& points, const Topology& topology, int i, const Vec3& reference_normal, Stencil stencil,
+                   FitScratch& scratch, LocalFit& fit);
+
+/// Normals weighted by the angles of the triangles at each vertex; unit, or zero where there is no area.
+Points angle_weighted_normals(const Points& points, const Triangles& triangles);
+
+}  // namespace loopmend

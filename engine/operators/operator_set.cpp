@@ -1,0 +1,146 @@
+#include "operators/operator_set.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+
+double OperatorSet::apply_laplacian(int i, const Eigen::VectorXd& f) const {
+  double sum = 0;
+  for (int e = offset[i]; e < offset[i + 1]; ++e) sum += laplacian[e] * f[index[e]];
+  return sum;
+}
+
+Vec3 OperatorSet::apply_gradient(int i, const Eigen::VectorXd& f) const {
+  Vec3 sum = Vec3::Zero();
+  for (int e = offset[i]; e < offset[i + 1]; ++e) sum += gradient[e] * f[index[e]];
+  return sum;
+}
+
+Vec3 OperatorSet::apply_diamond(int i, const Eigen::VectorXd& f) const {
+  Vec3 sum = Vec3::Zero();
+  for (int e = offset[i]; e < offset[i + 1]; ++e) sum += diamond[e] * f[index[e]];
+  return sum;
+}
+
+OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
+                              Stencil stencil, const std::vector<char>& wanted) {
+  const int n = static_cast<int>(points.size());
+  OperatorSet set;
+  set.normal = angle_weighted_normals(points, triangles);
+  set.H.setZero(n);
+  set.K.setZero(n);
+  set.valid.assign(n, 0);
+  set.second_form.assign(n, Eigen::Matrix3d::Zero());
+  set.offset.assign(n + 1, 0);
+  FitScratch scratch(n);
+  LocalFit fit;
+  for (int i = 0; i < n; ++i) {
+    set.offset[i + 1] = static_cast<int>(set.index.size());
+    if (!wanted[i]) continue;
+    fit_quadratic(points, topology, i, set.normal[i], stencil, scratch, fit);
+    if (!fit.valid) continue;
+    set.valid[i] = 1;
+    set.H[i] = fit.H;
+    set.K[i] = fit.K;
+    set.normal[i] = fit.normal;
+    set.second_form[i] = fit.second_form;
+    set.index.push_back(i);
+    set.laplacian.push_back(-fit.laplacian.sum());
+    set.gradient.push_back(-fit.gradient.rowwise().sum());
+    set.diamond.push_back(-fit.diamond.rowwise().sum());
+    set.gauss.push_back(-fit.gauss.rowwise().sum());
+    for (std::size_t k = 0; k < fit.neighbors.size(); ++k) {
+      const Eigen::Index c = static_cast<Eigen::Index>(k);
+      set.index.push_back(fit.neighbors[k]);
+      set.laplacian.push_back(fit.laplacian[c]);
+      set.gradient.push_back(fit.gradient.col(c));
+      set.diamond.push_back(fit.diamond.col(c));
+      set.gauss.push_back(fit.gauss.col(c));
+    }
+    set.offset[i + 1] = static_cast<int>(set.index.size());
+  }
+  return set;
+}
+
+namespace {
+
+/// Half cotangents of the angles at the three corners; corner k is opposite the edge (k+1, k+2).
+std::array<double, 3> half_cotangents(const Points& points, const Triangle& t) {
+  std::array<double, 3> result;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 a = points[t[(k + 1) % 3]] - points[t[k]], b = points[t[(k + 2) % 3]] - points[t[k]];
+    const double sine = std::max(a.cross(b).norm(), 1e-14 * (a.squaredNorm() + b.squaredNorm()) + 1e-300);
+    result[k] = 0.5 * a.dot(b) / sine;
+  }
+  return result;
+}
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void add_edge(Triplets& triplets, int i, int j, double weight) {
+  triplets.emplace_back(i, i, weight);
+  triplets.emplace_back(j, j, weight);
+  triplets.emplace_back(i, j, -weight);
+  triplets.emplace_back(j, i, -weight);
+}
+
+SparseMatrix square_matrix(std::size_t size, const Triplets& triplets) {
+  SparseMatrix matrix(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
+}
+
+}  // namespace
+
+SparseMatrix cotan_stiffness(const Points& points, const Triangles& triangles, const std::vector<int>& faces) {
+  Triplets triplets;
+  triplets.reserve(12 * faces.size());
+  for (int f : faces) {
+    const auto weights = half_cotangents(points, triangles[f]);
+    for (int k = 0; k < 3; ++k)
+      add_edge(triplets, triangles[f][(k + 1) % 3], triangles[f][(k + 2) % 3], weights[k]);
+  }
+  return square_matrix(points.size(), triplets);
+}
+
+SparseMatrix clamped_cotan_stiffness(const Points& points, const Triangles& triangles, const std::vector<int>& faces,
+                                     CotanClamp clamp) {
+  struct Edge {
+    int i, j;
+    double weight;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * faces.size());
+  for (int f : faces) {
+    const auto weights = half_cotangents(points, triangles[f]);
+    for (int k = 0; k < 3; ++k) {
+      const auto [i, j] = std::minmax(triangles[f][(k + 1) % 3], triangles[f][(k + 2) % 3]);
+      edges.push_back({i, j, weights[k]});
+    }
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Edge& a, const Edge& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
+  Triplets triplets;
+  for (std::size_t e = 0; e < edges.size();) {
+    double weight = 0;
+    const std::size_t first = e;
+    for (; e < edges.size() && edges[e].i == edges[first].i && edges[e].j == edges[first].j; ++e)
+      weight += edges[e].weight;
+    add_edge(triplets, edges[first].i, edges[first].j, std::clamp(weight, clamp.low, clamp.high));
+  }
+  return square_matrix(points.size(), triplets);
+}
+
+Eigen::VectorXd barycentric_areas(const Points& points, const Triangles& triangles) {
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(points.size()));
+  for (const Triangle& t : triangles) {
+    const double area = 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+    for (int v : t) areas[v] += area / 3;
+  }
+  return areas.cwiseMax(0.05 * areas.mean());
+}
+
+}  // namespace loopmend

@@ -1,0 +1,50 @@
+// The operators ∇, ◇, Δ and the curvatures H, K at many vertices at once, in flat arrays, and their sparse assembly.
+#pragma once
+
+#include "operators/local_fit.h"
+
+#include <Eigen/SparseCore>
+
+namespace loopmend {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using RowSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Row i holds the weights of vertex i; entry `offset[i]` is the centre, the others its neighbours. Rows of vertices that
+/// were not asked for, or whose fit failed, are empty.
+struct OperatorSet {
+  std::vector<int> offset;    ///< #V + 1
+  std::vector<int> index;     ///< vertex of each entry
+  std::vector<double> laplacian;
+  Points gradient, diamond, gauss;
+  Points normal;              ///< #V, unit: of the fit where there is one, else angle-weighted
+  std::vector<Eigen::Matrix3d> second_form;  ///< #V, see LocalFit
+  Eigen::VectorXd H, K;       ///< #V, 0 in empty rows
+  std::vector<char> valid;    ///< #V
+
+  double apply_laplacian(int i, const Eigen::VectorXd& f) const;
+  Vec3 apply_gradient(int i, const Eigen::VectorXd& f) const;
+  Vec3 apply_diamond(int i, const Eigen::VectorXd& f) const;
+};
+
+/// Fits every vertex i with wanted[i] != 0.
+OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
+                              Stencil stencil, const std::vector<char>& wanted);
+
+/// Clamp for cotangent weights where a matrix must stay well-conditioned on slivers (NUMERICS §10).
+struct CotanClamp {
+  double low, high;  ///< of the half sum of the two cotangents at an edge
+};
+inline constexpr CotanClamp robust_clamp{0.05, 5};
+
+/// Cotangent stiffness matrix over the given triangles: xᵀ C x = ∫‖∇x‖² for piecewise linear x. #V by #V, symmetric,
+/// positive semi-definite.
+SparseMatrix cotan_stiffness(const Points& points, const Triangles& triangles, const std::vector<int>& faces);
+/// The same with the weight of every edge clamped; no longer the exact integral.
+SparseMatrix clamped_cotan_stiffness(const Points& points, const Triangles& triangles, const std::vector<int>& faces,
+                                     CotanClamp clamp);
+
+/// A third of the area of the triangles at each vertex; #V. Never below 5 % of the mean.
+Eigen::VectorXd barycentric_areas(const Points& points, const Triangles& triangles);
+
+}  // namespace loopmend

@@ -1,0 +1,168 @@
+// Files that appear whole or not at all.
+#include "io/atomic_file.h"
+
+#include "io_test_support.h"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <ostream>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace loopmend {
+namespace {
+
+class AtomicFile : public ReadTest {
+ protected:
+  void put(const std::filesystem::path& path, const std::string& text) {
+    write_file_atomically(path, [&](std::ostream& out) { out << text; });
+  }
+
+  std::string refusal(const std::filesystem::path& path) {
+    try {
+      put(path, "new");
+    } catch (const WriteError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  mode_t mode_of(const std::filesystem::path& path) {
+    struct stat status {};
+    EXPECT_EQ(::stat(path.c_str(), &status), 0);
+    return status.st_mode & 07777U;
+  }
+};
+
+TEST_F(AtomicFile, WritesAndReplaces) {
+  put(folder_ / "a", "one");
+  EXPECT_EQ(read_bytes(folder_ / "a"), "one");
+  put(folder_ / "a", std::string(1000000, 'x') + "end");
+  EXPECT_EQ(read_bytes(folder_ / "a"), std::string(1000000, 'x') + "end");
+  put(folder_ / "a", "");
+  EXPECT_EQ(read_bytes(folder_ / "a"), "");
+  EXPECT_EQ(folder_.file_count(), 1U);
+}
+
+TEST_F(AtomicFile, NewFilesFollowTheMaskAndOldOnesKeepTheirMode) {
+  const mode_t mask = ::umask(027);
+  put(folder_ / "new", "x");
+  ::umask(mask);
+  EXPECT_EQ(mode_of(folder_ / "new"), 0640U);
+  write_bytes(folder_ / "old", "x");
+  ::chmod((folder_ / "old").c_str(), 0604);
+  put(folder_ / "old", "y");
+  EXPECT_EQ(mode_of(folder_ / "old"), 0604U);
+}
+
+TEST_F(AtomicFile, WritesThroughLinks) {
+  write_bytes(folder_ / "target", "old");
+  std::filesystem::create_symlink("target", folder_ / "link");
+  std::filesystem::create_symlink("link", folder_ / "link to link");
+  std::filesystem::create_symlink("not yet", folder_ / "dangling");
+  put(folder_ / "link to link", "new");
+  EXPECT_EQ(read_bytes(folder_ / "target"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link to link"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link"));
+  put(folder_ / "dangling", "born");
+  EXPECT_EQ(read_bytes(folder_ / "not yet"), "born");
+  std::filesystem::create_symlink("circle", folder_ / "circle");
+  EXPECT_NE(refusal(folder_ / "circle"), "");
+}
+
+TEST_F(AtomicFile, RelativePaths) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path());
+  put("a", "here");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(read_bytes(folder_ / "a"), "here");
+}
+
+TEST_F(AtomicFile, RefusesInWords) {
+  EXPECT_NE(refusal(folder_.path()).find("is a folder"), std::string::npos);
+  EXPECT_NE(refusal(folder_ / "no/a").find("Create the folder first"), std::string::npos);
+  write_bytes(folder_ / "file", "x");
+  EXPECT_NE(refusal(folder_ / "file/a"), "");
+  EXPECT_NE(refusal(""), "");
+  EXPECT_NE(refusal("/dev/full").find("not a regular file"), std::string::npos);
+  EXPECT_NE(refusal(folder_ / std::string(300, 'n')).find("shorter name"), std::string::npos);
+  EXPECT_NE(refusal("/proc/loopmend-test"), "");
+  if (::geteuid() != 0) {
+    ::chmod((folder_ / "file").c_str(), 0400);
+    EXPECT_NE(refusal(folder_ / "file").find("write-protected"), std::string::npos);
+    ::chmod(folder_.path().c_str(), 0500);
+    EXPECT_NE(refusal(folder_ / "new").find("ermission"), std::string::npos);
+    ::chmod(folder_.path().c_str(), 0700);
+  }
+  EXPECT_EQ(folder_.file_count(), 1U);
+}
+
+/// Runs in a child process, because the limit cannot be taken back.
+int write_beyond_the_limit(const std::filesystem::path& path, std::size_t size) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit = {100000, 100000};
+  if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 3;
+  try {
+    write_file_atomically(path, [&](std::ostream& out) { out << std::string(size, 'x'); });
+  } catch (const WriteError& error) {
+    return std::string(error.what()).find(path.string()) == 0 ? 0 : 2;
+  }
+  return 1;
+}
+
+TEST_F(AtomicFile, AFullDiskLeavesTheOldFile) {
+  write_bytes(folder_ / "a", "precious");
+  for (const std::size_t size : {std::size_t{100001}, std::size_t{5000000}}) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) ::_exit(write_beyond_the_limit(folder_ / "a", size));
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    EXPECT_EQ(read_bytes(folder_ / "a"), "precious");
+    EXPECT_EQ(folder_.file_count(), 1U);
+  }
+}
+
+TEST_F(AtomicFile, AFailingWriterLeavesTheOldFile) {
+  write_bytes(folder_ / "a", "precious");
+  EXPECT_THROW(write_file_atomically(folder_ / "a", [](std::ostream&) { throw std::runtime_error("no"); }), std::runtime_error);
+  EXPECT_THROW(write_file_atomically(folder_ / "a", [](std::ostream& out) { out.setstate(std::ios::failbit); }), WriteError);
+  EXPECT_EQ(read_bytes(folder_ / "a"), "precious");
+  EXPECT_EQ(folder_.file_count(), 1U);
+}
+
+TEST_F(AtomicFile, UnfinishedFilesCanBeRemovedOnTheWayOut) {
+  write_bytes(folder_ / "a", "precious");
+  EXPECT_THROW(write_file_atomically(folder_ / "a",
+                                     [&](std::ostream& out) {
+                                       out << "half" << std::flush;
+                                       EXPECT_EQ(folder_.file_count(), 2U);
+                                       remove_unfinished_files();
+                                       EXPECT_EQ(folder_.file_count(), 1U);
+                                     }),
+               WriteError);
+  EXPECT_EQ(read_bytes(folder_ / "a"), "precious");
+  put(folder_ / "a", "fine again");
+  remove_unfinished_files();
+  EXPECT_EQ(read_bytes(folder_ / "a"), "fine again");
+}
+
+TEST_F(AtomicFile, ManyThreadsAtOnce) {
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 24; ++t) {  // more than the list of unfinished files is long
+    threads.emplace_back([&, t] { put(folder_ / std::to_string(t), std::string(1000, static_cast<char>('a' + t))); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(folder_.file_count(), 24U);
+  for (int t = 0; t < 24; ++t) {
+    EXPECT_EQ(read_bytes(folder_ / std::to_string(t)), std::string(1000, static_cast<char>('a' + t)));
+  }
+}
+
+}  // namespace
+}  // namespace loopmend

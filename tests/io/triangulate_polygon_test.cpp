@@ -1,0 +1,112 @@
+// Polygons into triangles: inside the polygon, oriented like it, always size - 2 of them.
+#include "io/triangulate_polygon.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace loopmend {
+namespace {
+
+Triangles triangulate(const Points& points, std::vector<int> polygon = {}) {
+  if (polygon.empty()) {
+    polygon.resize(points.size());
+    std::iota(polygon.begin(), polygon.end(), 0);
+  }
+  Triangles triangles;
+  triangulate_polygon(points, polygon, triangles);
+  EXPECT_EQ(triangles.size(), polygon.size() - 2);
+  return triangles;
+}
+
+Vec3 area_vector(const Points& points, const Triangle& t) {
+  const Vec3& a = points[static_cast<std::size_t>(t[0])];
+  return 0.5 * (points[static_cast<std::size_t>(t[1])] - a).cross(points[static_cast<std::size_t>(t[2])] - a);
+}
+
+/// Inside and oriented alike: no triangle is turned over, and the areas add up.
+void expect_covers(const Points& points, const Triangles& triangles, const Vec3& area) {
+  Vec3 sum = Vec3::Zero();
+  for (const Triangle& t : triangles) {
+    sum += area_vector(points, t);
+    EXPECT_GT(area_vector(points, t).dot(area), 0.0);
+  }
+  EXPECT_NEAR((sum - area).norm(), 0.0, 1e-12 * area.norm());
+}
+
+TEST(TriangulatePolygon, QuadTakesTheShorterDiagonal) {
+  EXPECT_EQ(triangulate({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(triangulate({{0, 0, 0}, {2, -1, 0}, {4, 0, 0}, {2, 1, 0}}), (Triangles{{0, 1, 3}, {1, 2, 3}}));
+}
+
+TEST(TriangulatePolygon, ConcaveQuadTakesTheDiagonalInside) {
+  const Points dart = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};  // reflex at vertex 2, the longer diagonal is inside
+  expect_covers(dart, triangulate(dart), {0, 0, 4});
+  for (int turn = 1; turn < 4; ++turn) {
+    std::vector<int> polygon;
+    for (int i = 0; i < 4; ++i) polygon.push_back((i + turn) % 4);
+    expect_covers(dart, triangulate(dart, polygon), {0, 0, 4});
+  }
+}
+
+TEST(TriangulatePolygon, ConcavePolygonInEveryPlaneAndDirection) {
+  const double xs[] = {0, 4, 4, 3, 3, 1, 1, 0};  // the letter U
+  const double ys[] = {0, 0, 3, 3, 1, 1, 3, 3};
+  for (int plane = 0; plane < 3; ++plane) {
+    for (const bool reversed : {false, true}) {
+      Points points;
+      for (int i = 0; i < 8; ++i) {
+        const int k = reversed ? 7 - i : i;
+        Vec3 p(0, 0, 0.1);
+        p[plane] = xs[k];
+        p[(plane + 1) % 3] = ys[k];
+        p[(plane + 2) % 3] = 0.3 * xs[k] - 0.2 * ys[k];
+        points.push_back(p);
+      }
+      Vec3 area = Vec3::Zero();
+      for (std::size_t i = 0; i < 8; ++i) area += 0.5 * points[i].cross(points[(i + 1) % 8]);
+      expect_covers(points, triangulate(points), area);
+    }
+  }
+}
+
+TEST(TriangulatePolygon, HoleJoinedByADoubleEdge) {
+  const Points points = {{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}};
+  const Triangles triangles = triangulate(points, {0, 1, 2, 3, 0, 4, 5, 6, 7, 4});
+  expect_covers(points, triangles, {0, 0, 32});
+}
+
+TEST(TriangulatePolygon, CornersInTheMiddleOfAnEdge) {
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}};
+  expect_covers(points, triangulate(points), {0, 0, 4});
+}
+
+TEST(TriangulatePolygon, DegenerateOnesStillGiveTheirNumberOfTriangles) {
+  triangulate({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});             // on a line
+  triangulate({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});  // at one place
+  triangulate({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}, {-1, 1, 0}});            // crosses itself
+  triangulate({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 1, 2, 0, 0});         // vertices again and again
+  triangulate({{0, 0, 0}, {1e308, 0, 0}, {1e308, 1e308, 0}, {0, 1e308, 1e308}, {-1e308, 5, 5}});
+  triangulate({{0, 0, 0}, {1e-320, 0, 0}, {1e-320, 1e-320, 0}, {0, 1e-320, 0}, {-1e-320, 0, 0}});
+}
+
+TEST(TriangulatePolygon, LargePolygonsDoNotTakeForEver) {
+  const auto start = std::chrono::steady_clock::now();
+  Points star;
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / 20000;
+    star.push_back((i % 2 == 0 ? 1.0 : 0.5) * Vec3(std::cos(angle), std::sin(angle), 0.0));
+  }
+  triangulate(star);
+  std::vector<int> knot;
+  for (int i = 0; i < 20000; ++i) knot.push_back((i * 7919) % 20000);
+  triangulate(star, knot);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+}  // namespace
+}  // namespace loopmend
