@@ -56,6 +56,7 @@ Json loop_json(const LoopResult& result) {
   json["message"] = result.message;
   json["free_vertices"] = result.free_vertices;
   json["steps"] = result.steps;
+  json["bending"] = result.bending;
   json["seconds"] = {{"filler", result.seconds.filler},
                      {"assemble", result.seconds.assemble},
                      {"solve", result.seconds.solve},

@@ -71,10 +71,10 @@ QString state_help(HoleState state) {
 
 QString flow(FlowKind flow) {
   switch (flow) {
-    case FlowKind::mmcvf: return tr("MMCVF \u2013 curvature runs through");
-    case FlowKind::wf: return tr("WF \u2013 tangents run through, round");
-    case FlowKind::sdf: return tr("SDF \u2013 tangents run through, taut");
-    case FlowKind::mcf: return tr("MCF \u2013 soap film");
+    case FlowKind::mmcvf: return tr("MMCVF \u2013 curvature");
+    case FlowKind::wf: return tr("WF \u2013 tangent, round");
+    case FlowKind::sdf: return tr("SDF \u2013 tangent, taut");
+    case FlowKind::mcf: return tr("MCF \u2013 position, soap film");
   }
   return {};
 }

@@ -76,8 +76,8 @@ void HolesPanel::build_table() {
   header->setStretchLastSection(true);
   header->setMinimumSectionSize(30);
   const int letter = fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  for (const auto& [column, letters] : {std::pair{HoleTable::number, 6}, {HoleTable::edges, 8}, {HoleTable::perimeter, 11},
-                                        {HoleTable::diameter, 11}, {HoleTable::kind, 10}, {HoleTable::state, 13}})
+  for (const auto& [column, letters] : {std::pair{HoleTable::number, 4}, {HoleTable::edges, 7}, {HoleTable::perimeter, 10},
+                                        {HoleTable::diameter, 9}, {HoleTable::kind, 9}, {HoleTable::state, 11}})
     header->resizeSection(column, letter * letters);
 }
 

@@ -5,10 +5,14 @@
 #include <QPixmap>
 #include <QSvgRenderer>
 
+// The list lives in a static library, so it has to be asked for; the macro works outside namespaces only.
+static void load_resources() { Q_INIT_RESOURCE(resources); }
+
 namespace loopmend {
 namespace {
 
 QByteArray svg(const char* name) {
+  load_resources();
   QFile file(QStringLiteral(":/icons/%1.svg").arg(QLatin1String(name)));
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }

@@ -2,6 +2,7 @@
 
 #include "document/hole_selection.h"
 #include "document/words.h"
+#include "panels/quiet_label.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -25,11 +26,8 @@ constexpr int sigma_high = 5 * ticks_per_decade;
 constexpr int sigma_start = 1 * ticks_per_decade;
 
 QLabel* quiet_label(const char* name) {
-  auto* label = new QLabel;
+  auto* label = new QuietLabel;
   label->setObjectName(QLatin1String(name));
-  label->setWordWrap(true);
-  label->setForegroundRole(QPalette::PlaceholderText);
-  label->setEnabled(true);
   return label;
 }
 
@@ -137,9 +135,8 @@ QWidget* PatchPanel::build_progress() {
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(2, 0, 2, 0);
   layout->setSpacing(6);
-  stage_ = new QLabel;
-  stage_->setObjectName(QStringLiteral("stage"));
-  stage_->setWordWrap(true);
+  stage_ = quiet_label("stage");
+  stage_->setText(tr("Nothing is running."));
   bar_ = new QProgressBar;
   bar_->setObjectName(QStringLiteral("progress"));
   bar_->setTextVisible(false);
@@ -167,7 +164,8 @@ void PatchPanel::connect_parts() {
   connect(flow_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PatchPanel::update_state);
   connect(sigma_, &QSlider::valueChanged, this, &PatchPanel::update_state);
   connect(&workbench_, &Workbench::activity_changed, this, &PatchPanel::update_state);
-  connect(&workbench_, &Workbench::stage_changed, stage_, &QLabel::setText);
+  connect(&workbench_, &Workbench::stage_changed, this,
+          [this](const QString& words) { stage_->setText(words.isEmpty() ? tr("Nothing is running.") : words); });
   connect(&workbench_, &Workbench::progress_changed, this, &PatchPanel::show_progress);
   connect(&selection_, &HoleSelection::selection_changed, this, &PatchPanel::update_state);
   connect(&document_, &Document::opened, this, &PatchPanel::update_state);

@@ -59,8 +59,9 @@ ReportPanel::ReportPanel(const Document& document, const HoleSelection& selectio
   split->setChildrenCollapsible(false);
   split->addWidget(build_seam());
   split->addWidget(build_log());
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 2);
+  split->setStretchFactor(0, 9);
+  split->setStretchFactor(1, 5);
+  split->setSizes({900, 500});
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(split);
@@ -73,8 +74,8 @@ ReportPanel::ReportPanel(const Document& document, const HoleSelection& selectio
 QWidget* ReportPanel::build_seam() {
   seam_ = new QTableWidget(0, column_count);
   seam_->setObjectName(QStringLiteral("seamTable"));
-  seam_->setHorizontalHeaderLabels({tr("Hole"), tr("Gap"), tr("Angle rms"), tr("Angle max"), tr("H jump rms"),
-                                    tr("H jump max"), tr("H jump \u00d7 size")});
+  seam_->setHorizontalHeaderLabels({tr("Hole"), tr("Gap"), tr("Angle, rms"), tr("Angle, max"), tr("H jump, rms"),
+                                    tr("H jump, max"), tr("H jump \u00d7 size")});
   const char* const help[] = {QT_TR_NOOP("The hole's number"),
                               QT_TR_NOOP("Largest distance between the two sides of the seam"),
                               QT_TR_NOOP("Angle between the normals on both sides, root mean square"),
@@ -167,7 +168,7 @@ void ReportPanel::fill_row(int row, int loop) {
       const QString unit = column == angle_rms || column == angle_max ? QStringLiteral("\u00b0") : QString();
       const QString now = words::number(value(patch.state->seam[at], column)) + unit;
       const QString before = words::number(value(patch.state->seam_before[at], column)) + unit;
-      text = patch.state->steps == 0 ? now : before + QStringLiteral(" \u2192 ") + now;
+      text = before == now ? now : before + QStringLiteral(" \u2192 ") + now;
     }
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment(Qt::AlignVCenter | (column == hole ? Qt::AlignLeft : Qt::AlignRight));

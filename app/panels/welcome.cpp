@@ -1,6 +1,7 @@
 #include "panels/welcome.h"
 
 #include "panels/icons.h"
+#include "panels/quiet_label.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,14 +12,14 @@ namespace loopmend {
 
 Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("welcome"));
+  setAutoFillBackground(true);
   auto* picture = new QLabel;
   picture->setPixmap(application_icon().pixmap(96, 96));
   auto* title = new QLabel(tr("Open a scan, or drop one here"));
   QFont large = title->font();
   large.setPointSizeF(large.pointSizeF() * 1.6);
   title->setFont(large);
-  auto* formats = new QLabel(tr("PLY, STL, OBJ or OFF"));
-  formats->setForegroundRole(QPalette::PlaceholderText);
+  auto* formats = new QuietLabel(tr("PLY, STL, OBJ or OFF"));
   auto* open = new QPushButton(tr("Open\u2026"));
   open->setObjectName(QStringLiteral("welcomeOpen"));
   open->setToolTip(tr("Choose a file (Ctrl+O)"));

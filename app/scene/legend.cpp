@@ -47,6 +47,16 @@ void quad(vtkPoints* points, vtkCellArray* cells, double x0, double y0, double x
   cells->InsertNextCell(4, ids);
 }
 
+void use(vtkActor2D* actor, vtkPoints* points, vtkCellArray* cells, vtkUnsignedCharArray* colors) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  if (colors) data->GetCellData()->SetScalars(colors);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  actor->SetMapper(mapper);
+}
+
 void style(vtkTextActor* text) {
   vtkTextProperty* look = text->GetTextProperty();
   look->SetFontFamilyToArial();
@@ -75,19 +85,19 @@ Legend::Legend(vtkLookupTable* table) : table_(table) {
 Legend::~Legend() = default;
 
 void Legend::add_to(vtkRenderer* renderer) {
-  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) renderer->AddActor2D(part);
+  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) renderer->AddActor2D(part);
   for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) renderer->AddActor2D(text);
   for (auto& label : labels_) renderer->AddActor2D(label);
 }
 
 void Legend::show() {
-  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) part->VisibilityOn();
+  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) part->VisibilityOn();
   for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) text->VisibilityOn();
   for (auto& label : labels_) label->VisibilityOn();
 }
 
 void Legend::hide() {
-  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) part->VisibilityOff();
+  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) part->VisibilityOff();
   for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) text->VisibilityOff();
   for (auto& label : labels_) label->VisibilityOff();
 }
@@ -101,6 +111,9 @@ void Legend::set_ink(double grey) {
   for (vtkTextActor* text : {unit_.Get(), hollow_.Get(), bulging_.Get()}) ink(text, soft);
   for (auto& label : labels_) ink(label, grey);
   ticks_->GetProperty()->SetColor(grey, grey, grey);
+  const double ground = grey < 0.5 ? 0.955 : 0.15;
+  ground_->GetProperty()->SetColor(ground, ground, ground);
+  ground_->GetProperty()->SetOpacity(0.78);
 }
 
 void Legend::lay_out(int width, int height) {
@@ -109,10 +122,11 @@ void Legend::lay_out(int width, int height) {
   const double right = width - margin, top = height - margin;
   place(title_, right, top - 7 * ratio_, 13);
   place(unit_, right, top - 25 * ratio_, 11);
-  place(hollow_, right, top - 47 * ratio_, 11);
-  const double bar_top = top - 60 * ratio_, bottom = bar_top - bar_height;
+  place(hollow_, right, top - 46 * ratio_, 11);
+  const double bar_top = top - 64 * ratio_, bottom = bar_top - bar_height;
   build_bar(right - bar_width, bottom, bar_width, bar_height);
-  place(bulging_, right, bottom - 13 * ratio_, 11);
+  place(bulging_, right, bottom - 18 * ratio_, 11);
+  build_ground(right - 126 * ratio_, bottom - 30 * ratio_, right + 8 * ratio_, top + 8 * ratio_);
   const double range = table_->GetRange()[1];
   for (int i = 0; i < label_count; ++i) {
     const double t = static_cast<double>(i) / (label_count - 1);
@@ -127,6 +141,13 @@ void Legend::place(vtkTextActor* text, double x, double y, int logical_size) {
   text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(logical_size * ratio_)));
   text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   text->SetPosition(std::lround(x), std::lround(y));
+}
+
+void Legend::build_ground(double left, double bottom, double right, double top) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  quad(points, cells, left, bottom, right, top);
+  use(ground_, points, cells, nullptr);
 }
 
 void Legend::build_bar(double left, double bottom, double width, double height) {
@@ -144,15 +165,6 @@ void Legend::build_bar(double left, double bottom, double width, double height) 
     const double y = bottom + height * i / (label_count - 1), half = 0.5 * ratio_;
     quad(tick_points, tick_cells, left - 5 * ratio_, y - half, left, y + half);
   }
-  const auto use = [](vtkActor2D* actor, vtkPoints* p, vtkCellArray* c, vtkUnsignedCharArray* rgb) {
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(p);
-    data->SetPolys(c);
-    if (rgb) data->GetCellData()->SetScalars(rgb);
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(data);
-    actor->SetMapper(mapper);
-  };
   use(bar_, points, cells, colors);
   use(ticks_, tick_points, tick_cells, nullptr);
 }

@@ -18,7 +18,8 @@ namespace {
 
 constexpr Rgb scan_color{0.80, 0.785, 0.755};
 constexpr Rgb patch_color{0.50, 0.74, 0.70};
-constexpr Rgb edge_color{0.16, 0.18, 0.22};
+constexpr Rgb edge_color{0.22, 0.25, 0.30};
+constexpr float edge_width = 0.5F;
 
 // Key light over the left shoulder, soft fill from the right, a little sky: in view coordinates, so it follows the eye.
 // The inside of the surface is dull and dark, so that a hole reads as a hole. A patch lies on top of the rings that it
@@ -56,12 +57,11 @@ vtkNew<vtkFloatArray> wrap(const std::vector<float>& values, int components, con
   return array;
 }
 
-vtkNew<vtkCellArray> wrap_triangles(const std::vector<int>& triangles) {
+vtkNew<vtkCellArray> wrap_triangles(const std::vector<int>& triangles, vtkIdType count) {
   vtkNew<vtkTypeInt32Array> offsets, connectivity;
-  const auto count = static_cast<vtkIdType>(triangles.size() / 3);
   offsets->SetNumberOfValues(count + 1);
   for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<vtkTypeInt32>(3 * i));
-  connectivity->SetArray(const_cast<int*>(triangles.data()), static_cast<vtkIdType>(triangles.size()), 1);
+  connectivity->SetArray(const_cast<int*>(triangles.data()), 3 * count, 1);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   return cells;
@@ -81,6 +81,7 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   const Rgb& color = role == Role::scan ? scan_color : patch_color;
   look->SetColor(color[0], color[1], color[2]);
   look->SetEdgeColor(edge_color[0], edge_color[1], edge_color[2]);
+  look->SetLineWidth(edge_width);
   look->SetInterpolationToPhong();
   look->SetDiffuse(1);
   look->SetAmbient(0);
@@ -102,8 +103,14 @@ void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape) {
   points->SetData(wrap(shape_->points, 3, "points"));
   data_->SetPoints(points);
   data_->GetPointData()->SetNormals(wrap(shape_->normals, 3, "normals"));
-  data_->SetPolys(wrap_triangles(shape_->triangles));
+  update_triangles();
   update_scalars();
+}
+
+/// The rings around a patch continue its H and its reflections, but they are not the patch: in plain colour they go.
+void SurfaceActor::update_triangles() {
+  const auto all = static_cast<vtkIdType>(shape_->triangles.size() / 3);
+  data_->SetPolys(wrap_triangles(shape_->triangles, shading_ == Shading::plain ? shape_->own_triangles : all));
 }
 
 void SurfaceActor::update_scalars() {
@@ -115,6 +122,7 @@ void SurfaceActor::update_scalars() {
 
 void SurfaceActor::set_shading(Shading shading) {
   shading_ = shading;
+  if (shape_ && role_ == Role::patch) update_triangles();
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading));
   mapper_->SetScalarVisibility(shape_ && !shape_->H.empty() && shading == Shading::curvature);
 }

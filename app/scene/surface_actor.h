@@ -34,6 +34,7 @@ class SurfaceActor {
   const SurfaceShape* shape() const { return shape_.get(); }
 
  private:
+  void update_triangles();
   void update_scalars();
 
   Role role_;

@@ -69,6 +69,7 @@ SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin) {
   for (std::size_t i = 0; i < soup.points.size(); ++i) put(shape.points, i, soup.points[i] - origin);
   shape.triangles.reserve(3 * soup.triangles.size());
   for (const Triangle& t : soup.triangles) add_triangle(shape, t);
+  shape.own_triangles = static_cast<int>(soup.triangles.size());
   set_normals(shape, {});
   return shape;
 }
@@ -85,6 +86,7 @@ SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Ve
     for (auto v : mesh.fv_range(face)) t[static_cast<std::size_t>(k++)] = v.idx();
     add_triangle(shape, t);
   }
+  shape.own_triangles = static_cast<int>(mesh.n_faces());
   set_normals(shape, field.normals);
   shape.H = to_floats(field.H);
   return shape;
@@ -95,6 +97,7 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   shape.points.resize(3 * patch.positions.size());
   for (std::size_t i = 0; i < patch.positions.size(); ++i)
     put(shape.points, i, patch.to_mesh(patch.positions[i]) - origin);
+  shape.own_triangles = patch.patch_triangles;
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     const Triangle& tri = patch.triangles[t];
     const bool near_patch = std::all_of(tri.begin(), tri.end(), [&](int v) {

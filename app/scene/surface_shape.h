@@ -14,7 +14,8 @@ namespace loopmend {
 struct SurfaceShape {
   std::vector<float> points;   ///< 3 × #V, mesh units, minus the scene's origin
   std::vector<float> normals;  ///< 3 × #V, unit
-  std::vector<int> triangles;  ///< 3 × #F
+  std::vector<int> triangles;  ///< 3 × #F; a patch's own come first, then those of the rings around it
+  int own_triangles = 0;       ///< of a patch: how many are its own; of a scan: all
   std::vector<float> H;        ///< #V, 1/length, NaN where unknown; empty before it was computed
 };
 

@@ -53,7 +53,9 @@ void MainWindow::build_centre() {
   column->setSpacing(0);
   column->addWidget(banner_);
   auto* pages = new QWidget;
+  // All at once, one over the other: the graphics start while the person still reads the welcome.
   centre_ = new QStackedLayout(pages);
+  centre_->setStackingMode(QStackedLayout::StackAll);
   centre_->addWidget(welcome_);
   centre_->addWidget(view_);
   column->addWidget(pages, 1);
@@ -62,8 +64,8 @@ void MainWindow::build_centre() {
 
 void MainWindow::build_docks() {
   setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks);
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   auto* holes = new HolesPanel(document_, selection_);
   connect(holes, &HolesPanel::fly_to, view_, &MeshView::fly_to);
   patch_ = new PatchPanel(document_, selection_, workbench_);
@@ -79,8 +81,8 @@ void MainWindow::build_docks() {
   QDockWidget* left = dock("holesDock", tr("Holes"), holes, Qt::LeftDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("reportDock", tr("Report"), report_, Qt::BottomDockWidgetArea);
-  resizeDocks({left, right}, {370, 270}, Qt::Horizontal);
-  resizeDocks({bottom}, {190}, Qt::Vertical);
+  resizeDocks({left, right}, {436, 264}, Qt::Horizontal);
+  resizeDocks({bottom}, {170}, Qt::Vertical);
 }
 
 void MainWindow::connect_parts() {
@@ -88,6 +90,7 @@ void MainWindow::connect_parts() {
   connect(&workbench_, &Workbench::notice, banner_, &Banner::show_notice);
   connect(&workbench_, &Workbench::said, report_, &ReportPanel::log);
   connect(&workbench_, &Workbench::preview_ready, this, [this](auto shape) {
+    welcome_->hide();
     centre_->setCurrentWidget(view_);
     view_->show_preview(shape);
   });
@@ -129,6 +132,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MainWindow::show_centre() {
+  welcome_->setVisible(!document_.has_scan());
   centre_->setCurrentWidget(document_.has_scan() ? static_cast<QWidget*>(view_) : welcome_);
 }
 

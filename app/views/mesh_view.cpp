@@ -120,13 +120,16 @@ void MeshView::set_edges(Edges edges) {
 }
 
 void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
+  impl_->preview_shown = true;
   impl_->scene.clear();
   impl_->picker.set_loops({});
+  impl_->overlay->clear_highlight();
   impl_->scene.set_surface(std::move(shape));
   frame();
 }
 
 void MeshView::drop_preview() {
+  if (!std::exchange(impl_->preview_shown, false)) return;
   if (impl_->document.has_scan()) {
     on_opened();
     on_patches_changed();
@@ -138,6 +141,7 @@ void MeshView::drop_preview() {
 
 void MeshView::on_opened() {
   const OpenedScan& scan = impl_->document.scan();
+  impl_->preview_shown = false;
   impl_->scene.clear();
   impl_->scene.set_surface(scan.shape);
   if (!scan.shape->H.empty()) impl_->scene.set_range(symmetric_range(scan.shape->H));

@@ -41,6 +41,7 @@ struct MeshView::Impl {
   bool depth_is_fresh = false;
   QPoint pressed_at;
   Shading shading = Shading::curvature;
+  bool preview_shown = false;
 
   vtkRenderer* renderer() const { return scene.renderer(); }
   vtkCamera* camera() const { return renderer()->GetActiveCamera(); }

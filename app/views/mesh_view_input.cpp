@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pick_reach = 9;  ///< logical pixels
 constexpr int click_slack = 4;    ///< a press that moves less is a click
-constexpr double loop_share = 3.2;  ///< how many loop diameters are seen around a loop flown to
+constexpr double loop_share = 2.4;  ///< how many loop diameters are seen around a loop flown to
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "evolution/mesh_care.h"
+#include "evolution/rim_roughness.h"
 #include "evolution/state.h"
 #include "flows/decay_rate.h"
 #include "flows/gauss_newton.h"
@@ -41,6 +42,8 @@ class Stopwatch {
 void check(const EvolutionOptions& options) {
   if (!(options.sigma >= 1e-6 && options.sigma <= 1e8))
     throw InvalidArgument("the time step sigma must lie between 1e-6 and 1e8, not " + std::to_string(options.sigma));
+  if (options.bending && !(*options.bending >= 0 && *options.bending <= 1e6))
+    throw InvalidArgument("the share of bending energy must lie between 0 and 1e6, not " + std::to_string(*options.bending));
   if (options.max_steps < 1)
     throw InvalidArgument("the number of steps must be at least 1, not " + std::to_string(options.max_steps));
 }
@@ -50,7 +53,9 @@ int order_of(FlowKind flow) { return flow == FlowKind::mcf ? 2 : flow == FlowKin
 
 bool has_energy(FlowKind flow) { return flow == FlowKind::mmcvf || flow == FlowKind::wf; }
 
-EnergyWeights energy_of(FlowKind flow) { return flow == FlowKind::wf ? EnergyWeights{0, 1} : EnergyWeights{1, 0}; }
+EnergyWeights energy_of(const Objective& objective) {
+  return objective.flow == FlowKind::wf ? EnergyWeights{0, 1} : EnergyWeights{1, objective.bending};
+}
 
 }  // namespace
 
@@ -69,21 +74,25 @@ struct Evolution::Impl {
   EvolutionOptions options;
   EvolutionState state;
   Stencil stencil = Stencil::two_ring;
+  Objective objective;
   EvolutionStatus status = EvolutionStatus::ready;
   std::string message;
   std::vector<StepRecord> history;
   double initial_energy = 0;
 
   Eigen::AlignedBox3d room;    ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
+  double blend = 0;            ///< αR² of the order blend in force
   double decay_rate = 0;       ///< patch frame
   double sigma = 0;            ///< of the next semi-implicit step; falls on rejection, recovers
   double mu = 0;               ///< of the next Gauss-Newton step
   int small_moves = 0;         ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double tried_move = 0;       ///< of the last trial, in mean edge lengths
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
 
   void prepare(Patch start);
   void take_options(const EvolutionOptions& new_options);
+  Objective objective_for(const EvolutionOptions& new_options);
   bool acceptable(const EvolutionState& next, double tolerance) const;
   void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma);
   void care_for_mesh(double tolerance);
@@ -109,15 +118,24 @@ void Evolution::Impl::prepare(Patch start) {
     for (int v : loop) room.extend(start.positions[v]);
   const Vec3 margin = Vec3::Constant(0.5 * room.diagonal().norm());
   room = Eigen::AlignedBox3d(room.min() - margin, room.max() + margin);
-  state = make_state(std::move(start), options.flow, stencil);
-  initial_energy = shown_energy(options.flow, state);
+  state = make_state(std::move(start), objective, stencil);
+}
+
+Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
+  blend = 0;
+  if (new_options.flow != FlowKind::mmcvf || new_options.mode != EvolutionMode::steady) return {new_options.flow, 0};
+  const RimRoughness rim = rim_roughness(state.patch);
+  blend = new_options.bending.value_or(rim.bending);
+  return {new_options.flow, blend / (rim.radius * rim.radius)};
 }
 
 void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   check(new_options);
-  const bool other_flow = new_options.flow != options.flow;
   options = new_options;
-  if (other_flow) state = make_state(std::move(state.patch), options.flow, stencil, state.topology);
+  const Objective wanted = objective_for(options);
+  const bool other = wanted.flow != objective.flow || wanted.bending != objective.bending;
+  objective = wanted;
+  if (other) state = make_state(std::move(state.patch), objective, stencil, state.topology);
   decay_rate = slowest_decay_rate(options.flow, state.patch);
   if (!(decay_rate > 0)) decay_rate = 1;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
@@ -146,7 +164,7 @@ void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen
 }
 
 bool Evolution::Impl::replace_if_good(Patch patch, double tolerance) {
-  EvolutionState next = make_state(std::move(patch), options.flow, stencil);
+  EvolutionState next = make_state(std::move(patch), objective, stencil);
   if (next.folds > state.folds || !(next.measure <= tolerance * state.measure)) return false;
   state = std::move(next);
   return true;
@@ -158,12 +176,13 @@ void Evolution::Impl::care_for_mesh(double tolerance) {
   replace_if_good(tangentially_relaxed(state), tolerance);
   replace_if_good(with_delaunay_flips(state.patch), tolerance);
   if (state.folds > 0) {
-    EvolutionState next = make_state(remeshed(state.patch), options.flow, stencil);
+    EvolutionState next = make_state(remeshed(state.patch), objective, stencil);
     if (next.folds < state.folds && std::isfinite(next.measure)) state = std::move(next);
   }
   history.back().energy = shown_energy(options.flow, state);
 }
 
+/// One trial with the present mu: the whole step, a half, a quarter.
 bool Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel) {
   Stopwatch watch;
   SparseMatrix A = system.curvature;
@@ -173,10 +192,11 @@ bool Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepReco
   const bool solved = spd->factorize(A) && spd->solve(-system.half_gradient, s);
   record.solve_seconds += watch.lap();
   if (!solved) return false;
+  tried_move = s.cwiseAbs().maxCoeff() / edge_length();
   for (double share : {1.0, 0.5, 0.25}) {
     if (cancel.cancelled()) return false;
     const Eigen::VectorXd move = share * s.col(0);
-    EvolutionState next = displaced(state, options.flow, stencil, move);
+    EvolutionState next = displaced(state, objective, stencil, move);
     const bool good = acceptable(next, newton_tolerance);
     record.assemble_seconds += watch.lap();
     if (!good) continue;
@@ -188,7 +208,7 @@ bool Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepReco
 
 void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   Stopwatch watch;
-  const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(options.flow));
+  const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   StepRecord record;
   record.assemble_seconds = watch.lap();
   for (int trial = 0; trial < most_trials; ++trial) {
@@ -202,6 +222,8 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
       care_for_mesh(1.2);
       return;
     }
+    // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
+    if (tried_move < 1e-3) return stop(EvolutionStatus::converged, "");
     ++record.rejections;
     mu *= 10;
   }
@@ -228,7 +250,7 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
     const SolveReport report = general->solve(identity - tau * system.jacobian, tau * system.velocity, s);
     record.solve_seconds += watch.lap();
     if (report.solved) {
-      EvolutionState next = displaced(state, options.flow, stencil, s);
+      EvolutionState next = displaced(state, objective, stencil, s);
       const bool good = acceptable(next, flow_tolerance);
       record.assemble_seconds += watch.lap();
       if (good) {
@@ -251,6 +273,7 @@ Evolution::Evolution(Patch start, EvolutionOptions options) : impl_(std::make_un
   impl_->options = options;
   impl_->prepare(std::move(start));
   impl_->take_options(options);
+  impl_->initial_energy = energy();
 }
 
 Evolution::~Evolution() = default;
@@ -284,6 +307,7 @@ EvolutionStatus Evolution::status() const { return impl_->status; }
 const std::string& Evolution::message() const { return impl_->message; }
 const std::vector<StepRecord>& Evolution::history() const { return impl_->history; }
 double Evolution::initial_energy() const { return impl_->initial_energy; }
+double Evolution::bending() const { return impl_->blend; }
 double Evolution::energy() const { return shown_energy(impl_->options.flow, impl_->state); }
 
 }  // namespace loopmend

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct EvolutionOptions {
   double sigma = 10;    ///< time step, dimensionless, 1e-6..1e8: tau = sigma / (slowest decay rate of the flow); steps only
   int max_steps = 60;   ///< accepted steps of one run()
   SolverKind solver = SolverKind::automatic;
+  /// MMCVF to the steady state minimises ∫‖∇H‖² + β/R² ∫H², R the patch's radius: β = 0 is the pure flow, 60 to 150 suits
+  /// rough scans. Empty: as the roughness of the surroundings asks for, 0 where they are smooth.
+  std::optional<double> bending;
 };
 
 enum class EvolutionStatus {
@@ -76,6 +80,7 @@ class Evolution {
   const std::vector<StepRecord>& history() const;
   double initial_energy() const;  ///< of the start, units as in StepRecord
   double energy() const;          ///< of the present state
+  double bending() const;         ///< β in force, see EvolutionOptions::bending; 0 for the pure flow
 
  private:
   struct Impl;

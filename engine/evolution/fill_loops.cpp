@@ -116,6 +116,7 @@ struct Evolved {
   LoopStatus status = LoopStatus::filled;
   std::string message;
   int steps = 0;
+  double bending = 0;
   double assemble = 0, solve = 0, initial_energy = 0, final_energy = 0;
 };
 
@@ -129,7 +130,30 @@ void take_figures(const Evolution& evolution, Evolved& result) {
   result.final_energy = evolution.energy();
 }
 
-/// The flow from the filler; where it would spoil the patch, the filler stays and the message says so.
+/// One run of the flow from the filler. @returns true if its result may be kept.
+bool evolve_once(const Site& site, const Patch& filler, const EvolutionOptions& options, const CancelToken& cancel,
+                 Evolved& result) {
+  Evolution evolution(filler, options);
+  const EvolutionStatus status = evolution.run(nullptr, cancel);
+  take_figures(evolution, result);
+  if (status == EvolutionStatus::cancelled) return false;
+  if (status == EvolutionStatus::failed && evolution.history().empty()) {
+    result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
+    return false;
+  }
+  if (!no_worse(judge(site, evolution.patch()), judge(site, filler))) {
+    result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
+    return false;
+  }
+  result.patch = evolution.patch();
+  result.status = status_after(status);
+  result.message = evolution.message();
+  result.bending = evolution.bending();
+  return true;
+}
+
+/// The flow from the filler. Where the sixth order would spoil the patch, bending energy is blended in; where that does
+/// not help either, the filler stays and the message says so.
 Evolved evolve(const Site& site, const Patch& filler, const EvolutionOptions& options, const CancelToken& cancel) {
   Evolved result;
   result.patch = filler;
@@ -137,22 +161,16 @@ Evolved evolve(const Site& site, const Patch& filler, const EvolutionOptions& op
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
     return result;
   }
-  Evolution evolution(filler, options);
-  const EvolutionStatus status = evolution.run(nullptr, cancel);
-  if (status == EvolutionStatus::cancelled) return result;
-  take_figures(evolution, result);
-  if (status == EvolutionStatus::failed && evolution.history().empty()) {
-    result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
-    return result;
+  if (evolve_once(site, filler, options, cancel, result) || cancel.cancelled()) return result;
+  if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
+    for (double bending : {60.0, 300.0}) {
+      EvolutionOptions gentler = options;
+      gentler.bending = bending;
+      if (evolve_once(site, filler, gentler, cancel, result) || cancel.cancelled()) return result;
+    }
   }
-  if (!no_worse(judge(site, evolution.patch()), judge(site, filler))) {
-    result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
-    result.final_energy = result.initial_energy;
-    return result;
-  }
-  result.patch = evolution.patch();
-  result.status = status_after(status);
-  result.message = evolution.message();
+  result.final_energy = result.initial_energy;
+  result.steps = 0;
   return result;
 }
 
@@ -191,6 +209,7 @@ GroupOutcome solve_group(const Site& site, const std::vector<BoundaryLoop>& grou
     if (evolved.status != LoopStatus::filled || !evolved.message.empty()) result.message = evolved.message;
     result.free_vertices = free[p];
     result.steps = evolved.steps;
+    result.bending = evolved.bending;
     result.energy = {evolved.initial_energy, evolved.final_energy};
     result.seam_before = seam_report(*first.patch, static_cast<int>(p));
     result.seam_after = seam_report(evolved.patch, static_cast<int>(p));

@@ -37,6 +37,7 @@ struct LoopResult {
   std::string message;
   int free_vertices = 0;
   int steps = 0;
+  double bending = 0;  ///< EvolutionOptions::bending that was used: above 0 where the surroundings are rough
   struct { double filler = 0, assemble = 0, solve = 0, total = 0; } seconds;
   struct { double initial = 0, final = 0; } energy;  ///< of the whole problem that the loop was solved in
   SeamReport seam_before, seam_after;

@@ -19,33 +19,34 @@ double squared_laplacian_of_H(const Patch& patch, const OperatorSet& ops) {
 
 }  // namespace
 
-double measure_of(FlowKind flow, const Patch& patch, const OperatorSet& ops) {
-  switch (flow) {
+double measure_of(const Objective& objective, const Patch& patch, const OperatorSet& ops) {
+  switch (objective.flow) {
     case FlowKind::mcf: return patch_area(patch);
     case FlowKind::sdf: return squared_laplacian_of_H(patch, ops);
     case FlowKind::wf: return energy_value(curvature_energy(patch, {0, 1}), ops.H);
-    case FlowKind::mmcvf: return energy_value(curvature_energy(patch, {1, 0}), ops.H);
+    case FlowKind::mmcvf: return energy_value(curvature_energy(patch, {1, objective.bending}), ops.H);
   }
   return 0;
 }
 
-EvolutionState make_state(Patch patch, FlowKind flow, Stencil stencil, std::shared_ptr<const Topology> topology) {
+EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
+                          std::shared_ptr<const Topology> topology) {
   EvolutionState state;
   state.topology =
       topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
   std::vector<char> wanted(patch.vertex_count());
   for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= flow_reach;
   state.ops = compute_operators(patch.positions, patch.triangles, *state.topology, stencil, wanted);
-  state.measure = measure_of(flow, patch, state.ops);
+  state.measure = measure_of(objective, patch, state.ops);
   state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
   state.patch = std::move(patch);
   return state;
 }
 
-EvolutionState displaced(const EvolutionState& state, FlowKind flow, Stencil stencil, const Eigen::VectorXd& s) {
+EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil, const Eigen::VectorXd& s) {
   Patch patch = state.patch;
   for (int i = 0; i < patch.free_count; ++i) patch.positions[i] += s[i] * state.ops.normal[i];
-  return make_state(std::move(patch), flow, stencil, state.topology);
+  return make_state(std::move(patch), objective, stencil, state.topology);
 }
 
 double shown_energy(FlowKind flow, const EvolutionState& state) {
@@ -54,7 +55,7 @@ double shown_energy(FlowKind flow, const EvolutionState& state) {
     case FlowKind::mcf:
     case FlowKind::sdf: return patch_area(state.patch) * scale * scale;
     case FlowKind::wf: return state.measure;
-    case FlowKind::mmcvf: return state.measure / (scale * scale);
+    case FlowKind::mmcvf: return energy_value(curvature_energy(state.patch, {1, 0}), state.ops.H) / (scale * scale);
   }
   return 0;
 }

@@ -9,6 +9,12 @@
 
 namespace loopmend {
 
+/// What a flow descends. `bending` is the α of the order blend ∫‖∇H‖² + α∫H², patch frame; 0 but for MMCVF.
+struct Objective {
+  FlowKind flow = FlowKind::mmcvf;
+  double bending = 0;
+};
+
 /// Built once from a patch, never changed afterwards.
 struct EvolutionState {
   Patch patch;
@@ -18,14 +24,15 @@ struct EvolutionState {
   int folds = 0;                             ///< of the patch and its rim
 };
 
-/// What the flow descends, patch frame: MMCVF ∫‖∇H‖², WF ∫H², MCF area; SDF has none, and takes ∫(ΔH)².
-double measure_of(FlowKind flow, const Patch& patch, const OperatorSet& ops);
+/// Patch frame: MMCVF ∫‖∇H‖² + bending ∫H², WF ∫H², MCF area; SDF has none, and takes ∫(ΔH)².
+double measure_of(const Objective& objective, const Patch& patch, const OperatorSet& ops);
 
 /// @param topology  of the patch; made anew when null.
-EvolutionState make_state(Patch patch, FlowKind flow, Stencil stencil, std::shared_ptr<const Topology> topology = nullptr);
+EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
+                          std::shared_ptr<const Topology> topology = nullptr);
 
 /// The state after moving the free vertices by s (n, patch frame) along their normals.
-EvolutionState displaced(const EvolutionState& state, FlowKind flow, Stencil stencil, const Eigen::VectorXd& s);
+EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil, const Eigen::VectorXd& s);
 
 /// The energy to show (StepRecord): MMCVF ∫‖∇H‖², WF ∫H², SDF and MCF area, in mesh units.
 double shown_energy(FlowKind flow, const EvolutionState& state);

@@ -13,6 +13,7 @@ namespace {
 /// Solves Q_ff x_f = −Q_fc x_c for the three coordinates; f the vertices [begin, end), c the others.
 bool solve_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end) {
   const Eigen::Index n = end - begin;
+  if (n == 0) return false;
   const SparseMatrix A = Q.block(begin, begin, n, n);
   Eigen::MatrixX3d x(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i) x.row(static_cast<Eigen::Index>(i)) = points[i].transpose();

@@ -23,10 +23,12 @@ namespace loopmend {
 namespace {
 
 /// Paths of temporary files, where an exit path can read them without a lock and without memory of its own.
+constexpr std::size_t longest_path = 4096;
+
 struct UnfinishedFile {
   enum State : int { unused, being_named, named };
   std::atomic<int> state{unused};
-  std::array<char, 4096> path{};
+  std::array<char, longest_path> path{};
 };
 
 std::array<UnfinishedFile, 16> unfinished_files;  // the one global of the engine: a signal cannot be handed an argument
@@ -36,7 +38,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 class Registration {
  public:
   explicit Registration(const std::string& path) {
-    if (path.size() >= UnfinishedFile{}.path.size()) return;
+    if (path.size() >= longest_path) return;
     for (UnfinishedFile& file : unfinished_files) {
       int expected = UnfinishedFile::unused;
       if (!file.state.compare_exchange_strong(expected, UnfinishedFile::being_named)) continue;
@@ -162,7 +164,9 @@ class TemporaryFile {
  public:
   /// @param path  the name that error messages speak of
   TemporaryFile(const std::filesystem::path& path, const std::filesystem::path& folder)
-      : path_(path), name_(temporary_name(folder)), registration_(name_.string()) {
+      : path_(path),
+        name_(temporary_name(folder)),
+        registration_(name_.string()) {
     descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail(path_, "cannot be written in this folder", errno);
   }

@@ -8,7 +8,8 @@
 namespace loopmend {
 
 /// Writes to a temporary file in the same folder, checks the stream, fsyncs, renames over `path`. On any failure the
-/// temporary file is removed and `path` is as it was.
+/// temporary file is removed and `path` is as it was. A symbolic link is written through; an existing file keeps its
+/// mode, a new one follows the umask. What `write` throws is passed on.
 /// @throws WriteError naming the path and the system's reason.
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 

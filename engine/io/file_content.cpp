@@ -130,8 +130,8 @@ bool is_off_keyword(std::string_view token) {
 }
 
 bool is_obj_keyword(std::string_view token) {
-  constexpr std::array<std::string_view, 14> words = {"v",  "vn", "vt", "vp", "f",      "o",      "g",
-                                                      "s",  "l",  "p",  "mg", "mtllib", "usemtl", "cstype"};
+  constexpr std::array<std::string_view, 14> words = {"v", "vn", "vt", "vp", "f",      "o",      "g",
+                                                      "s", "l",  "p",  "mg", "mtllib", "usemtl", "cstype"};
   return std::find(words.begin(), words.end(), token) != words.end();
 }
 
@@ -168,11 +168,11 @@ FileContent load_file(const std::filesystem::path& path) {
 }
 
 MeshFormat detect_format(const FileContent& file) {
+  if (fits_binary_stl(file.bytes)) return MeshFormat::stl_binary;  // first: its title may hold anything
   refuse_known_strangers(file);
   const std::string_view text = mesh_text(file);
   const std::string_view first = first_token(text.substr(0, 65536));
   if (first == "ply") return MeshFormat::ply;
-  if (fits_binary_stl(file.bytes)) return MeshFormat::stl_binary;
   if (looks_like_ascii_stl(text, first)) return MeshFormat::stl_ascii;
   if (is_off_keyword(first)) return MeshFormat::off;
 

@@ -1,6 +1,9 @@
 // Finds things that were seen before: a hash table of indices, small and without an allocation per entry.
 #pragma once
 
+#include "core/types.h"
+
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,6 +60,33 @@ inline std::uint64_t mix_hash(std::uint64_t seed, std::uint64_t value) {
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
   return z ^ (z >> 31);
+}
+
+/// Points at exactly the same place are equal.
+struct PointHash {
+  const Points* points;
+  std::uint64_t operator()(int index) const {
+    std::uint64_t hash = 0;
+    // Adding 0.0 turns -0.0 into 0.0, which compares equal to it.
+    for (const double x : (*points)[static_cast<std::size_t>(index)]) {
+      hash = mix_hash(hash, std::bit_cast<std::uint64_t>(x + 0.0));
+    }
+    return hash;
+  }
+};
+
+struct PointEqual {
+  const Points* points;
+  bool operator()(int a, int b) const {
+    return (*points)[static_cast<std::size_t>(a)] == (*points)[static_cast<std::size_t>(b)];
+  }
+};
+
+using FirstPoint = FirstOccurrence<PointHash, PointEqual>;
+
+/// Refers to `points`, which may grow meanwhile.
+inline FirstPoint first_point_table(const Points& points) {
+  return FirstPoint(PointHash{&points}, PointEqual{&points});
 }
 
 }  // namespace loopmend

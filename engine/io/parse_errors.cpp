@@ -25,7 +25,8 @@ void ParseErrors::not_a_number(std::string_view token, const std::string& what, 
   if (token.empty()) fail(what + " is missing", place);
   const bool decimal_comma = token.find(',') != std::string_view::npos;
   fail(in_quotes(token) + " stands where " + what + " should be", place,
-       decimal_comma ? "Numbers are written with a point, not a comma." : "Correct that place, or export the mesh again.");
+       decimal_comma ? "Numbers are written with a point, not a comma."
+                     : "Correct that place, or export the mesh again.");
 }
 
 void ParseErrors::truncated(const std::string& where, const std::string& place) const {
@@ -39,7 +40,11 @@ void ParseErrors::too_many(const std::string& elements, const std::string& count
 }
 
 void ParseErrors::fail(const std::string& problem, const std::string& place, const std::string& cure) const {
-  throw ReadError(file_.path, problem, place, cure);
+  std::string printable = problem;  // names from the file may hold anything
+  for (char& c : printable) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
+  }
+  throw ReadError(file_.path, printable, place, cure);
 }
 
 }  // namespace loopmend

@@ -1,4 +1,3 @@
-#include "io/color_values.h"
 #include "io/parse_errors.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
@@ -21,23 +20,24 @@ bool is_among(std::string_view word, const std::array<std::string_view, n>& word
 
 /// Statements with a name after them: a backslash at their end is part of the name.
 bool is_naming(std::string_view word) {
-  constexpr std::array<std::string_view, 14> words = {"o",        "g",          "s",         "mg",     "usemtl",
-                                                      "mtllib",   "usemap",     "maplib",    "lod",    "shadow_obj",
-                                                      "trace_obj", "bevel",     "c_interp",  "d_interp"};
+  constexpr std::array<std::string_view, 14> words = {"o",         "g",      "s",        "mg",      "usemtl",
+                                                      "mtllib",    "usemap", "maplib",   "lod",     "shadow_obj",
+                                                      "trace_obj", "bevel",  "c_interp", "d_interp"};
   return is_among(word, words);
 }
 
 /// Statements with numbers after them that are neither vertices nor faces.
 bool is_numeric_aside(std::string_view word) {
-  constexpr std::array<std::string_view, 24> words = {"vn",   "vt",   "vp",  "cstype", "deg",  "bmat", "step",  "parm",
-                                                      "trim", "hole", "scrv", "sp",    "end",  "con",  "ctech", "stech",
-                                                      "bsp",  "bzp",  "cdc", "cdp",    "res",  "call", "csh",   "vc"};
+  constexpr std::array<std::string_view, 17> words = {"vn",   "vt",   "vp",    "cstype", "deg",  "bmat",
+                                                      "step", "parm", "trim",  "hole",   "scrv", "sp",
+                                                      "end",  "con",  "ctech", "stech",  "res"};
   return is_among(word, words);
 }
 
-/// Elements that are no faces; counted, because they are left out.
+/// Elements that are no faces; counted, because they are left out. ("call", which includes another file, is not known
+/// on purpose: leaving it out would show a part of the mesh as if it were all.)
 bool is_other_element(std::string_view word) {
-  constexpr std::array<std::string_view, 5> words = {"l", "p", "curv", "curv2", "surf"};
+  constexpr std::array<std::string_view, 9> words = {"l", "p", "curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp"};
   return is_among(word, words);
 }
 
@@ -79,7 +79,8 @@ class ObjReader {
       cursor_.skip_line();
     } else if (is_numeric_aside(word) || is_other_element(word)) {
       soup_.skipped_elements += is_other_element(word) ? 1 : 0;
-      while (!next().empty()) {}
+      while (!next().empty()) {
+      }
     } else {
       errors_.fail(in_quotes(word) + " is not a statement of an OBJ file", cursor_.place(),
                    "The file is damaged or is something else under this name.");
@@ -105,8 +106,9 @@ class ObjReader {
   }
 
   [[noreturn]] void fail_vertex_size() const {
-    errors_.fail("vertex " + std::to_string(soup_.points.size() + 1) + " does not have 3 coordinates (or 6 with a colour)",
-                 cursor_.place(), "Correct that line, or export the mesh again.");
+    errors_.fail(
+        "vertex " + std::to_string(soup_.points.size() + 1) + " does not have 3 coordinates (or 6 with a colour)",
+        cursor_.place(), "Correct that line, or export the mesh again.");
   }
 
   /// Colours wait until the end: only then is it known whether they are of 0..1 or of 0..255.
@@ -143,7 +145,8 @@ class ObjReader {
   void read_corner(std::string_view token) {
     const std::string_view first = token.substr(0, token.find('/'));
     const std::optional<std::int64_t> index = parse_integer(first);
-    if (!index || !has_good_tail(token.substr(first.size()))) errors_.not_a_number(token, "a vertex index", cursor_.place());
+    if (!index || !has_good_tail(token.substr(first.size())))
+      errors_.not_a_number(token, "a vertex index", cursor_.place());
     const auto known = static_cast<std::int64_t>(soup_.points.size());
     if (*index == 0 || *index < -known || *index > std::numeric_limits<int>::max()) fail_index(*index, known);
     const std::int64_t vertex = *index > 0 ? *index - 1 : known + *index;

@@ -1,4 +1,3 @@
-#include "io/color_values.h"
 #include "io/parse_errors.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
@@ -136,7 +135,8 @@ class OffReader {
     soup_.missing_colors = soup_.points.size() - colors_.size();
     for (const VertexColor& source : colors_) {
       Color& color = soup_.colors[source.vertex];
-      for (std::size_t c = 0; c < (source.has_alpha ? 4U : 3U); ++c) color[c] = color_channel(source.channels[c], color_scale_);
+      for (std::size_t c = 0; c < (source.has_alpha ? 4U : 3U); ++c)
+        color[c] = color_channel(source.channels[c], color_scale_);
     }
   }
 

@@ -1,4 +1,3 @@
-#include "io/color_values.h"
 #include "io/parse_errors.h"
 #include "io/ply_header.h"
 #include "io/ply_rows.h"
@@ -17,9 +16,8 @@ namespace {
 /// What a property of a vertex is for us: 0..2 a coordinate, 3..6 red, green, blue, alpha, -1 nothing.
 int vertex_role(const PlyProperty& property) {
   static const std::map<std::string_view, int> roles = {
-      {"x", 0},     {"y", 1},           {"z", 2},    {"red", 3},          {"green", 4},
-      {"blue", 5},  {"alpha", 6},       {"r", 3},    {"g", 4},            {"b", 5},
-      {"a", 6},     {"diffuse_red", 3}, {"diffuse_green", 4},             {"diffuse_blue", 5}};
+      {"x", 0}, {"y", 1}, {"z", 2}, {"red", 3}, {"green", 4},       {"blue", 5},          {"alpha", 6},
+      {"r", 3}, {"g", 4}, {"b", 5}, {"a", 6},   {"diffuse_red", 3}, {"diffuse_green", 4}, {"diffuse_blue", 5}};
   const auto found = roles.find(property.name);
   return property.is_list || found == roles.end() ? -1 : found->second;
 }
@@ -31,9 +29,9 @@ double full_intensity(PlyType type) {
 
 /// How to read one row of vertices.
 struct VertexPlan {
-  std::vector<int> roles;             // per property
-  std::array<double, 7> scales{};     // per role
-  std::array<bool, 7> present{};      // per role
+  std::vector<int> roles;          // per property
+  std::array<double, 7> scales{};  // per role
+  std::array<bool, 7> present{};   // per role
   bool has_colors() const { return present[3] && present[4] && present[5]; }
 };
 
@@ -75,7 +73,10 @@ template <class Rows>
 class PlyBody {
  public:
   PlyBody(const FileContent& file, const PlyHeader& header)
-      : errors_(file), header_(header), rows_(file, header), vertices_(header.find("vertex")),
+      : errors_(file),
+        header_(header),
+        rows_(file, header),
+        vertices_(header.find("vertex")),
         file_bytes_(file.bytes.size()) {}
 
   PolygonSoup read() {

@@ -1,4 +1,4 @@
-#include "io/exact_points.h"
+#include "io/first_occurrence.h"
 #include "io/parse_errors.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
@@ -117,7 +117,8 @@ std::uint32_t little_endian_word(const char* bytes) {
 std::size_t require_facet_count(const FileContent& file, const ParseErrors& errors) {
   using namespace std::string_view_literals;
   const std::string_view bytes = file.bytes;
-  if (bytes.size() < header_bytes) errors.truncated("the header of a binary STL file", "byte " + std::to_string(bytes.size()));
+  if (bytes.size() < header_bytes)
+    errors.truncated("the header of a binary STL file", "byte " + std::to_string(bytes.size()));
   const std::uint64_t count = little_endian_word(bytes.data() + 80);
   const std::uint64_t needed = header_bytes + facet_bytes * count;
   if (bytes.size() < needed) {

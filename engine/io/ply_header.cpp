@@ -92,7 +92,8 @@ class HeaderReader {
     element.place = cursor_.place();
     const std::string_view count = cursor_.next_token();
     const std::optional<std::int64_t> number = parse_integer(count);
-    if (element.name.empty() || !number || *number < 0) errors_.not_a_number(count, "a count of elements", cursor_.place());
+    if (element.name.empty() || !number || *number < 0)
+      errors_.not_a_number(count, "a count of elements", cursor_.place());
     if (header_.find(element.name) != nullptr) {
       errors_.fail("a second element " + in_quotes(element.name), cursor_.place());
     }
@@ -136,7 +137,8 @@ class HeaderReader {
       const std::uint64_t row = element.least_row_bytes(header_.encoding);
       // The last row of a text needs no line end: hence the one byte more.
       const bool too_many = row == 0 ? false : element.count > (bytes + 1) / row;
-      if (too_many) errors_.too_many("rows of " + in_quotes(element.name), std::to_string(element.count), element.place);
+      if (too_many)
+        errors_.too_many("rows of " + in_quotes(element.name), std::to_string(element.count), element.place);
     }
     return std::move(header_);
   }

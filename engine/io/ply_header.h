@@ -36,8 +36,8 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t body_offset = 0;    ///< into mesh_text(file)
-  std::size_t lines = 0;          ///< lines of the header, so that the body's can be numbered
+  std::size_t body_offset = 0;  ///< into mesh_text(file)
+  std::size_t lines = 0;        ///< lines of the header, so that the body's can be numbered
 
   const PlyElement* find(const std::string& name) const;
 };

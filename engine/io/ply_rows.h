@@ -17,7 +17,9 @@ namespace loopmend {
 class PlyTextRows {
  public:
   PlyTextRows(const FileContent& file, const PlyHeader& header)
-      : errors_(file), cursor_(mesh_text(file).substr(header.body_offset)), header_lines_(header.lines) {}
+      : errors_(file),
+        cursor_(mesh_text(file).substr(header.body_offset)),
+        header_lines_(header.lines) {}
 
   void begin_row(const PlyElement& element, std::uint64_t row) {
     element_ = &element;
@@ -73,7 +75,8 @@ class PlyTextRows {
   std::string_view next() {
     const std::string_view token = cursor_.next_token_across_lines();
     if (token.empty()) {
-      errors_.truncated(element_->name + " " + std::to_string(row_) + " of " + std::to_string(element_->count), place());
+      errors_.truncated(element_->name + " " + std::to_string(row_) + " of " + std::to_string(element_->count),
+                        place());
     }
     return token;
   }
@@ -89,7 +92,10 @@ class PlyTextRows {
 class PlyBinaryRows {
  public:
   PlyBinaryRows(const FileContent& file, const PlyHeader& header)
-      : errors_(file), bytes_(mesh_text(file)), at_(header.body_offset), offset_(file.bytes.size() - bytes_.size()),
+      : errors_(file),
+        bytes_(mesh_text(file)),
+        at_(header.body_offset),
+        offset_(file.bytes.size() - bytes_.size()),
         swap_((header.encoding == PlyEncoding::big_endian) != (std::endian::native == std::endian::big)) {}
 
   void begin_row(const PlyElement& element, std::uint64_t row) {
@@ -162,7 +168,8 @@ class PlyBinaryRows {
 
   void require(std::uint64_t count) const {
     if (count > bytes_.size() - at_) {
-      errors_.truncated(element_->name + " " + std::to_string(row_) + " of " + std::to_string(element_->count), place());
+      errors_.truncated(element_->name + " " + std::to_string(row_) + " of " + std::to_string(element_->count),
+                        place());
     }
   }
 

@@ -4,6 +4,7 @@
 #include "core/types.h"
 #include "io/file_content.h"
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -13,12 +14,12 @@ namespace loopmend {
 /// Polygons of any size, stored flat. Indices are in range and coordinates finite when a parser returns.
 struct PolygonSoup {
   Points points;
-  std::vector<Color> colors;             ///< as many as points, or empty
-  std::vector<int> corners;              ///< vertex indices of all polygons, one after the other
-  std::vector<std::size_t> ends;         ///< per polygon: one past its last corner
-  std::size_t missing_colors = 0;        ///< vertices without a colour of their own in a file with colours
-  std::size_t skipped_elements = 0;      ///< things that are neither vertex nor face: lines, points, edges
-  std::size_t vertices_welded = 0;       ///< STL only
+  std::vector<Color> colors;         ///< as many as points, or empty
+  std::vector<int> corners;          ///< vertex indices of all polygons, one after the other
+  std::vector<std::size_t> ends;     ///< per polygon: one past its last corner
+  std::size_t missing_colors = 0;    ///< vertices without a colour of their own in a file with colours
+  std::size_t skipped_elements = 0;  ///< things that are neither vertex nor face: lines, points, edges
+  std::size_t vertices_welded = 0;   ///< STL only
 
   std::size_t polygon_count() const { return ends.size(); }
   void close_polygon() { ends.push_back(corners.size()); }
@@ -27,6 +28,15 @@ struct PolygonSoup {
     return {corners.data() + begin, ends[k] - begin};
   }
 };
+
+inline constexpr Color opaque_white = {255, 255, 255, 255};
+
+/// A colour channel from the number range that a file uses.
+/// @param scale  what full intensity is in the file: 1, 255 or 65535. `value` must be finite; it is clamped.
+inline unsigned char color_channel(double value, double scale) {
+  const double scaled = std::round(value / scale * 255.0);
+  return static_cast<unsigned char>(scaled < 0.0 ? 0.0 : (scaled > 255.0 ? 255.0 : scaled));
+}
 
 /// Each reads one whole file. @throws ReadError naming the place; a part of a file never comes back.
 PolygonSoup parse_ply(const FileContent& file);

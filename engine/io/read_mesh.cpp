@@ -1,7 +1,6 @@
 #include "io/read_mesh.h"
 
 #include "core/error.h"
-#include "io/exact_points.h"
 #include "io/file_content.h"
 #include "io/first_occurrence.h"
 #include "io/polygon_soup.h"
@@ -157,7 +156,8 @@ ImportedMesh read_mesh(const std::filesystem::path& path) {
   try {
     return import(path);
   } catch (const std::bad_alloc&) {
-    throw ReadError(path, "the mesh is too large for the memory of this computer", "", "Close other programs, or reduce it.");
+    throw ReadError(path, "the mesh is too large for the memory of this computer", "",
+                    "Close other programs, or reduce it.");
   } catch (const std::length_error&) {
     throw ReadError(path, "the mesh is too large for this program", "", "Reduce it first.");
   }

@@ -11,18 +11,18 @@ namespace loopmend {
 
 /// What was in the file and what was done to it, in numbers.
 struct ImportReport {
-  std::string format;                      ///< "PLY", "STL", "OBJ" or "OFF"
-  std::size_t vertices = 0;                ///< after welding (STL)
-  std::size_t faces = 0;                   ///< polygons as in the file
-  std::size_t triangles = 0;               ///< after triangulation
-  std::size_t polygons_triangulated = 0;   ///< faces with more than three vertices
-  std::size_t vertices_welded = 0;         ///< STL only: corners merged with an earlier one at the same place
+  std::string format;                     ///< "PLY", "STL", "OBJ" or "OFF"
+  std::size_t vertices = 0;               ///< after welding (STL)
+  std::size_t faces = 0;                  ///< polygons as in the file
+  std::size_t triangles = 0;              ///< after triangulation
+  std::size_t polygons_triangulated = 0;  ///< faces with more than three vertices
+  std::size_t vertices_welded = 0;        ///< STL only: corners merged with an earlier one at the same place
   std::size_t unreferenced_vertices = 0;
-  std::size_t degenerate_faces = 0;        ///< triangles with a vertex twice, or with zero area; kept
-  std::size_t duplicate_faces = 0;         ///< triangles over the same three vertices as an earlier one; kept
-  std::size_t coincident_vertices = 0;     ///< further vertices at exactly the place of another; kept
-  std::size_t missing_colors = 0;          ///< vertices without a (finite) colour in a file with colours; made white
-  std::size_t skipped_elements = 0;        ///< OBJ lines, points and curves, PLY edges and the like; left out
+  std::size_t degenerate_faces = 0;     ///< triangles with a vertex twice, or with zero area; kept
+  std::size_t duplicate_faces = 0;      ///< triangles over the same three vertices as an earlier one; kept
+  std::size_t coincident_vertices = 0;  ///< further vertices at exactly the place of another; kept
+  std::size_t missing_colors = 0;       ///< vertices without a (finite) colour in a file with colours; made white
+  std::size_t skipped_elements = 0;     ///< OBJ lines, points and curves, PLY edges and the like; left out
   bool has_colors = false;
 };
 
@@ -33,8 +33,8 @@ struct ImportedMesh {
 
 /// Reads a mesh. The format is told by content first, then by the extension.
 /// @throws ReadError for anything that is not wholly a mesh with at least one face: a missing file, a directory, no
-///         permission, an unknown format, a syntax error, a count that does not match, a non-finite coordinate, an index
-///         out of range. Never returns a part of a file.
+///         permission, an unknown format, a syntax error, a count that does not match, a non-finite coordinate, an
+///         index out of range. Never returns a part of a file.
 ImportedMesh read_mesh(const std::filesystem::path& path);
 
 }  // namespace loopmend

@@ -20,7 +20,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;  // index into the soup, -1: none
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
@@ -53,7 +54,8 @@ void triangulate_quad(const Points& points, std::span<const int> q, Triangles& t
 /// Twice the area of the polygon as a vector (Newell), seen from its first corner.
 Vec3 newell_normal(const Points& points, std::span<const int> polygon) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) sum += area_vector(points, polygon[0], polygon[i], polygon[i + 1]);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    sum += area_vector(points, polygon[0], polygon[i], polygon[i + 1]);
   return sum;
 }
 
@@ -113,7 +115,9 @@ class PolygonDelaunay {
  private:
   using Edge = std::pair<Delaunay::Vertex_handle, Delaunay::Vertex_handle>;
 
-  static Edge edge_between(Delaunay::Vertex_handle a, Delaunay::Vertex_handle b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+  static Edge edge_between(Delaunay::Vertex_handle a, Delaunay::Vertex_handle b) {
+    return a < b ? Edge{a, b} : Edge{b, a};
+  }
 
   static Triangle canonical(Triangle t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -131,6 +135,8 @@ class PolygonDelaunay {
         ++uses_[edge_between(a, b)];
       }
     } catch (const Delaunay::Intersection_of_constraints_exception&) {
+      return false;
+    } catch (const CGAL::Failure_exception&) {
       return false;
     }
     return true;
@@ -164,7 +170,10 @@ class PolygonDelaunay {
 class LeastArea {
  public:
   LeastArea(const Points& points, std::span<const int> polygon)
-      : polygon_(polygon), size_(polygon.size()), cost_(size_ * size_, 0.0), apex_(size_ * size_, 0) {
+      : polygon_(polygon),
+        size_(polygon.size()),
+        cost_(size_ * size_, 0.0),
+        apex_(size_ * size_, 0) {
     for (std::size_t width = 2; width < size_; ++width) {
       for (std::size_t i = 0; i + width < size_; ++i) choose_apex(points, i, i + width);
     }

@@ -77,7 +77,8 @@ void require_valid(const TriangleSoup& soup) {
   }
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     for (const int v : soup.triangles[f]) {
-      if (v < 0 || v >= count) throw InvalidArgument("write_mesh: triangle " + std::to_string(f) + " has an index out of range");
+      if (v < 0 || v >= count)
+        throw InvalidArgument("write_mesh: triangle " + std::to_string(f) + " has an index out of range");
     }
   }
 }

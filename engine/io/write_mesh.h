@@ -11,7 +11,10 @@ enum class Encoding { binary, ascii };
 
 /// The format follows the extension (.ply .stl .obj .off, any case). PLY holds doubles and colours; binary is the
 /// default; OBJ and OFF are always text with 17 digits; binary STL holds floats.
+/// What the format cannot hold is not written: colours and lone points in STL, alpha in OBJ.
 /// @throws WriteError for an unknown extension, a missing folder, no permission, a full disk. The old file stays.
+/// @throws InvalidArgument for a soup that could not be read again: an index out of range, a coordinate that is not
+///         finite, colours but not one per point.
 void write_mesh(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding = Encoding::binary);
 
 }  // namespace loopmend

@@ -9,6 +9,7 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace loopmend {
 
@@ -19,10 +20,24 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// The pair test by the number of shared vertices; shared corners are matched by index, not by place.
+/// One number for all points in the same place: along a crack the two sides touch without sharing a vertex.
+std::vector<int> merged_by_place(const Points& points) {
+  std::vector<int> order(points.size()), merged(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto less = [&](int a, int b) {
+    return std::lexicographical_compare(points[a].data(), points[a].data() + 3, points[b].data(), points[b].data() + 3);
+  };
+  std::sort(order.begin(), order.end(), less);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    merged[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? merged[order[k - 1]] : order[k];
+  return merged;
+}
+
+/// The pair test by the number of shared vertices.
 class PairTest {
  public:
-  PairTest(const Points& points, const Triangles& triangles) : points_(points), triangles_(triangles) {}
+  PairTest(const Points& points, const Triangles& triangles)
+      : points_(points), triangles_(triangles), merged_(merged_by_place(points)) {}
 
   bool cut(int f, int g) const {
     const Triangle &a = triangles_[f], &b = triangles_[g];
@@ -30,13 +45,14 @@ class PairTest {
     int shared = 0;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        if (a[i] == b[j]) {
+        if (merged_[a[i]] == merged_[b[j]]) {
           in_a[shared] = i;
           in_b[shared] = j;
           ++shared;
         }
     const Kernel::Triangle_3 s = triangle(a), t = triangle(b);
-    if (s.is_degenerate() || t.is_degenerate() || shared == 3) return false;
+    if (s.is_degenerate() || t.is_degenerate()) return false;
+    if (shared == 3) return true;  // one triangle on top of the other
     if (shared == 0) return CGAL::do_intersect(s, t);
     if (shared == 1) {
       return CGAL::do_intersect(opposite_edge(a, in_a[0]), t) || CGAL::do_intersect(opposite_edge(b, in_b[0]), s);
@@ -54,6 +70,7 @@ class PairTest {
   }
   const Points& points_;
   const Triangles& triangles_;
+  std::vector<int> merged_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace loopmend {
 
 /// Pairs (a, b), a < b, of triangles that meet in more than their common vertices or edge, where a is among the first
-/// `count`. Triangles without area count as cutting nothing.
+/// `count`. Vertices in exactly the same place count as one. Triangles without area count as cutting nothing.
 std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count);
 
 /// Finds the triangles near a box fast. Keeps its own copy of the triangles' boxes.

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace loopmend {
@@ -16,13 +17,11 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 using Matrix5X = Eigen::Matrix<double, 5, Eigen::Dynamic>;
 
 /// Smallest ratio of singular values of the weighted design matrix that a stencil may have (NUMERICS §2).
-constexpr double one_ring_condition = 1e-2;
-constexpr double two_ring_condition = 1e-4;
-constexpr double three_ring_condition = 1e-8;
+double least_condition(int rings) { return rings == 1 ? 1e-2 : rings == 2 ? 1e-4 : 1e-8; }
 
 /// P (5 by m): derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i). Empty when the stencil does not determine them.
 bool derivative_weights(const Points& points, int i, const std::vector<int>& neighbors, const Vec3& normal, int rings,
-                        double least_condition, Matrix5X& P) {
+                        Matrix5X& P) {
   const Eigen::Index m = static_cast<Eigen::Index>(neighbors.size());
   if (m < 5) return false;
   const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
@@ -52,7 +51,7 @@ bool derivative_weights(const Points& points, int i, const std::vector<int>& nei
   }
   const Eigen::SelfAdjointEigenSolver<Matrix5> eigen(normal_matrix, Eigen::EigenvaluesOnly);
   const double low = eigen.eigenvalues()[0], high = eigen.eigenvalues()[4];
-  if (!(low > 0) || std::sqrt(low / high) < least_condition) return false;
+  if (!(low > 0) || std::sqrt(low / high) < least_condition(rings)) return false;
   P.noalias() = normal_matrix.ldlt().solve(weighted_rows);
   P.topRows<2>() /= mean;
   P.bottomRows<3>() /= mean * mean;
@@ -97,16 +96,15 @@ void fit_quadratic(const Points& points, const Topology& topology, int i, const 
   fit.normal = reference_normal;
   fit.second_form.setZero();
   const bool narrow = stencil == Stencil::one_ring && topology.valence(i) >= 5 && !topology.is_boundary(i);
-  constexpr double least[] = {0, one_ring_condition, two_ring_condition, three_ring_condition};
   Matrix5X P;
-  for (fit.rings = narrow ? 1 : 2; fit.rings <= 3 && !fit.valid; ++fit.rings) {
+  const int first = stencil == Stencil::four_ring ? 4 : narrow ? 1 : 2;
+  for (fit.rings = first; fit.rings <= std::max(first, 3) && !fit.valid; ++fit.rings) {
     topology.k_ring(i, fit.rings, fit.neighbors, scratch.mark);
-    if (derivative_weights(points, i, fit.neighbors, reference_normal, fit.rings, least[fit.rings], P))
+    if (derivative_weights(points, i, fit.neighbors, reference_normal, fit.rings, P))
       operator_weights(points, i, P, reference_normal, fit);
     if (fit.valid) break;
   }
   if (fit.valid) return;
-  fit.rings = 3;
   const Eigen::Index m = static_cast<Eigen::Index>(fit.neighbors.size());
   fit.laplacian.setZero(m);
   fit.gradient.setZero(3, m);

@@ -13,6 +13,7 @@ namespace loopmend {
 enum class Stencil {
   one_ring,  ///< the paper's N_1(i), unweighted; widened where it does not determine the quadratic
   two_ring,  ///< N_2(i), weighted by 1/d²: less sensitive to bad triangles and to noise
+  four_ring, ///< N_4(i), weighted likewise: to tell shape from roughness
 };
 
 /// Weights such that Θf(r_i) ≈ Σ_j w_ij (f(r_j) − f(r_i)) for j in `neighbors`; the centre's own weight is −Σ w_ij.
@@ -26,7 +27,7 @@ struct LocalFit {
   Eigen::Matrix3d second_form = Eigen::Matrix3d::Zero();  ///< 1/length: the surface is r + t + ½ (tᵀ II t) n for tangential t
   double H = 0;                ///< mean curvature, 1/length; −1/R on a sphere with outward normals
   double K = 0;                ///< Gaussian curvature, 1/length²
-  int rings = 0;               ///< how far the stencil had to reach: 1, 2 or 3
+  int rings = 0;               ///< how far the stencil had to reach
   bool valid = false;          ///< false: rank-deficient or folded over; then all weights are 0
 };
 

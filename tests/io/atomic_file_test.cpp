@@ -130,8 +130,10 @@ TEST_F(AtomicFile, AFullDiskLeavesTheOldFile) {
 
 TEST_F(AtomicFile, AFailingWriterLeavesTheOldFile) {
   write_bytes(folder_ / "a", "precious");
-  EXPECT_THROW(write_file_atomically(folder_ / "a", [](std::ostream&) { throw std::runtime_error("no"); }), std::runtime_error);
-  EXPECT_THROW(write_file_atomically(folder_ / "a", [](std::ostream& out) { out.setstate(std::ios::failbit); }), WriteError);
+  EXPECT_THROW(write_file_atomically(folder_ / "a", [](std::ostream&) { throw std::runtime_error("no"); }),
+               std::runtime_error);
+  EXPECT_THROW(write_file_atomically(folder_ / "a", [](std::ostream& out) { out.setstate(std::ios::failbit); }),
+               WriteError);
   EXPECT_EQ(read_bytes(folder_ / "a"), "precious");
   EXPECT_EQ(folder_.file_count(), 1U);
 }

@@ -149,11 +149,11 @@ const std::vector<Outcome> malformed = {
 };
 
 const std::vector<Outcome> examples = {
-    {"bunny.ply", 35947, 69451, 69451, ""},       {"cycloidal.ply", 21384, 43368, 43368, ""},
-    {"demosthenes.obj", 8394, 16719, 16719, ""},  {"doll.obj", 9992, 19985, 19985, ""},
-    {"dragon.ply", 437645, 871414, 871414, ""},   {"hammer.obj", 30082, 60160, 60160, ""},
-    {"head.ply", 32870, 65736, 65736, ""},        {"head_holes.ply", 32192, 64131, 64131, ""},
-    {"lps_head.ply", 8838, 17672, 17672, ""},     {"plane_holes.obj", 8519, 16747, 16747, ""},
+    {"bunny.ply", 35947, 69451, 69451, ""},      {"cycloidal.ply", 21384, 43368, 43368, ""},
+    {"demosthenes.obj", 8394, 16719, 16719, ""}, {"doll.obj", 9992, 19985, 19985, ""},
+    {"dragon.ply", 437645, 871414, 871414, ""},  {"hammer.obj", 30082, 60160, 60160, ""},
+    {"head.ply", 32870, 65736, 65736, ""},       {"head_holes.ply", 32192, 64131, 64131, ""},
+    {"lps_head.ply", 8838, 17672, 17672, ""},    {"plane_holes.obj", 8519, 16747, 16747, ""},
     {"quadknot.obj", 1440, 1440, 2880, ""},
 };
 

@@ -34,8 +34,9 @@ std::vector<Sample> samples() {
   add("c.ply", Encoding::binary);
   add("c.ply", Encoding::ascii);
   add("c.off", Encoding::ascii);
-  std::string big = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z\n"
-                    "element face 1\nproperty list uchar uchar vertex_indices\nproperty list char short junk\nend_header\n";
+  std::string big =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z\n"
+      "element face 1\nproperty list uchar uchar vertex_indices\nproperty list char short junk\nend_header\n";
   big += std::string("\0\0\0\1\0\0\0\1\0\3\0\1\2\1\0\7", 16);
   result.push_back({"b.ply", big});
   return result;
@@ -101,7 +102,9 @@ std::string mutated(std::string bytes, std::mt19937& random) {
 
 TEST_F(Damage, ChangedBytesAreRefusedOrAValidMesh) {
   std::vector<Sample> all = samples();
-  all.push_back({"a.obj", "# c\nmtllib m\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1 2 3 4\nf -1/1 -2/1 \\\n-3/1\n"});
+  all.push_back(
+      {"a.obj",
+       "# c\nmtllib m\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1 2 3 4\nf -1/1 -2/1 \\\n-3/1\n"});
   std::mt19937 random(20240607);
   int read_well = 0;
   int refused = 0;

@@ -112,8 +112,11 @@ inline bool same_bits(const Points& a, const Points& b) {
 /// Two triangles and a point of its own, with coordinates that need all 17 digits or stand at the ends of the range.
 inline TriangleSoup awkward_soup() {
   TriangleSoup soup;
-  soup.points = {{0.1, 1.0 / 3.0, -0.0}, {1e300, 4.9406564584124654e-324, 2.0}, {-1e-300, 5.0, 123456789.123456789},
-                 {7.0, 8.0, 9.0},        {0.30000000000000004, 3.0, 1.0}};
+  soup.points = {{0.1, 1.0 / 3.0, -0.0},
+                 {1e300, 4.9406564584124654e-324, 2.0},
+                 {-1e-300, 5.0, 123456789.123456789},
+                 {7.0, 8.0, 9.0},
+                 {0.30000000000000004, 3.0, 1.0}};
   soup.triangles = {{0, 1, 2}, {2, 1, 4}};
   return soup;
 }

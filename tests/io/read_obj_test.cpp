@@ -9,7 +9,8 @@ class ReadObj : public ReadTest {};
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST_F(ReadObj, AllFormsOfCorners) {
-  const std::string text = square + "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 3/1 4/1\nf 1//1 2//1 3//1\nf 1/1/1 3/1/1 4/1/1\n" +
+  const std::string text = square +
+                           "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 3/1 4/1\nf 1//1 2//1 3//1\nf 1/1/1 3/1/1 4/1/1\n" +
                            "f -4 -3 -2\nf 1// 2// 3//\nf 1/ 2/ 3/\n";
   EXPECT_EQ(read(text, "a.obj").soup.triangles,
             (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 1, 2}, {0, 1, 2}}));
@@ -81,6 +82,7 @@ TEST_F(ReadObj, RefusesBrokenFaces) {
 TEST_F(ReadObj, RefusesUnknownStatementsAndMissingFaces) {
   // A damaged "v" must not be stepped over: all later indices would silently mean other vertices.
   expect_refused("v 0 0 0\nw 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n", "a.obj", {"\"w\"", "statement", "line 2"});
+  expect_refused(square + "f 1 2 3\ncall more.obj\n", "a.obj", {"\"call\"", "line 6"});
   expect_refused(square, "a.obj", {"points but no faces", "4 points"});
   expect_refused("# nothing\n", "a.obj", {"no points and no faces"});
 }

@@ -9,8 +9,9 @@ class ReadOff : public ReadTest {};
 const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 TEST_F(ReadOff, HeaderVariants) {
-  for (const char* head : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF3 1 0\n", "3 1 0\n", "OFF\n3 1\n", "# c\n\nOFF # c\n# c\n3 1 0 # c\n",
-                           "OFF\r\n3 1 0\r\n", "OFF\r3 1 0\r", "\xEF\xBB\xBFOFF\n3 1 0\n"}) {
+  for (const char* head :
+       {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF3 1 0\n", "3 1 0\n", "OFF\n3 1\n", "# c\n\nOFF # c\n# c\n3 1 0 # c\n",
+        "OFF\r\n3 1 0\r\n", "OFF\r3 1 0\r", "\xEF\xBB\xBFOFF\n3 1 0\n"}) {
     EXPECT_EQ(read(head + body, "a.off").soup.triangles, (Triangles{{0, 1, 2}})) << head;
   }
 }
@@ -30,7 +31,8 @@ TEST_F(ReadOff, VertexColors) {
 }
 
 TEST_F(ReadOff, NormalsAndTextureCoordinates) {
-  const std::string rows = "0 0 0  0 0 1  255 0 0  0.5 0.5\n1 0 0  0 0 1  0 255 0  0 0\n0 1 0  0 0 1  0 0 255  1 1\n3 0 1 2\n";
+  const std::string rows =
+      "0 0 0  0 0 1  255 0 0  0.5 0.5\n1 0 0  0 0 1  0 255 0  0 0\n0 1 0  0 0 1  0 0 255  1 1\n3 0 1 2\n";
   EXPECT_EQ(read("STCNOFF\n3 1 0\n" + rows, "a.off").soup.colors[1], (Color{0, 255, 0, 255}));
 }
 
@@ -45,7 +47,8 @@ TEST_F(ReadOff, Refuses) {
   expect_refused("OFF\n3 1 0\n0 0 0x\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off", {"0x", "line 3"});
   expect_refused("OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off", {"vertex 0", "finite", "line 3"});
   expect_refused("OFF\n3 1 0\n0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off", {"vertex 0", "line 3"});
-  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.off", {"face 0", "vertex 3", "there are 3", "line 6"});
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.off",
+                 {"face 0", "vertex 3", "there are 3", "line 6"});
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "a.off", {"face 0", "vertex -1"});
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "a.off", {"face 0", "2 vertices"});
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "a.off", {"vertex index", "missing", "line 6"});

@@ -81,14 +81,16 @@ TEST_F(ReadPly, ColorsOfBytesFloatsAndShorts) {
   const std::string bytes = xyz + "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   EXPECT_EQ(read(header("ascii", bytes) + "0 0 0 1 2 3\n1 0 0 4 5 6\n0 1 0 7 8 255\n3 0 1 2\n", "a.ply").soup.colors,
             (std::vector<Color>{{1, 2, 3, 255}, {4, 5, 6, 255}, {7, 8, 255, 255}}));
-  const std::string floats = xyz + "property float red\nproperty float green\nproperty float blue\nproperty float alpha\n";
+  const std::string floats =
+      xyz + "property float red\nproperty float green\nproperty float blue\nproperty float alpha\n";
   const ImportedMesh mesh =
       read(header("ascii", floats) + "0 0 0 0 0.5 1 0\n1 0 0 nan 0 0 1\n0 1 0 9 -9 0 1\n3 0 1 2\n", "a.ply");
   EXPECT_EQ(mesh.soup.colors, (std::vector<Color>{{0, 128, 255, 0}, {255, 255, 255, 255}, {255, 0, 0, 255}}));
   EXPECT_EQ(mesh.report.missing_colors, 1U);
   const std::string shorts = xyz + "property ushort red\nproperty ushort green\nproperty ushort blue\n";
-  EXPECT_EQ(read(header("ascii", shorts) + "0 0 0 65535 0 257\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n", "a.ply").soup.colors[0],
-            (Color{255, 0, 1, 255}));
+  EXPECT_EQ(
+      read(header("ascii", shorts) + "0 0 0 65535 0 257\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n", "a.ply").soup.colors[0],
+      (Color{255, 0, 1, 255}));
 }
 
 TEST_F(ReadPly, OtherElementsAndPropertiesAreSteppedOver) {
@@ -96,7 +98,8 @@ TEST_F(ReadPly, OtherElementsAndPropertiesAreSteppedOver) {
       "ply\nformat ascii 1.0\nelement camera 1\nproperty list int float view\nelement face 1\nproperty float quality\n"
       "property list uchar uint vertex_index\nproperty list uchar float uv\nelement vertex 3\nproperty double z\n"
       "property double y\nproperty double x\nproperty list uchar int more\nelement edge 2\nproperty int vertex1\n"
-      "property int vertex2\nend_header\n2 0.5 0.5\n0.25 3 0 1 2 2 0.5 0.5\n3 2 1 0\n6 5 4 1 9\n9 8 1 2 9 9\n0 1\n1 2\n";
+      "property int vertex2\nend_header\n2 0.5 0.5\n0.25 3 0 1 2 2 0.5 0.5\n3 2 1 0\n6 5 4 1 9\n9 8 1 2 9 9\n0 1\n1 "
+      "2\n";
   const ImportedMesh mesh = read(text, "a.ply");
   EXPECT_EQ(mesh.soup.points, (Points{{1, 2, 3}, {4, 5, 6}, {1, 8, 9}}));
   EXPECT_EQ(mesh.report.skipped_elements, 3U);
@@ -143,6 +146,7 @@ TEST_F(ReadPly, RefusesBrokenHeaders) {
   expect_refused(with("uchar int vertex", "float int vertex"), "a.ply", {"fraction", "line 9"});
   expect_refused(with("end_header", "endheader"), "a.ply", {"endheader", "line 10"});
   expect_refused("ply\nformat ascii 1.0\nelement vertex 3\n", "a.ply", {"end_header", "too early"});
+  expect_refused(with("element face 1", std::string("element f\0\x1B 2", 13)), "a.ply", {"too early", "f?? 1 of 2"});
   expect_refused("ply\nend_header\n", "a.ply", {"format line"});
   expect_refused("plyformat ascii\n", "a.ply", {"does not begin with", "ply"});
 }
@@ -153,16 +157,17 @@ TEST_F(ReadPly, RefusesCountsThatTheFileCannotHold) {
   for (const std::string& good : {text_file, binary_file}) {
     for (const std::string count : {"4000000000", "9223372036854775807", "20"}) {
       std::string bytes = good;
-      expect_refused(bytes.replace(bytes.find("vertex 3"), 8, "vertex " + count), "a.ply", {"announces", count.c_str(), "line 4"});
+      expect_refused(bytes.replace(bytes.find("vertex 3"), 8, "vertex " + count), "a.ply",
+                     {"announces", count.c_str(), "line 4"});
       bytes = good;
       const char* word = good == binary_file && count == "20" ? "too early" : "announces";
       expect_refused(bytes.replace(bytes.find("face 1"), 6, "face " + count), "a.ply", {word, count.c_str()});
     }
   }
   // An element without properties takes no bytes: neither time nor memory may follow its count.
-  const std::string text =
-      "ply\nformat ascii 1.0\nelement nothing 9223372036854775807\nelement vertex 3\n" + xyz +
-      "element face 1\nproperty list uchar int vertex_indices\nend_header\n" + three_points + "3 0 1 2\n";
+  const std::string text = "ply\nformat ascii 1.0\nelement nothing 9223372036854775807\nelement vertex 3\n" + xyz +
+                           "element face 1\nproperty list uchar int vertex_indices\nend_header\n" + three_points +
+                           "3 0 1 2\n";
   EXPECT_EQ(read(text, "a.ply").soup.triangles.size(), 1U);
 }
 
@@ -206,7 +211,8 @@ TEST_F(ReadPly, RefusesMissingFacesAndStrips) {
   expect_refused("ply\nformat ascii 1.0\nelement vertex 3\n" + xyz + "end_header\n" + three_points, "a.ply",
                  {"points but no faces"});
   expect_refused("ply\nformat ascii 1.0\nelement vertex 3\n" + xyz +
-                     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + three_points + "3 0 1 2\n",
+                     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + three_points +
+                     "3 0 1 2\n",
                  "a.ply", {"strips", "line 7"});
   expect_refused("ply\nformat ascii 1.0\nelement point 1\nproperty int x\nend_header\n1\n", "a.ply", {"\"vertex\""});
 }

@@ -43,7 +43,8 @@ TEST_F(ReadStl, TextCornersAreWeldedInOrderOfFirstOccurrence) {
 
 TEST_F(ReadStl, BinaryReadsTheSame) {
   // A title that begins like the text format does not mislead.
-  for (const char* title : {"binary", "solid but binary", "solid\nfacet"}) {
+  for (const char* title :
+       {"binary", "solid but binary", "solid\nfacet", "ply\n", "OFF", "version https://git-lfs.github.com/"}) {
     const ImportedMesh mesh = read(binary_stl(two_triangles, title), "a.stl");
     EXPECT_EQ(mesh.soup.points.size(), 4U);
     EXPECT_EQ(mesh.soup.triangles, (Triangles{{0, 1, 2}, {1, 3, 2}}));
@@ -53,7 +54,8 @@ TEST_F(ReadStl, BinaryReadsTheSame) {
 TEST_F(ReadStl, TextIsFreeOfFormAndOfCase) {
   const std::string text =
       "SOLID\nFACET\nOUTER LOOP\nVERTEX 0 0 0\nVertex 1 0 0\nvertex 0 1 0\nENDLOOP\nENDFACET\nENDSOLID\n"
-      "solid two\nfacet normal nan nan nan outer loop vertex 5 0 0 vertex 6 0 0 vertex 5 1 0 endloop endfacet\nendsolid";
+      "solid two\nfacet normal nan nan nan outer loop vertex 5 0 0 vertex 6 0 0 vertex 5 1 0 endloop "
+      "endfacet\nendsolid";
   EXPECT_EQ(read(text, "a.stl").soup.triangles.size(), 2U);
 }
 

@@ -1,8 +1,8 @@
 // Polygons into triangles: inside the polygon, oriented like it, always size - 2 of them.
 #include "io/triangulate_polygon.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <chrono>
 #include <cmath>
@@ -44,7 +44,8 @@ TEST(TriangulatePolygon, QuadTakesTheShorterDiagonal) {
 }
 
 TEST(TriangulatePolygon, ConcaveQuadTakesTheDiagonalInside) {
-  const Points dart = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};  // reflex at vertex 2, the longer diagonal is inside
+  const Points dart = {
+      {0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};  // reflex at vertex 2, the longer diagonal is inside
   expect_covers(dart, triangulate(dart), {0, 0, 4});
   for (int turn = 1; turn < 4; ++turn) {
     std::vector<int> polygon;

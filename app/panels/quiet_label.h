@@ -1,0 +1,22 @@
+// Text that explains without shouting: the palette's text colour, moved towards the background.
+#pragma once
+
+#include <QLabel>
+
+namespace loopmend {
+
+class QuietLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit QuietLabel(const QString& text = {}, QWidget* parent = nullptr);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void take_colors();
+  bool taking_ = false;
+};
+
+}  // namespace loopmend

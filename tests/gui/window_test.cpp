@@ -1,0 +1,363 @@
+// The real window, driven by mouse and keyboard under a virtual screen.
+#include "driver.h"
+
+#include "core/error.h"
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "panels/banner.h"
+#include "samples/sample_scan.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QLabel>
+#include <QOpenGLContext>
+#include <QOpenGLWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+const QString bunny = QStringLiteral(LOOPMEND_SHARED_DIR "/data/bunny.ply");
+const QString dragon = QStringLiteral(LOOPMEND_SHARED_DIR "/data/dragon.ply");
+
+/// A window on the screen, with a scan open. Every test has its own.
+class Opened {
+ public:
+  explicit Opened(const QString& path) {
+    window.move(0, 0);
+    window.show();
+    exposed = QTest::qWaitForWindowExposed(&window);
+    window.open(path);
+    opened = wait_idle(window) && window.document().has_scan();
+    settle();
+  }
+  MainWindow window;
+  bool exposed = false, opened = false;
+};
+
+QString write_sample(const QTemporaryDir& folder) {
+  const QString path = folder.filePath(QStringLiteral("sample.ply"));
+  write_mesh(path.toStdString(), make_sample_scan());
+  return path;
+}
+
+bool same_bits(const Points& input, const Points& output) {
+  return output.size() >= input.size() && std::equal(input.begin(), input.end(), output.begin());
+}
+
+double share_changed(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 1;
+  int changed = 0, all = 0;
+  for (int y = 0; y < a.height(); y += 2)
+    for (int x = 0; x < a.width(); x += 2, ++all) changed += a.pixel(x, y) != b.pixel(x, y);
+  return static_cast<double>(changed) / std::max(1, all);
+}
+
+int largest_hole(const MainWindow& window) {
+  for (int loop = 0; loop < static_cast<int>(window.document().loops().size()); ++loop)
+    if (window.document().fillable(loop)) return loop;
+  return -1;
+}
+
+}  // namespace
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void draws_something_real();
+  void whole_story_on_the_sample();
+  void whole_story_on_the_bunny();
+  void rows_and_loops_light_up_together();
+  void cancel_gives_control_back_at_once();
+  void pause_keeps_the_state_and_goes_on();
+  void closing_while_it_runs_is_clean();
+  void malformed_file_is_told_and_the_old_scan_stays();
+  void unwritable_export_is_told();
+  void controls_follow_what_makes_sense();
+  void outer_rim_is_left_out();
+  void dragon_does_not_freeze_the_window();
+
+ private:
+  void whole_story(const QString& path);
+  QTemporaryDir folder_;
+  QString sample_;
+};
+
+void WindowTest::init() {
+  QVERIFY(folder_.isValid());
+  if (sample_.isEmpty()) sample_ = write_sample(folder_);
+}
+
+void WindowTest::draws_something_real() {
+  Opened opened(sample_);
+  QVERIFY(opened.exposed);
+  QVERIFY(opened.opened);
+  auto* canvas = qobject_cast<QOpenGLWidget*>(opened.window.view().canvas());
+  QVERIFY(canvas && canvas->isValid());
+  QVERIFY(canvas->context() && canvas->context()->isValid());
+  QVERIFY(count_colors(opened.window.view().picture()) >= 64);
+  QVERIFY2(part<Banner>(opened.window, "banner")->isHidden(), "no message was expected");
+}
+
+void WindowTest::whole_story_on_the_sample() { whole_story(sample_); }
+
+void WindowTest::whole_story_on_the_bunny() {
+  if (!QFile::exists(bunny)) QSKIP("bunny.ply is not in the shared folder");
+  whole_story(bunny);
+}
+
+void WindowTest::whole_story(const QString& path) {
+  Opened opened(path);
+  QVERIFY(opened.opened);
+  MainWindow& window = opened.window;
+  const Document& document = window.document();
+  const ImportedMesh input = read_mesh(path.toStdString());
+
+  // Turn to the largest hole and click its rim in the picture.
+  const int loop = largest_hole(window);
+  QVERIFY(loop >= 0);
+  window.view().fly_to(loop);
+  settle(700);
+  const QPoint at = visible_point(window, loop);
+  QVERIFY2(at.x() >= 0, "no vertex of the loop can be hovered");
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, at);
+  QCOMPARE(window.selection().selected(), std::set<int>{loop});
+  const QTableView* table = part<QTableView>(window, "holesTable");
+  QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
+  QCOMPARE(table->selectionModel()->selectedRows().first().data().toInt(), document.loops()[static_cast<std::size_t>(loop)].number);
+
+  // Fill.
+  QTest::mouseMove(window.view().canvas(), QPoint(3, 3));
+  settle();
+  const QImage open_picture = window.view().picture();
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  QVERIFY(document.state(loop) == HoleState::filled);
+  settle();
+  const QImage filled_picture = window.view().picture();
+  QVERIFY2(share_changed(open_picture, filled_picture) > 0.005, "the filled hole looks like the open one");
+
+  // Flow to the steady state.
+  const PatchStatePtr filler = document.patches().front().state;
+  press(window, "steady");
+  QVERIFY(window.workbench().busy());
+  QVERIFY(wait_idle(window, 240));
+  const PatchStatePtr steady = document.patches().front().state;
+  QVERIFY(steady->steps > 0);
+  QVERIFY(steady->stage == PatchStage::converged || steady->stage == PatchStage::stepped);
+  QVERIFY(steady->last_step.energy < steady->initial_energy);
+  QVERIFY(steady->shape->H != filler->shape->H);
+  settle();
+  QVERIFY2(share_changed(filled_picture, window.view().picture()) > 0.002, "the flow changed nothing that is seen");
+  QVERIFY(part<QTableWidget>(window, "seamTable")->rowCount() == 1);
+
+  // Undo the flow, undo the fill, redo both.
+  QAction* undo = part<QAction>(window, "undo");
+  QAction* redo = part<QAction>(window, "redo");
+  undo->trigger();
+  QVERIFY(document.patches().front().state == filler);
+  undo->trigger();
+  QVERIFY(document.patches().empty());
+  QVERIFY(document.state(loop) == HoleState::open);
+  QVERIFY(!undo->isEnabled());
+  settle();
+  QVERIFY2(share_changed(open_picture, window.view().picture()) < 0.001, "the hole is not open again");
+  redo->trigger();
+  redo->trigger();
+  QVERIFY(document.patches().front().state == steady);
+
+  // Export, and read back.
+  const std::size_t new_triangles = static_cast<std::size_t>(steady->patch.patch_triangles);
+  const std::size_t new_points = static_cast<std::size_t>(steady->patch.free_count);
+  for (const char* name : {"out.ply", "out.stl"}) {
+    const QString out = folder_.filePath(QLatin1String(name));
+    window.export_to(out);
+    QVERIFY(wait_idle(window));
+    const ImportedMesh back = read_mesh(out.toStdString());
+    QCOMPARE(back.soup.triangles.size(), input.soup.triangles.size() + new_triangles);
+    if (back.report.format != "PLY") continue;
+    QCOMPARE(back.soup.points.size(), input.soup.points.size() + new_points);
+    QVERIFY2(same_bits(input.soup.points, back.soup.points), "the input's vertices must come first, bit-identical");
+  }
+}
+
+void WindowTest::rows_and_loops_light_up_together() {
+  Opened opened(sample_);
+  MainWindow& window = opened.window;
+  auto* table = part<QTableView>(window, "holesTable");
+  const QPoint second_row = table->visualRect(table->model()->index(1, 1)).center();
+  QTest::mouseMove(table->viewport(), second_row);
+  QVERIFY(wait_until([&] { return window.selection().hovered() == 1; }, 2));
+  QTest::mouseMove(window.view().canvas(), QPoint(2, 2));
+  QVERIFY(wait_until([&] { return window.selection().hovered() == no_loop; }, 2));
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, second_row);
+  QCOMPARE(window.selection().selected(), std::set<int>{1});
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::ControlModifier,
+                    table->visualRect(table->model()->index(2, 1)).center());
+  QCOMPARE(window.selection().selected(), (std::set<int>{1, 2}));
+  QTest::keyClick(&window, Qt::Key_Escape);
+  QVERIFY(window.selection().selected().empty());
+}
+
+void WindowTest::cancel_gives_control_back_at_once() {
+  Opened opened(sample_);
+  MainWindow& window = opened.window;
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  part<QSlider>(window, "sigma")->setValue(0);
+  press(window, "run");
+  QVERIFY(wait_until([&] { return window.document().patches().front().state->steps >= 1; }));
+  QElapsedTimer clock;
+  clock.start();
+  QTest::keyClick(&window, Qt::Key_Escape);
+  QVERIFY(wait_until([&] { return part<QPushButton>(window, "run")->isEnabled() && !window.workbench().busy(); }, 1));
+  QVERIFY2(clock.elapsed() < 100, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
+  const PatchStatePtr kept = window.document().patches().front().state;
+  QVERIFY(kept->steps >= 1);
+  QCOMPARE(part<QPushButton>(window, "run")->text(), QStringLiteral("Run"));
+  settle(600);
+  QVERIFY2(window.document().patches().front().state == kept, "a job that was given up still changed the patch");
+  part<QAction>(window, "undo")->trigger();
+  QCOMPARE(window.document().patches().front().state->steps, 0);
+}
+
+void WindowTest::pause_keeps_the_state_and_goes_on() {
+  Opened opened(sample_);
+  MainWindow& window = opened.window;
+  window.selection().select({largest_hole(window)});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  part<QSlider>(window, "sigma")->setValue(-10);
+  QTest::keyClick(&window, Qt::Key_Space);
+  QVERIFY(wait_until([&] { return window.document().patches().front().state->steps >= 2; }));
+  if (window.workbench().activity() != Activity::running) QSKIP("the flow was at rest before it could be paused");
+  QTest::keyClick(&window, Qt::Key_Space);
+  QVERIFY(wait_idle(window));
+  const int steps = window.document().patches().front().state->steps;
+  QTest::keyClick(&window, Qt::Key_S);
+  QVERIFY(wait_idle(window));
+  QVERIFY(window.document().patches().front().state->steps >= steps);
+}
+
+void WindowTest::closing_while_it_runs_is_clean() {
+  auto window = std::make_unique<MainWindow>();
+  window->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+  window->open(sample_);
+  QVERIFY(wait_idle(*window));
+  press(*window, "fill");
+  QVERIFY(wait_idle(*window));
+  press(*window, "run");
+  settle(60);
+  QVERIFY(window->close());
+  QVERIFY(window->shut_down(std::chrono::seconds(20)));
+  window.reset();
+}
+
+void WindowTest::malformed_file_is_told_and_the_old_scan_stays() {
+  Opened opened(sample_);
+  MainWindow& window = opened.window;
+  const auto model = window.document().scan().model;
+  const QString bad = folder_.filePath(QStringLiteral("bad.ply"));
+  QFile file(bad);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+             "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 nonsense\n");
+  file.close();
+  const QImage before = window.view().picture();
+  window.open(bad);
+  QVERIFY(wait_idle(window));
+  auto* banner = part<Banner>(window, "banner");
+  QVERIFY(!banner->isHidden());
+  QVERIFY2(banner->text().contains(QStringLiteral("bad.ply")), qPrintable(banner->text()));
+  QVERIFY(window.document().scan().model == model);
+  QVERIFY(part<QPushButton>(window, "fill")->isEnabled());
+  QTest::keyClick(&window, Qt::Key_Escape);
+  QVERIFY(banner->isHidden());
+  settle();
+  QVERIFY2(share_changed(before, window.view().picture()) < 0.001, "the picture of the old scan is not back");
+}
+
+void WindowTest::unwritable_export_is_told() {
+  Opened opened(sample_);
+  opened.window.export_to(QStringLiteral("/nonexistent-folder/out.ply"));
+  QVERIFY(wait_idle(opened.window));
+  QVERIFY(!part<Banner>(opened.window, "banner")->isHidden());
+}
+
+void WindowTest::controls_follow_what_makes_sense() {
+  MainWindow window;
+  window.show();
+  for (const char* name : {"fill", "step", "run", "steady", "cancel"}) {
+    QVERIFY2(!part<QPushButton>(window, name)->isEnabled(), name);
+    QVERIFY2(!part<QPushButton>(window, name)->toolTip().isEmpty(), name);
+  }
+  for (const char* name : {"export", "undo", "redo", "screenshot", "fillAction", "runAction"})
+    QVERIFY2(!part<QAction>(window, name)->isEnabled(), name);
+  window.open(sample_);
+  QVERIFY(wait_idle(window));
+  QVERIFY(part<QPushButton>(window, "fill")->isEnabled());
+  QVERIFY(!part<QPushButton>(window, "run")->isEnabled());
+  QVERIFY(part<QAction>(window, "export")->isEnabled());
+  press(window, "fill");
+  QVERIFY(part<QPushButton>(window, "cancel")->isEnabled());
+  QVERIFY(wait_idle(window));
+  QVERIFY(part<QPushButton>(window, "run")->isEnabled());
+  QVERIFY(part<QAction>(window, "runAction")->isEnabled());
+  QVERIFY(part<QAction>(window, "undo")->isEnabled());
+  QVERIFY(!part<QPushButton>(window, "cancel")->isEnabled());
+}
+
+void WindowTest::outer_rim_is_left_out() {
+  Opened opened(sample_);
+  MainWindow& window = opened.window;
+  int rim = -1;
+  const auto& loops = window.document().loops();
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (loops[i].kind == LoopKind::outer_rim) rim = static_cast<int>(i);
+  QVERIFY2(rim >= 0, "the sample has an outer rim");
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  QVERIFY(window.document().state(rim) == HoleState::left_out);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (loops[i].kind == LoopKind::hole) QVERIFY(window.document().patch_of(static_cast<int>(i)) != nullptr);
+}
+
+void WindowTest::dragon_does_not_freeze_the_window() {
+  if (!QFile::exists(dragon)) QSKIP("dragon.ply is not in the shared folder");
+  MainWindow window;
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  QElapsedTimer clock;
+  qint64 worst = 0;
+  QTimer timer;
+  connect(&timer, &QTimer::timeout, this, [&] { worst = std::max(worst, clock.restart()); });
+  timer.start(1);
+  clock.start();
+  window.open(dragon);
+  QVERIFY(wait_idle(window, 120));
+  qInfo("longest event-loop gap while opening the dragon: %lld ms", static_cast<long long>(worst));
+  QCOMPARE(window.document().loops().size(), std::size_t(407));
+  QVERIFY2(worst < 3000, "the window froze");
+}
+
+int main(int argc, char** argv) {
+  prepare_application();
+  QApplication application(argc, argv);
+  settle_application();
+  WindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_test.moc"
