@@ -5,6 +5,7 @@
 #include "report.h"
 
 #include "core/version.h"
+#include "io/atomic_file.h"
 
 #include <sys/resource.h>
 
@@ -102,6 +103,8 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
 
 int run_fill(const FillCommand& command) {
   const auto start = std::chrono::steady_clock::now();
+  check_mesh_writable(command.output);
+  if (!command.report.empty() && command.report != "-") check_writable(command.report);
   OpenedModel opened = open_model(command.input);
   SurfaceModel& model = opened.model;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);

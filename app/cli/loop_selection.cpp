@@ -59,6 +59,8 @@ std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command
   if (any_named && !named) return "not selected";
   if (!named && loop.kind == LoopKind::outer_rim && command.outer_rim == FillCommand::OuterRim::leave)
     return "outer rim of an open sheet: left open (--include-outer-rim fills it)";
+  if (!named && loop.kind == LoopKind::cut) return "no hole: runs along an edge with more than two faces";
+  if (!named && loop.kind == LoopKind::crack) return "crack: nothing is missing, its sides are only not joined";
   if (command.max_edges && loop.edges() > *command.max_edges)
     return "has more than " + std::to_string(*command.max_edges) + " edges (--max-edges)";
   if (command.max_diameter && loop.diameter > *command.max_diameter) return "is wider than --max-diameter";

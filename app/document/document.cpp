@@ -10,14 +10,22 @@ const std::vector<BoundaryLoop>& Document::loops() const {
 }
 
 const OpenPatch* Document::patch(int id) const {
-  const auto it = std::find_if(patches_.begin(), patches_.end(), [id](const OpenPatch& p) { return p.id == id; });
-  return it == patches_.end() ? nullptr : &*it;
+  const auto it = patch_by_id_.find(id);
+  return it == patch_by_id_.end() ? nullptr : &patches_[it->second];
 }
 
 const OpenPatch* Document::patch_of(int loop) const {
-  for (const OpenPatch& patch : patches_)
-    if (std::find(patch.loops.begin(), patch.loops.end(), loop) != patch.loops.end()) return &patch;
-  return nullptr;
+  const auto it = patch_by_loop_.find(loop);
+  return it == patch_by_loop_.end() ? nullptr : &patches_[it->second];
+}
+
+void Document::index_patches() {
+  patch_by_id_.clear();
+  patch_by_loop_.clear();
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    patch_by_id_[patches_[i].id] = i;
+    for (int loop : patches_[i].loops) patch_by_loop_[loop] = i;
+  }
 }
 
 HoleState Document::state(int loop) const {
@@ -50,6 +58,7 @@ bool Document::fillable(int loop) const {
 void Document::open(OpenedScan scan) {
   scan_ = std::make_unique<OpenedScan>(std::move(scan));
   patches_.clear();
+  index_patches();
   running_.clear();
   failures_.clear();
   Q_EMIT opened();
@@ -63,25 +72,30 @@ void Document::set_shape(std::shared_ptr<const SurfaceShape> shape) {
 
 void Document::add_patches(const std::vector<OpenPatch>& patches) {
   patches_.insert(patches_.end(), patches.begin(), patches.end());
+  index_patches();
   Q_EMIT patches_changed();
   Q_EMIT holes_changed();
 }
 
 void Document::remove_patches(const std::vector<int>& ids) {
   std::erase_if(patches_, [&](const OpenPatch& p) { return std::find(ids.begin(), ids.end(), p.id) != ids.end(); });
+  index_patches();
   for (int id : ids) running_.erase(id);
   Q_EMIT patches_changed();
   Q_EMIT holes_changed();
 }
 
-void Document::set_state(int id, PatchStatePtr state) {
-  for (OpenPatch& patch : patches_) {
-    if (patch.id != id || patch.state == state) continue;
-    patch.state = std::move(state);
+void Document::set_states(const std::map<int, PatchStatePtr>& states) {
+  bool renamed = false;
+  for (const auto& [id, state] : states) {
+    const auto it = patch_by_id_.find(id);
+    if (it == patch_by_id_.end() || patches_[it->second].state == state) continue;
+    PatchStatePtr& now = patches_[it->second].state;
+    renamed = renamed || now->stage != state->stage || now->message != state->message;
+    now = state;
     Q_EMIT patch_moved(id);
-    Q_EMIT holes_changed();
-    return;
   }
+  if (renamed) Q_EMIT holes_changed();
 }
 
 void Document::set_running(const std::set<int>& ids) {

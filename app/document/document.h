@@ -53,7 +53,8 @@ class Document : public QObject {
   int next_patch_id() { return next_id_++; }
   void add_patches(const std::vector<OpenPatch>& patches);
   void remove_patches(const std::vector<int>& ids);
-  void set_state(int id, PatchStatePtr state);
+  /// New states by patch id. Says patch_moved() for each, and holes_changed() once if a state's name or words changed.
+  void set_states(const std::map<int, PatchStatePtr>& states);
   void set_running(const std::set<int>& ids);
   void set_failures(const std::map<int, std::string>& words_by_loop);
 
@@ -62,11 +63,14 @@ class Document : public QObject {
   void shape_changed();
   void patches_changed();
   void patch_moved(int id);
-  void holes_changed();
+  void holes_changed();  ///< some hole's state() or message() is another
 
  private:
   std::unique_ptr<OpenedScan> scan_;
+  void index_patches();
+
   std::vector<OpenPatch> patches_;
+  std::map<int, std::size_t> patch_by_id_, patch_by_loop_;
   std::set<int> running_;
   std::map<int, std::string> failures_;
   int next_id_ = 1;

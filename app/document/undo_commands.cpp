@@ -17,11 +17,15 @@ EvolveCommand::EvolveCommand(Document& document, std::vector<Change> changes, co
     : QUndoCommand(text), document_(document), changes_(std::move(changes)) {}
 
 void EvolveCommand::redo() {
-  for (const Change& change : changes_) document_.set_state(change.id, change.after);
+  std::map<int, PatchStatePtr> states;
+  for (const Change& change : changes_) states[change.id] = change.after;
+  document_.set_states(states);
 }
 
 void EvolveCommand::undo() {
-  for (const Change& change : changes_) document_.set_state(change.id, change.before);
+  std::map<int, PatchStatePtr> states;
+  for (const Change& change : changes_) states[change.id] = change.before;
+  document_.set_states(states);
 }
 
 }  // namespace loopmend

@@ -26,6 +26,7 @@ QString kind(LoopKind kind) {
     case LoopKind::hole: return tr("hole");
     case LoopKind::outer_rim: return tr("outer rim");
     case LoopKind::touching: return tr("touching");
+    case LoopKind::crack: return tr("crack");
     case LoopKind::cut: return tr("cut");
   }
   return {};
@@ -37,6 +38,8 @@ QString kind_help(LoopKind kind) {
     case LoopKind::outer_rim:
       return tr("The rim of an open sheet. It is left out unless you select it yourself and press Fill.");
     case LoopKind::touching: return tr("This loop passes twice through one vertex, or meets another loop there.");
+    case LoopKind::crack:
+      return tr("A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.");
     case LoopKind::cut:
       return tr("Not a hole: more than two triangles meet along this edge, so the surface was cut here.");
   }
@@ -147,7 +150,7 @@ QString import_summary(const OpenedScan& scan) {
   note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend", "cut along %1 non-manifold edges"));
   note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend", "split at %1 non-manifold vertices"));
   note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend", "%1 vertices that no face uses"));
-  if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("To be able to work on it: %1.").arg(notes.join(QStringLiteral(", ")));
+  if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));
   return text;
 }
 

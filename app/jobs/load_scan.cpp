@@ -17,6 +17,17 @@ ImportedMesh read(const QString& path) {
   return sample;
 }
 
+/// Whether the view has the file's vertices and triangles, so that one picture serves for both.
+bool view_is_file(const SurfaceModel& model) {
+  const auto counts_up = [](const std::vector<int>& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (numbers[i] != static_cast<int>(i)) return false;
+    return true;
+  };
+  return model.soup_vertex.size() == model.soup.points.size() && model.soup_face.size() == model.soup.triangles.size() &&
+         model.repairs.reoriented_faces == 0 && counts_up(model.soup_vertex) && counts_up(model.soup_face);
+}
+
 }  // namespace
 
 void load_scan(const QString& path, const LoadStages& stages, const CancelToken& cancel) {
@@ -28,7 +39,8 @@ void load_scan(const QString& path, const LoadStages& stages, const CancelToken&
   scan.path = path.isEmpty() ? tr("Sample") : path;
   scan.import = imported.report;
   scan.origin = scene_origin(imported.soup);
-  stages.picture(std::make_shared<SurfaceShape>(shape_of(imported.soup, scan.origin)));
+  scan.shape = std::make_shared<SurfaceShape>(shape_of(imported.soup, scan.origin));
+  stages.picture(scan.shape);
   if (cancel.cancelled()) return;
 
   stages.stage(tr("Looking for holes"));
@@ -36,7 +48,8 @@ void load_scan(const QString& path, const LoadStages& stages, const CancelToken&
   if (cancel.cancelled()) return;
   scan.loops = find_boundary_loops(*scan.model);
   if (cancel.cancelled()) return;
-  scan.shape = std::make_shared<SurfaceShape>(shape_of(scan.model->mesh, CurvatureField{}, scan.origin));
+  if (!view_is_file(*scan.model))
+    scan.shape = std::make_shared<SurfaceShape>(shape_of(scan.model->mesh, CurvatureField{}, scan.origin));
   if (cancel.cancelled()) return;
   const auto model = scan.model;
   const Vec3 origin = scan.origin;

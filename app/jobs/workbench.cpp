@@ -185,7 +185,7 @@ void Workbench::evolve(const std::set<int>& patch_ids, FlowKind flow, double sig
 
 void Workbench::take_snapshots() {
   if (!mailbox_) return;
-  for (auto& [id, state] : mailbox_->take()) document_.set_state(id, std::move(state));
+  document_.set_states(mailbox_->take());
 }
 
 void Workbench::on_evolved(const EvolveResult& result) {

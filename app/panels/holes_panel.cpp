@@ -40,7 +40,7 @@ HolesPanel::HolesPanel(const Document& document, HoleSelection& selection, QWidg
   layout->addLayout(top);
   layout->addWidget(table_, 1);
 
-  connect(&document, &Document::opened, this, &HolesPanel::update_summary);
+  connect(&document, &Document::opened, this, &HolesPanel::on_opened);
   connect(&document, &Document::holes_changed, this, &HolesPanel::update_summary);
   connect(all_, &QPushButton::clicked, this, &HolesPanel::select_all_holes);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HolesPanel::take_selection);
@@ -75,10 +75,24 @@ void HolesPanel::build_table() {
   header->setSectionResizeMode(QHeaderView::Interactive);
   header->setStretchLastSection(true);
   header->setMinimumSectionSize(30);
-  const int letter = fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  for (const auto& [column, letters] : {std::pair{HoleTable::number, 4}, {HoleTable::edges, 7}, {HoleTable::perimeter, 10},
-                                        {HoleTable::diameter, 9}, {HoleTable::kind, 9}, {HoleTable::state, 11}})
-    header->resizeSection(column, letter * letters);
+  header->setResizeContentsPrecision(100);
+  fit_columns();
+}
+
+/// The state column takes what is left; it should be enough for its longest word.
+void HolesPanel::fit_columns() {
+  constexpr int margin = 14, arrow = 14;
+  const QFontMetrics letters(table_->horizontalHeader()->font());
+  for (int column = HoleTable::number; column < HoleTable::state; ++column) {
+    const int title = letters.horizontalAdvance(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    const int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
+    table_->setColumnWidth(column, std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
+  }
+}
+
+void HolesPanel::on_opened() {
+  fit_columns();
+  update_summary();
 }
 
 int HolesPanel::loop_at(const QModelIndex& proxy_index) const {
@@ -131,7 +145,8 @@ void HolesPanel::update_summary() {
   } else if (count == 0) {
     summary_->setText(tr("No holes: closed surface"));
   } else {
-    const QString text = holes == 1 ? tr("1 hole, %1 open").arg(open) : tr("%1 holes, %2 open").arg(holes).arg(open);
+    QString text = holes == 1 ? tr("1 hole, %1 open").arg(open) : tr("%1 holes, %2 open").arg(holes).arg(open);
+    if (count > holes) text += tr("; %1 left out").arg(count - holes);
     summary_->setText(text);
   }
 }

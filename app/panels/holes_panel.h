@@ -31,6 +31,8 @@ class HolesPanel : public QWidget {
   void take_selection();
   void show_selection();
   void show_hover();
+  void fit_columns();
+  void on_opened();
   void update_summary();
   void select_all_holes();
   int loop_at(const QModelIndex& proxy_index) const;

@@ -169,7 +169,9 @@ void PatchPanel::connect_parts() {
   connect(&workbench_, &Workbench::progress_changed, this, &PatchPanel::show_progress);
   connect(&selection_, &HoleSelection::selection_changed, this, &PatchPanel::update_state);
   connect(&document_, &Document::opened, this, &PatchPanel::update_state);
+  connect(&document_, &Document::patches_changed, this, &PatchPanel::update_state);
   connect(&document_, &Document::holes_changed, this, &PatchPanel::update_state);
+  connect(&document_, &Document::patch_moved, this, &PatchPanel::update_live_figures);
 }
 
 void PatchPanel::fill() {
@@ -231,7 +233,8 @@ void PatchPanel::update_state() {
   if (!document_.has_scan()) {
     fill_target_->setText(tr("Open a scan first."));
   } else if (to_fill.empty()) {
-    fill_target_->setText(chosen ? tr("The selection is filled already.") : tr("No open hole is left."));
+    fill_target_->setText(chosen ? tr("The selection is filled already.")
+                                 : tr("No open hole is left. To fill a loop that is left out, select it."));
   } else {
     fill_target_->setText(chosen ? first_upper(words::holes(document_, to_fill)) + tr(", selected")
                                  : tr("All open holes (%1)").arg(to_fill.size()));
@@ -258,14 +261,12 @@ void PatchPanel::update_state() {
   update_live_figures();
 }
 
-void PatchPanel::update_live_figures() {
-  const OpenPatch* shown = nullptr;
-  for (int id : patches_to_move()) {
-    const OpenPatch* patch = document_.patch(id);
-    if (!patch || patch->state->steps == 0) continue;
-    const bool running = document_.state(patch->loops.front()) == HoleState::running;
-    if (!shown || running) shown = patch;
-  }
+void PatchPanel::update_live_figures(int moved_id) {
+  const OpenPatch* shown = document_.patch(moved_id);
+  if (!shown)
+    for (int id : patches_to_move())
+      if (const OpenPatch* patch = document_.patch(id); patch->state->steps > 0) shown = patch;
+  if (shown && shown->state->steps == 0) shown = nullptr;
   if (!shown) {
     figures_->clear();
     return;

@@ -35,7 +35,7 @@ class PatchPanel : public QWidget {
   QWidget* build_progress();
   void connect_parts();
   void update_state();
-  void update_live_figures();
+  void update_live_figures(int moved_id = 0);
   void show_progress(int done, int total);
 
   std::set<int> loops_to_fill() const;

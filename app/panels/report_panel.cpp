@@ -19,6 +19,7 @@ namespace loopmend {
 namespace {
 
 constexpr std::size_t most_rows = 200;
+constexpr int refresh_ms = 120;  ///< while a flow runs
 enum Column { hole, gap, angle_rms, angle_max, jump_rms, jump_max, jump_free, column_count };
 
 double value(const SeamReport& seam, int column) {
@@ -65,8 +66,12 @@ ReportPanel::ReportPanel(const Document& document, const HoleSelection& selectio
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(split);
+  soon_.setSingleShot(true);
+  soon_.setInterval(refresh_ms);
+  connect(&soon_, &QTimer::timeout, this, &ReportPanel::update_seam);
   connect(&document, &Document::opened, this, &ReportPanel::update_seam);
-  connect(&document, &Document::holes_changed, this, &ReportPanel::update_seam);
+  connect(&document, &Document::patches_changed, this, &ReportPanel::update_seam);
+  connect(&document, &Document::patch_moved, this, &ReportPanel::update_seam_soon);
   connect(&selection, &HoleSelection::selection_changed, this, &ReportPanel::update_seam);
   update_seam();
 }
@@ -136,6 +141,10 @@ std::vector<int> ReportPanel::shown_loops() const {
     if (wanted && document_.patch_of(loop)) loops.push_back(loop);
   }
   return loops;
+}
+
+void ReportPanel::update_seam_soon() {
+  if (!soon_.isActive()) soon_.start();
 }
 
 void ReportPanel::update_seam() {

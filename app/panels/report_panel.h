@@ -1,6 +1,7 @@
 // The bottom dock: the seam of the selected holes before and after, in numbers and a sentence, and a log.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -25,12 +26,14 @@ class ReportPanel : public QWidget {
   QWidget* build_seam();
   QWidget* build_log();
   void update_seam();
+  void update_seam_soon();
   void fill_row(int row, int loop);
   std::vector<int> shown_loops() const;
   void copy_seam() const;
 
   const Document& document_;
   const HoleSelection& selection_;
+  QTimer soon_;
   QTableWidget* seam_ = nullptr;
   QLabel* sentence_ = nullptr;
   QPlainTextEdit* log_ = nullptr;

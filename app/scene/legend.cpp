@@ -9,6 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -85,6 +86,7 @@ Legend::Legend(vtkLookupTable* table) : table_(table) {
 Legend::~Legend() = default;
 
 void Legend::add_to(vtkRenderer* renderer) {
+  renderer_ = renderer;
   for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) renderer->AddActor2D(part);
   for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) renderer->AddActor2D(text);
   for (auto& label : labels_) renderer->AddActor2D(label);
@@ -113,7 +115,7 @@ void Legend::set_ink(double grey) {
   ticks_->GetProperty()->SetColor(grey, grey, grey);
   const double ground = grey < 0.5 ? 0.955 : 0.15;
   ground_->GetProperty()->SetColor(ground, ground, ground);
-  ground_->GetProperty()->SetOpacity(0.78);
+  ground_->GetProperty()->SetOpacity(0.62);
 }
 
 void Legend::lay_out(int width, int height) {
@@ -126,7 +128,7 @@ void Legend::lay_out(int width, int height) {
   const double bar_top = top - 64 * ratio_, bottom = bar_top - bar_height;
   build_bar(right - bar_width, bottom, bar_width, bar_height);
   place(bulging_, right, bottom - 18 * ratio_, 11);
-  build_ground(right - 126 * ratio_, bottom - 30 * ratio_, right + 8 * ratio_, top + 8 * ratio_);
+  build_ground(right - 122 * ratio_, bottom - 30 * ratio_, right + 8 * ratio_, top + 8 * ratio_);
   const double range = table_->GetRange()[1];
   for (int i = 0; i < label_count; ++i) {
     const double t = static_cast<double>(i) / (label_count - 1);
@@ -138,7 +140,10 @@ void Legend::lay_out(int width, int height) {
 }
 
 void Legend::place(vtkTextActor* text, double x, double y, int logical_size) {
-  text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(logical_size * ratio_)));
+  // Qt's window scales its DPI, and VTK its text with it; the ratio has been taken into account already.
+  constexpr double plain_dpi = 72;
+  const double dpi = renderer_ && renderer_->GetRenderWindow() ? renderer_->GetRenderWindow()->GetDPI() : plain_dpi;
+  text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(logical_size * ratio_ * plain_dpi / dpi)));
   text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   text->SetPosition(std::lround(x), std::lround(y));
 }

@@ -35,6 +35,7 @@ class Legend {
   static constexpr int label_count = 5;
   double ratio_ = 1;
   vtkLookupTable* table_;
+  vtkRenderer* renderer_ = nullptr;
   vtkNew<vtkActor2D> ground_, bar_, ticks_;
   vtkNew<vtkTextActor> title_, unit_, hollow_, bulging_;
   std::array<vtkNew<vtkTextActor>, label_count> labels_;

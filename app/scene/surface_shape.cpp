@@ -121,7 +121,9 @@ double symmetric_range(std::span<const float> H) {
     return std::abs(static_cast<double>(*at));
   };
   const double range = std::max(quantile(0.02), quantile(0.98));
-  return range > 0 ? range : 1;
+  if (!(range > 0)) return 1;
+  const double unit = std::pow(10.0, std::floor(std::log10(range)) - 1);
+  return std::round(range / unit) * unit;
 }
 
 }  // namespace loopmend

@@ -31,7 +31,8 @@ SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Ve
 /// The patch and the three rings around it, where its H runs into that of the open scan.
 SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin);
 
-/// Half-width R of the colour range [−R, R]: the larger of |2nd| and |98th percentile|; 1 when nothing is known.
+/// Half-width R of the colour range [−R, R]: the larger of |2nd| and |98th percentile|, rounded to two digits so that
+/// the legend reads well; 1 when nothing is known.
 double symmetric_range(std::span<const float> H);
 
 }  // namespace loopmend

@@ -123,6 +123,7 @@ void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
   impl_->preview_shown = true;
   impl_->scene.clear();
   impl_->picker.set_loops({});
+  impl_->loop_styles.clear();
   impl_->overlay->clear_highlight();
   impl_->scene.set_surface(std::move(shape));
   frame();
@@ -148,6 +149,7 @@ void MeshView::on_opened() {
   std::vector<std::vector<float>> lines;
   for (const BoundaryLoop& loop : scan.loops) lines.push_back(line_of(scan, loop));
   impl_->picker.set_loops(std::move(lines));
+  impl_->loop_styles.clear();
   impl_->seen_camera = 0;
   update_loops();
   frame();
@@ -171,13 +173,14 @@ void MeshView::on_patch_moved(int id) {
 void MeshView::update_loops() {
   if (!impl_->document.has_scan()) return;
   const OpenedScan& scan = impl_->document.scan();
+  std::vector<LoopStyle> styles;
+  for (int loop = 0; loop < static_cast<int>(scan.loops.size()); ++loop)
+    styles.push_back(impl_->selection.selected().contains(loop) ? LoopStyle::selected
+                                                                : style_of(impl_->document.state(loop)));
+  if (styles == impl_->loop_styles) return;
+  impl_->loop_styles = styles;
   std::vector<LoopLine> lines(scan.loops.size());
-  for (std::size_t l = 0; l < lines.size(); ++l) {
-    lines[l].points = line_of(scan, scan.loops[l]);
-    const int loop = static_cast<int>(l);
-    lines[l].style = impl_->selection.selected().contains(loop) ? LoopStyle::selected
-                                                                : style_of(impl_->document.state(loop));
-  }
+  for (std::size_t l = 0; l < lines.size(); ++l) lines[l] = {line_of(scan, scan.loops[l]), styles[l]};
   impl_->scene.set_loops(lines);
   redraw();
 }

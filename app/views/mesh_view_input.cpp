@@ -127,9 +127,10 @@ void MeshView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   impl_->overlay->setGeometry(rect());
   impl_->overlay->raise();
-  const QSize size = impl_->pixels();
-  impl_->scene.set_pixel_ratio(impl_->canvas->devicePixelRatioF());
+  const QSize size = this->size() * devicePixelRatioF();
+  impl_->scene.set_pixel_ratio(devicePixelRatioF());
   impl_->scene.set_size(size.width(), size.height());
+  redraw();  // the canvas was drawn at its new size before the legend knew of it
 }
 
 void MeshView::changeEvent(QEvent* event) {

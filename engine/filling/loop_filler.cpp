@@ -169,6 +169,21 @@ bool closes_a_lone_triangle(const LoopSite& site) {
          });
 }
 
+std::string reason_not_to_fill(const BoundaryLoop& loop) {
+  if (!(loop.diameter > 0)) return "all vertices of the loop are in one place";
+  switch (loop.kind) {
+    case LoopKind::hole:
+    case LoopKind::outer_rim: return "";
+    case LoopKind::touching:
+      return "the loop touches another loop, or itself, at a vertex: which way round to fill it is not determined";
+    case LoopKind::crack:
+      return "a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them; welding "
+             "the vertices joins them";
+    case LoopKind::cut: return "the loop runs along an edge with more than two faces: it is no hole of the surface";
+  }
+  return "";
+}
+
 std::string remaining_faults(const FillerQuality& quality) {
   std::string text;
   if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
@@ -184,18 +199,8 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
   if (!(options.density >= 0.1 && options.density <= 10))
     throw InvalidArgument("density must lie between 0.1 and 10, not " + std::to_string(options.density));
   FillerOutcome outcome;
-  if (loop.kind == LoopKind::touching) {
-    outcome.message = "the loop touches another loop, or itself, at a vertex: which way round to fill it is not determined";
-    return outcome;
-  }
-  if (loop.kind == LoopKind::cut) {
-    outcome.message = "the loop runs along an edge with more than two faces: it is no hole of the surface";
-    return outcome;
-  }
-  if (!(loop.diameter > 0)) {
-    outcome.message = "all vertices of the loop are in one place";
-    return outcome;
-  }
+  outcome.message = reason_not_to_fill(loop);
+  if (!outcome.message.empty()) return outcome;
   const LoopSite site = make_site(model, loop);
   if (closes_a_lone_triangle(site)) {
     outcome.message = "the loop is the rim of a single triangle";

@@ -235,6 +235,13 @@ void write_file_atomically(const std::filesystem::path& path, const std::functio
   sync_folder(folder);
 }
 
+void check_writable(const std::filesystem::path& path) {
+  if (!path.has_filename()) throw WriteError(path, "is not a file name", "Choose a file name.");
+  const std::filesystem::path target = follow_links(path);
+  existing_file(path, target);
+  const TemporaryFile probe(path, target.parent_path());  // gone at once
+}
+
 void remove_unfinished_files() noexcept {
   for (UnfinishedFile& file : unfinished_files) {
     if (file.state.load() == UnfinishedFile::named) ::unlink(file.path.data());

@@ -13,6 +13,11 @@ namespace loopmend {
 /// @throws WriteError naming the path and the system's reason.
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
+/// Tells before long work whether write_file_atomically could begin: the folder is there and takes a new file, and what
+/// stands at `path` is a regular file that may be replaced. Leaves nothing behind.
+/// @throws WriteError as write_file_atomically.
+void check_writable(const std::filesystem::path& path);
+
 /// Removes temporary files of writes that are under way in this process. Async-signal-safe enough for an exit path:
 /// call it only right before _exit.
 void remove_unfinished_files() noexcept;

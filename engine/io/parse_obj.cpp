@@ -13,8 +13,8 @@ namespace loopmend {
 
 namespace {
 
-template <std::size_t n>
-bool is_among(std::string_view word, const std::array<std::string_view, n>& words) {
+template <std::size_t Size>
+bool is_among(std::string_view word, const std::array<std::string_view, Size>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 

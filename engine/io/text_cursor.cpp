@@ -1,11 +1,8 @@
 #include "io/text_cursor.h"
 
-#include <locale.h>
-
 #include <charconv>
-#include <cmath>
+#include <clocale>
 #include <cstdlib>
-#include <limits>
 #include <system_error>
 
 namespace loopmend {

@@ -36,6 +36,7 @@ class Output {
   }
   Output& operator<<(char c) { return *this << std::string_view(&c, 1); }
   Output& operator<<(double value) { return number(value); }
+  Output& operator<<(float value) { return number(value); }
   Output& operator<<(int value) { return number(value); }
   Output& operator<<(std::size_t value) { return number(value); }
 
@@ -158,7 +159,7 @@ void write_stl_binary(Output& out, const TriangleSoup& soup) {
 void write_stl_text(Output& out, const TriangleSoup& soup) {
   out << "solid loopmend\n";
   for (const Triangle& triangle : soup.triangles) {
-    const Vec3 n = unit_normal(soup, triangle);
+    const Eigen::Vector3f n = unit_normal(soup, triangle).cast<float>();  // readers compute it anew: keep it short
     out << "facet normal " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n outer loop\n";
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3& p = corner(soup, triangle, i);
@@ -210,28 +211,37 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
+enum class Format { ply, stl, obj, off };
+
+Format format_of(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".ply") return Format::ply;
+  if (extension == ".stl") return Format::stl;
+  if (extension == ".obj") return Format::obj;
+  if (extension == ".off") return Format::off;
+  throw WriteError(path, extension.empty() ? "the name has no extension" : "unknown format \"" + extension + "\"",
+                   "Choose a name that ends in .ply, .stl, .obj or .off.");
+}
+
 }  // namespace
+
+void check_mesh_writable(const std::filesystem::path& path) {
+  format_of(path);
+  check_writable(path);
+}
 
 void write_mesh(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding) {
   require_valid(soup);
-  const std::string extension = lower_extension(path);
-  std::function<void(Output&)> write;
-  if (extension == ".ply") {
-    write = [&](Output& out) { write_ply(out, soup, encoding); };
-  } else if (extension == ".stl") {
-    if (encoding == Encoding::binary) require_float_range(path, soup);
-    write = [&](Output& out) { write_stl(out, soup, encoding); };
-  } else if (extension == ".obj") {
-    write = [&](Output& out) { write_obj(out, soup); };
-  } else if (extension == ".off") {
-    write = [&](Output& out) { write_off(out, soup); };
-  } else {
-    throw WriteError(path, extension.empty() ? "the name has no extension" : "unknown format \"" + extension + "\"",
-                     "Choose a name that ends in .ply, .stl, .obj or .off.");
-  }
+  const Format format = format_of(path);
+  if (format == Format::stl && encoding == Encoding::binary) require_float_range(path, soup);
   write_file_atomically(path, [&](std::ostream& stream) {
     Output out(stream);
-    write(out);
+    switch (format) {
+      case Format::ply: return write_ply(out, soup, encoding);
+      case Format::stl: return write_stl(out, soup, encoding);
+      case Format::obj: return write_obj(out, soup);
+      case Format::off: return write_off(out, soup);
+    }
   });
 }
 

@@ -17,4 +17,8 @@ enum class Encoding { binary, ascii };
 ///         finite, colours but not one per point.
 void write_mesh(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding = Encoding::binary);
 
+/// Tells before long work whether write_mesh could begin: known extension, folder that takes a file. Writes nothing.
+/// @throws WriteError as write_mesh.
+void check_mesh_writable(const std::filesystem::path& path);
+
 }  // namespace loopmend

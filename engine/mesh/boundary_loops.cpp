@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -102,6 +103,28 @@ class SoupEdges {
   std::unordered_map<std::uint64_t, int> faces_;
 };
 
+/// Fills BoundaryLoop::coincident.
+void count_coincident(const SurfaceModel& model, std::vector<BoundaryLoop>& loops) {
+  using Place = std::array<double, 3>;
+  const auto place = [&](int v) {
+    const Vec3 p = model.mesh.point(TriMesh::VertexHandle(v));
+    return Place{p.x(), p.y(), p.z()};
+  };
+  std::vector<std::pair<std::pair<Place, Place>, BoundaryLoop*>> edges;
+  for (BoundaryLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+      const Place a = place(loop.vertices[i]), b = place(loop.vertices[(i + 1) % loop.vertices.size()]);
+      edges.push_back({std::minmax(a, b), &loop});
+    }
+  std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t j = i;
+    while (j < edges.size() && edges[j].first == edges[i].first) ++j;
+    for (std::size_t k = i; k < j && j - i > 1; ++k) ++edges[k].second->coincident;
+    i = j;
+  }
+}
+
 LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const std::map<int, int>& visits,
                  const SoupEdges& edges) {
   const std::size_t n = loop.vertices.size();
@@ -112,6 +135,7 @@ LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const std:
     touching = touching || visits.at(a) > 1;
   }
   if (touching) return LoopKind::touching;
+  if (loop.coincident == loop.edges()) return LoopKind::crack;
   return loop.turning > outer_rim_turning ? LoopKind::outer_rim : LoopKind::hole;
 }
 
@@ -122,6 +146,7 @@ const char* to_string(LoopKind kind) {
     case LoopKind::hole: return "hole";
     case LoopKind::outer_rim: return "outer rim";
     case LoopKind::touching: return "touching";
+    case LoopKind::crack: return "crack";
     case LoopKind::cut: return "cut";
   }
   return "";
@@ -133,6 +158,7 @@ std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {
   for (const BoundaryLoop& loop : loops)
     for (int v : loop.vertices) ++visits[model.soup_vertex[v]];
   const SoupEdges edges(model);
+  count_coincident(model, loops);
   for (BoundaryLoop& loop : loops) {
     measure(model, loop);
     loop.kind = kind_of(model, loop, visits, edges);

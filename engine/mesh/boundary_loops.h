@@ -12,6 +12,7 @@ enum class LoopKind {
   hole,       ///< can be filled
   outer_rim,  ///< the rim of an open sheet: filled only when asked for
   touching,   ///< passes twice through one vertex, or meets another loop there
+  crack,      ///< each edge lies exactly on another boundary edge: nothing is missing, the sides are only not joined
   cut,        ///< runs along a non-manifold edge, where the view was cut: not a hole of the surface
 };
 
@@ -27,6 +28,7 @@ struct BoundaryLoop {
   double area = 0;            ///< of the projection to the best plane
   double turning = 0;         ///< total geodesic curvature seen from the surface, in units of 2π: −1 round hole, +1 rim of a sheet
   Vec3 center = Vec3::Zero(); ///< mean of the loop's vertices
+  int coincident = 0;         ///< edges that lie exactly on another boundary edge, of this loop or another
   LoopKind kind = LoopKind::hole;
 
   int edges() const { return static_cast<int>(vertices.size()); }

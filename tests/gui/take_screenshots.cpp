@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QPalette>
+#include <QPushButton>
 #include <QScreen>
 #include <QTest>
 #include <QTimer>
@@ -31,6 +32,8 @@ QPalette dark_palette() {
   p.setColor(QPalette::AlternateBase, QColor(44, 47, 52));
   p.setColor(QPalette::Highlight, QColor(64, 112, 176));
   for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) p.setColor(role, QColor(228, 230, 232));
+  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    p.setColor(QPalette::Disabled, role, QColor(122, 126, 132));
   p.setColor(QPalette::PlaceholderText, QColor(160, 164, 170));
   return p;
 }
@@ -78,6 +81,11 @@ void story(MainWindow& window, const QString& file) {
   }
   gaps.report("hover and select");
   window.selection().select({});
+  if (!part<QPushButton>(window, "fill")->isEnabled()) {
+    std::set<int> all;
+    for (int i = 0; i < static_cast<int>(window.document().loops().size()); ++i) all.insert(i);
+    window.selection().select(all);
+  }
   press(window, "fill");
   wait_idle(window);
   shoot(window, "5-filled");

@@ -156,6 +156,7 @@ TEST_F(AtomicFile, UnfinishedFilesCanBeRemovedOnTheWayOut) {
 
 TEST_F(AtomicFile, ManyThreadsAtOnce) {
   std::vector<std::thread> threads;
+  threads.reserve(24);
   for (int t = 0; t < 24; ++t) {  // more than the list of unfinished files is long
     threads.emplace_back([&, t] { put(folder_ / std::to_string(t), std::string(1000, static_cast<char>('a' + t))); });
   }

@@ -49,6 +49,7 @@ TEST(TriangulatePolygon, ConcaveQuadTakesTheDiagonalInside) {
   expect_covers(dart, triangulate(dart), {0, 0, 4});
   for (int turn = 1; turn < 4; ++turn) {
     std::vector<int> polygon;
+    polygon.reserve(4);
     for (int i = 0; i < 4; ++i) polygon.push_back((i + turn) % 4);
     expect_covers(dart, triangulate(dart, polygon), {0, 0, 4});
   }
@@ -104,6 +105,7 @@ TEST(TriangulatePolygon, LargePolygonsDoNotTakeForEver) {
   }
   triangulate(star);
   std::vector<int> knot;
+  knot.reserve(20000);
   for (int i = 0; i < 20000; ++i) knot.push_back((i * 7919) % 20000);
   triangulate(star, knot);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));

@@ -12,7 +12,7 @@ class WriteMesh : public ReadTest {
  protected:
   ImportedMesh round_trip(const std::string& name, const TriangleSoup& soup, Encoding encoding = Encoding::binary) {
     write_mesh(folder_ / name, soup, encoding);
-    const ImportedMesh mesh = read_mesh(folder_ / name);
+    ImportedMesh mesh = read_mesh(folder_ / name);
     expect_valid(mesh);
     return mesh;
   }

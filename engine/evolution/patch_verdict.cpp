@@ -1,0 +1,98 @@
+#include "evolution/patch_verdict.h"
+
+#include "mesh/quality.h"
+
+#include <Eigen/Geometry>
+
+#include <numeric>
+#include <unordered_map>
+
+namespace loopmend {
+
+namespace {
+
+Triangles view_triangles(const TriMesh& mesh) {
+  Triangles triangles;
+  triangles.reserve(mesh.n_faces());
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge_handle(f);
+    triangles.push_back({mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(),
+                         mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx()});
+  }
+  return triangles;
+}
+
+Points view_points(const TriMesh& mesh) {
+  Points points;
+  points.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) points.push_back(mesh.point(v));
+  return points;
+}
+
+/// For each triangle of the patch, how many others it cuts, of the patch or of the model.
+std::vector<int> intersections_of(const FillSite& site, const PatchGeometry& patch) {
+  const int rim = static_cast<int>(patch.rim.size());
+  Points points;
+  Eigen::AlignedBox3d box;
+  for (int v : patch.rim) points.push_back(site.points[v]);
+  points.insert(points.end(), patch.points.begin(), patch.points.end());
+  for (const Vec3& p : points) box.extend(p);
+  Triangles triangles = patch.triangles;
+  std::unordered_map<int, int> local;
+  for (int i = 0; i < rim; ++i) local.emplace(patch.rim[i], i);
+  for (int f : site.index.near(box.min(), box.max())) {
+    Triangle t = site.triangles[f];
+    for (int& v : t) {
+      const auto [entry, added] = local.emplace(v, static_cast<int>(points.size()));
+      if (added) points.push_back(site.points[v]);
+      v = entry->second;
+    }
+    triangles.push_back(t);
+  }
+  const int own = static_cast<int>(patch.triangles.size());
+  std::vector<int> count(own, 0);
+  for (const auto& [f, g] : self_intersections(points, triangles, own)) {
+    ++count[f];
+    if (g < own) ++count[g];
+  }
+  return count;
+}
+
+}  // namespace
+
+FillSite::FillSite(const SurfaceModel& surface)
+    : model(surface),
+      points(view_points(surface.mesh)),
+      triangles(view_triangles(surface.mesh)),
+      index(points, triangles) {}
+
+int PatchVerdict::total() const { return std::accumulate(intersections.begin(), intersections.end(), 0); }
+
+std::vector<int> loop_of_triangles(const Patch& patch) {
+  std::vector<int> part(patch.vertex_count());
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&](int v) {
+    while (part[v] != v) v = part[v] = part[part[v]];
+    return v;
+  };
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    for (int k = 1; k < 3; ++k) part[root(patch.triangles[f][k])] = root(patch.triangles[f][0]);
+  std::unordered_map<int, int> loop_at;
+  for (std::size_t l = 0; l < patch.loops.size(); ++l) loop_at[root(patch.loops[l].front())] = static_cast<int>(l);
+  std::vector<int> loop(patch.patch_triangles);
+  for (int f = 0; f < patch.patch_triangles; ++f) loop[f] = loop_at.at(root(patch.triangles[f][0]));
+  return loop;
+}
+
+PatchVerdict judge(const FillSite& site, const Patch& patch) {
+  PatchVerdict verdict;
+  verdict.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  verdict.intersections.assign(patch.loops.size(), 0);
+  const std::vector<int> loop = loop_of_triangles(patch), count = intersections_of(site, patch_geometry(patch));
+  for (int f = 0; f < patch.patch_triangles; ++f) verdict.intersections[loop[f]] += count[f];
+  return verdict;
+}
+
+bool no_worse(const PatchVerdict& a, const PatchVerdict& b) { return a.folds <= b.folds && a.total() <= b.total(); }
+
+}  // namespace loopmend

@@ -1,0 +1,179 @@
+#include "evolution/solve_group.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace loopmend {
+
+namespace {
+
+LoopStatus status_after(EvolutionStatus status) {
+  return status == EvolutionStatus::step_limit ? LoopStatus::step_limit : LoopStatus::converged;
+}
+
+/// Free vertices of the part of the patch that each loop bounds.
+std::vector<int> free_vertices_per_loop(const Patch& patch) {
+  const std::vector<int> loop = loop_of_triangles(patch);
+  std::vector<int> owner(patch.free_count, 0), result(patch.loops.size(), 0);
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    for (int v : patch.triangles[f])
+      if (v < patch.free_count) owner[v] = loop[f];
+  for (int l : owner) ++result[l];
+  return result;
+}
+
+struct Evolved {
+  Patch patch;
+  LoopStatus status = LoopStatus::filled;
+  std::string message;
+  int steps = 0;
+  double bending = 0;
+  double assemble = 0, solve = 0, initial_energy = 0, final_energy = 0;
+};
+
+void take_figures(const Evolution& evolution, Evolved& result) {
+  result.steps = static_cast<int>(evolution.history().size());
+  for (const StepRecord& step : evolution.history()) {
+    result.assemble += step.assemble_seconds;
+    result.solve += step.solve_seconds;
+  }
+  result.initial_energy = evolution.initial_energy();
+  result.final_energy = evolution.energy();
+}
+
+/// One run of the flow from the filler. @returns true if its result may be kept.
+bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptions& options, const CancelToken& cancel,
+                 Evolved& result) {
+  Evolution evolution(filler, options);
+  const EvolutionStatus status = evolution.run(nullptr, cancel);
+  take_figures(evolution, result);
+  if (status == EvolutionStatus::cancelled) return false;
+  if (status == EvolutionStatus::failed && evolution.history().empty()) {
+    result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
+    return false;
+  }
+  if (!no_worse(judge(site, evolution.patch()), judge(site, filler))) {
+    result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
+    return false;
+  }
+  result.patch = evolution.patch();
+  result.status = status_after(status);
+  result.message = evolution.message();
+  result.bending = evolution.bending();
+  return true;
+}
+
+/// The flow from the filler. Where the sixth order would spoil the patch, bending energy is blended in; where that does
+/// not help either, the filler stays and the message says so.
+Evolved evolve(const FillSite& site, const Patch& filler, const EvolutionOptions& options, const CancelToken& cancel) {
+  Evolved result;
+  result.patch = filler;
+  if (filler.free_count == 0) {
+    result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    return result;
+  }
+  if (evolve_once(site, filler, options, cancel, result) || cancel.cancelled()) return result;
+  if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
+    for (double bending : {60.0, 300.0}) {
+      EvolutionOptions gentler = options;
+      gentler.bending = bending;
+      if (evolve_once(site, filler, gentler, cancel, result) || cancel.cancelled()) return result;
+    }
+  }
+  result.final_energy = result.initial_energy;
+  result.steps = 0;
+  return result;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void take_result(const Evolved& evolved, const Patch& filler, int loop, int free_vertices, LoopResult& result) {
+  result.status = evolved.status;
+  // What the filler lacked is past once the flow has mended it.
+  if (evolved.status != LoopStatus::filled || !evolved.message.empty()) result.message = evolved.message;
+  result.free_vertices = free_vertices;
+  result.steps = evolved.steps;
+  result.bending = evolved.bending;
+  result.energy = {evolved.initial_energy, evolved.final_energy};
+  result.seam_before = seam_report(filler, loop);
+  result.seam_after = seam_report(evolved.patch, loop);
+  result.seconds.assemble = evolved.assemble;
+  result.seconds.solve = evolved.solve;
+}
+
+GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
+                           const CancelToken& cancel) {
+  const auto start = std::chrono::steady_clock::now();
+  GroupOutcome outcome = failed_group(group, "");
+  const PatchStart first = start_patch(site.model, group, options.filler, cancel);
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    outcome.results[k].message = first.fillers[k].message;
+    outcome.results[k].seconds.filler = seconds_since(start);
+  }
+  if (!first.patch || cancel.cancelled()) return outcome;
+  Evolved evolved;
+  evolved.patch = *first.patch;
+  if (options.evolution) evolved = evolve(site, *first.patch, *options.evolution, cancel);
+  if (cancel.cancelled()) return outcome;
+
+  const PatchVerdict verdict = judge(site, evolved.patch);
+  const std::vector<int> free = free_vertices_per_loop(evolved.patch);
+  for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
+    LoopResult& result = *std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {
+      return r.loop.number == evolved.patch.loop_numbers[p];
+    });
+    if (verdict.total() == 0)
+      take_result(evolved, *first.patch, static_cast<int>(p), free[p], result);
+    else
+      result.message = "every patch that was found would cut the surface or itself, in " +
+                       std::to_string(verdict.intersections[p]) + " places: left open";
+    result.seconds.total = seconds_since(start);
+  }
+  if (verdict.total() == 0) outcome.geometry.push_back(patch_geometry(evolved.patch));
+  return outcome;
+}
+
+GroupOutcome solve_one_by_one(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
+                              const CancelToken& cancel) {
+  GroupOutcome outcome;
+  for (const BoundaryLoop& loop : group) {
+    GroupOutcome single = solve_jointly(site, {loop}, options, cancel);
+    outcome.results.push_back(std::move(single.results.front()));
+    if (!single.geometry.empty()) outcome.geometry.push_back(std::move(single.geometry.front()));
+  }
+  return outcome;
+}
+
+int count_status(const GroupOutcome& outcome, LoopStatus status) {
+  return static_cast<int>(std::count_if(outcome.results.begin(), outcome.results.end(),
+                                        [&](const LoopResult& r) { return r.status == status; }));
+}
+
+}  // namespace
+
+GroupOutcome failed_group(const std::vector<BoundaryLoop>& group, const std::string& why) {
+  GroupOutcome outcome;
+  for (const BoundaryLoop& loop : group) {
+    LoopResult result;
+    result.loop = loop;
+    result.status = LoopStatus::failed;
+    result.message = why;
+    outcome.results.push_back(std::move(result));
+  }
+  return outcome;
+}
+
+GroupOutcome solve_group(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
+                         const CancelToken& cancel) try {
+  GroupOutcome joint = solve_jointly(site, group, options, cancel);
+  const bool spoilt = count_status(joint, LoopStatus::failed) > 0 ||
+                      (options.evolution && count_status(joint, LoopStatus::filled) > 0);
+  if (group.size() == 1 || !spoilt || cancel.cancelled()) return joint;
+  return solve_one_by_one(site, group, options, cancel);
+} catch (const std::exception& error) {
+  return failed_group(group, error.what());
+}
+
+}  // namespace loopmend

@@ -1,0 +1,274 @@
+#include "cli/run_program.h"
+
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "mesh/boundary_loops.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <csignal>
+#include <fstream>
+#include <thread>
+#include <unistd.h>
+#include <sys/wait.h>
+
+namespace loopmend {
+namespace {
+
+using nlohmann::json;
+using test::loopmend_program;
+using test::Outcome;
+using testing::HasSubstr;
+
+/// One line for a person: no stack, no second line but the hint at the help.
+void expect_message(const Outcome& run, int code, const std::string& words) {
+  EXPECT_EQ(run.code, code) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("loopmend: "));
+  EXPECT_THAT(run.err, HasSubstr(words));
+  EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;
+}
+
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    const TriangleSoup two_holes =
+        cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9 || p.x() > 0.95; });
+    write_mesh(holes, two_holes);
+    write_mesh(closed, make_icosphere(2));
+  }
+  test::Workspace work;
+  const std::filesystem::path holes = work / "two holes.ply", closed = work / "closed.ply", out = work / "out.ply";
+  std::string in_out() const { return "'" + holes.string() + "' -o '" + out.string() + "' "; }
+};
+
+TEST_F(Cli, HelpAndVersion) {
+  EXPECT_EQ(loopmend_program("--version").out, "loopmend 0.1.0\n");
+  for (const char* command : {"", "info ", "fill ", "sample ", "render "}) {
+    const Outcome run = loopmend_program(std::string(command) + "--help");
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.out, HasSubstr("loopmend"));
+  }
+  EXPECT_THAT(loopmend_program("fill --help").out, HasSubstr("Examples:"));
+}
+
+TEST_F(Cli, InfoListsLoopsByFallingSize) {
+  const Outcome run = loopmend_program("info '" + holes.string() + "'");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, HasSubstr("2 boundary loops"));
+  const json report = json::parse(loopmend_program("info '" + holes.string() + "' --json -").out);
+  ASSERT_EQ(report["loops"].size(), 2u);
+  EXPECT_EQ(report["loops"][0]["number"], 1);
+  EXPECT_EQ(report["loops"][0]["kind"], "hole");
+  EXPECT_GT(report["loops"][0]["perimeter"], report["loops"][1]["perimeter"]);
+  EXPECT_EQ(report["input"]["path"], holes.string());
+}
+
+TEST_F(Cli, FillClosesAllHolesAndReports) {
+  const Outcome run = loopmend_program("fill " + in_out() + "--report -");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(run.out);
+  EXPECT_EQ(report["version"], "0.1.0");
+  EXPECT_THAT(report["command_line"].get<std::string>(), HasSubstr("'" + holes.string() + "'"));
+  EXPECT_EQ(report["exterior_unchanged"], true);
+  EXPECT_GT(report["peak_memory_mb"], 1);
+  EXPECT_GT(report["total_seconds"], 0);
+  for (const json& loop : report["loops"]) {
+    EXPECT_EQ(loop["status"], "converged");
+    for (const char* key : {"number", "edges", "perimeter", "diameter", "kind", "message", "free_vertices", "steps"})
+      EXPECT_TRUE(loop.contains(key)) << key;
+    for (const char* key : {"filler", "assemble", "solve", "total"}) EXPECT_TRUE(loop["seconds"].contains(key)) << key;
+    EXPECT_LT(loop["energy"]["final"], 1e-4 * loop["energy"]["initial"].get<double>());
+    for (const char* side : {"seam_before", "seam_after"})
+      for (const char* key :
+           {"g0_gap", "g1_rms_deg", "g1_max_deg", "h_jump_rms", "h_jump_max", "h_jump_rms_times_diameter"})
+        EXPECT_TRUE(loop[side].contains(key)) << key;
+    EXPECT_LT(loop["seam_after"]["g1_rms_deg"], 0.2);
+  }
+  const TriangleSoup before = read_mesh(holes).soup, after = read_mesh(out).soup;
+  EXPECT_EQ(std::memcmp(before.points.data(), after.points.data(), before.points.size() * sizeof(Vec3)), 0);
+  EXPECT_TRUE(std::equal(before.triangles.begin(), before.triangles.end(), after.triangles.begin()));
+  EXPECT_TRUE(find_boundary_loops(make_surface_model(after)).empty());
+}
+
+TEST_F(Cli, LoopsAreChosenByNumberVertexAndSize) {
+  const auto status = [&](const std::string& options) {
+    const Outcome run = loopmend_program("fill " + in_out() + options + " --flow none --quiet --report -");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    return report["loops"][0]["status"].get<std::string>() + " " + report["loops"][1]["status"].get<std::string>();
+  };
+  EXPECT_EQ(status("--loops all"), "filled filled");
+  EXPECT_EQ(status("--loops 2"), "skipped filled");
+  EXPECT_EQ(status("--loops 1,2"), "filled filled");
+  EXPECT_EQ(status("--max-diameter 0.7"), "skipped filled");
+  EXPECT_EQ(status("--max-edges 5"), "skipped skipped");
+  const SurfaceModel model = make_surface_model(read_mesh(holes).soup);
+  const int vertex = model.soup_vertex[find_boundary_loops(model)[1].vertices[3]];
+  EXPECT_EQ(status("--at-vertex " + std::to_string(vertex)), "skipped filled");
+}
+
+TEST_F(Cli, OuterRimIsLeftUnlessAskedFor) {
+  write_mesh(holes, cut(make_graph([](double x, double y) { return 0.1 * x * y; }, 1, 20),
+                        [](const Vec3& p) { return p.norm() < 0.3; }));
+  const auto kinds = [&](const std::string& options) {
+    const json report = json::parse(loopmend_program("fill " + in_out() + options + " --flow none --report -").out);
+    EXPECT_EQ(report["loops"][0]["kind"], "outer rim");
+    return report["loops"][0]["status"].get<std::string>() + " " + report["loops"][1]["status"].get<std::string>();
+  };
+  EXPECT_EQ(kinds(""), "skipped filled");
+  EXPECT_EQ(kinds("--include-outer-rim").substr(0, 7) == "skipped", false);
+}
+
+TEST_F(Cli, EveryFlowModeAndSolverRuns) {
+  for (const char* flow : {"mmcvf", "wf", "sdf", "mcf"})
+    for (const char* mode : {"steady", "steps --sigma 1 --steps 40", "steps --solver gmres --steps 5"}) {
+      const Outcome run = loopmend_program("fill " + in_out() + "--flow " + flow + " --mode " + mode + " --quiet --report -");
+      EXPECT_EQ(run.code, 0) << flow << mode << run.err;
+      EXPECT_THAT(json::parse(run.out)["loops"][0]["status"], testing::AnyOf("converged", "step_limit"));
+    }
+}
+
+TEST_F(Cli, QuietSaysNothing) {
+  const Outcome run = loopmend_program("fill " + in_out() + "--quiet");
+  EXPECT_EQ(run.out + run.err, "");
+}
+
+TEST_F(Cli, AClosedMeshIsASentenceAndExitZero) {
+  const Outcome run = loopmend_program("fill '" + closed.string() + "' -o '" + out.string() + "'");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, HasSubstr("closed"));
+  EXPECT_EQ(read_mesh(out).soup.triangles.size(), 320u);
+  EXPECT_THAT(loopmend_program("info '" + closed.string() + "'").out, HasSubstr("closed"));
+}
+
+TEST_F(Cli, FailedLoopsGiveExitOneAndTheRestIsWritten) {
+  // A lone triangle beside the sphere: asked for by name, it cannot be filled.
+  TriangleSoup soup = read_mesh(holes).soup;
+  const int base = static_cast<int>(soup.points.size());
+  soup.points.insert(soup.points.end(), {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}});
+  soup.triangles.push_back({base, base + 1, base + 2});
+  write_mesh(holes, soup);
+  const Outcome run = loopmend_program("fill " + in_out() + "--include-outer-rim");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.out, HasSubstr("rim of a single triangle"));
+  EXPECT_EQ(find_boundary_loops(make_surface_model(read_mesh(out).soup)).size(), 1u);
+}
+
+TEST_F(Cli, WrongUsageIsTwo) {
+  expect_message(loopmend_program(""), 2, "subcommand");
+  expect_message(loopmend_program("fill"), 2, "IN");
+  expect_message(loopmend_program("mend x"), 2, "subcommand");
+  expect_message(loopmend_program("fill " + in_out() + "--flow fast"), 2, "--flow");
+  expect_message(loopmend_program("fill " + in_out() + "--sigma 0"), 2, "--sigma");
+  expect_message(loopmend_program("fill " + in_out() + "--steps -3"), 2, "--steps");
+  expect_message(loopmend_program("fill " + in_out() + "--density 99"), 2, "--density");
+  expect_message(loopmend_program("fill " + in_out() + "--loops 7"), 2, "there is no loop 7");
+  expect_message(loopmend_program("fill " + in_out() + "--loops first"), 2, "first");
+  expect_message(loopmend_program("fill " + in_out() + "--at-vertex 999999"), 2, "there is no vertex 999999");
+  expect_message(loopmend_program("fill " + in_out() + "--at-vertex 0"), 2, "lies on no boundary loop");
+  expect_message(loopmend_program("render '" + holes.string() + "' -o x.png --size 3"), 2, "--size");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Cli, UnreadableInputIsThree) {
+  const auto fails = [&](const std::filesystem::path& path, const std::string& words) {
+    expect_message(loopmend_program("fill '" + path.string() + "' -o '" + out.string() + "'"), 3, words);
+    expect_message(loopmend_program("info '" + path.string() + "'"), 3, path.filename().string());
+  };
+  const auto file = [&](const std::string& name, const std::string& text) {
+    std::ofstream(work / name, std::ios::binary) << text;
+    return work / name;
+  };
+  fails(work / "missing.ply", "missing.ply");
+  fails(work.folder(), "folder");
+  fails(file("empty.ply", ""), "empty");
+  fails(file("notes.txt", "these are no triangles\n"), "notes.txt");
+  fails(file("words.obj", "v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "line 1");
+  fails(file("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "finite");
+  fails(file("range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), "4");
+  fails(file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "no faces");
+  const std::string whole = test::text_of(holes);
+  fails(file("half.ply", whole.substr(0, whole.size() / 2)), "half.ply");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Cli, AMeshUnderAWrongExtensionIsRead) {
+  const std::filesystem::path disguised = work / "ply.obj";
+  std::filesystem::copy_file(holes, disguised);
+  EXPECT_EQ(loopmend_program("info '" + disguised.string() + "'").code, 0);
+}
+
+TEST_F(Cli, UnwritableOutputIsFourAndTheOldFileStays) {
+  const std::string input = "fill '" + holes.string() + "' -o ";
+  expect_message(loopmend_program(input + "'" + (work / "no/such/out.ply").string() + "'"), 4, "out.ply");
+  expect_message(loopmend_program(input + "'" + work.folder().string() + ".xyz'"), 4, ".xyz");
+  expect_message(loopmend_program(input + "/proc/out.ply"), 4, "/proc/out.ply");
+  std::filesystem::create_directory(work / "folder.ply");
+  expect_message(loopmend_program(input + "'" + (work / "folder.ply").string() + "'"), 4, "folder");
+  expect_message(loopmend_program("fill " + in_out() + "--report /proc/report.json"), 4, "report.json");
+  std::ofstream(out) << "old";
+  expect_message(loopmend_program("sample -o /proc/sample.ply"), 4, "sample.ply");
+  EXPECT_EQ(test::text_of(out), "old");
+}
+
+TEST_F(Cli, FillWritesEveryFormat) {
+  for (const char* name : {"a.ply", "a.stl", "a.obj", "a.off"})
+    for (const char* encoding : {"", " --ascii"}) {
+      const std::filesystem::path path = work / name;
+      EXPECT_EQ(loopmend_program("fill '" + holes.string() + "' -o '" + path.string() + "' --quiet" + encoding).code, 0);
+      EXPECT_TRUE(find_boundary_loops(make_surface_model(read_mesh(path).soup)).empty()) << name;
+    }
+}
+
+TEST_F(Cli, SampleIsWrittenAndFilled) {
+  EXPECT_EQ(loopmend_program("sample -o '" + holes.string() + "'").code, 0);
+  const Outcome run = loopmend_program("fill " + in_out() + "--report -");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(run.out);
+  int filled = 0, rims = 0;
+  for (const json& loop : report["loops"]) {
+    filled += loop["status"] == "converged";
+    rims += loop["kind"] == "outer rim";
+  }
+  EXPECT_EQ(filled, 5);
+  EXPECT_EQ(rims, 1);
+}
+
+TEST_F(Cli, RenderNeedsNoDisplay) {
+  const std::filesystem::path png = work / "picture.png";
+  for (const std::string& words : {std::string("--color h"), std::string("--color plain --size 320x200"),
+                                   std::string("--color zebra --size 320x200")}) {
+    const Outcome run = loopmend_program("render '" + holes.string() + "' -o '" + png.string() + "' " + words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(test::text_of(png).substr(1, 3), "PNG");
+    std::filesystem::remove(png);
+  }
+}
+
+TEST_F(Cli, InterruptEndsSoonWithNothingHalfWritten) {
+  const std::filesystem::path big = work / "big.ply";
+  write_mesh(big, cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0; }));
+  const pid_t child = fork();
+  if (child == 0) {
+    std::freopen("/dev/null", "w", stderr);
+    execl(LOOPMEND_PROGRAM, "loopmend", "fill", big.c_str(), "-o", out.c_str(), nullptr);
+    _exit(99);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_FALSE(std::filesystem::exists(out));
+  for (const auto& entry : std::filesystem::directory_iterator(work.folder()))
+    EXPECT_EQ(entry.path().filename().string().find("loopmend-"), std::string::npos) << entry.path();
+}
+
+}  // namespace
+}  // namespace loopmend

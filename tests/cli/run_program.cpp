@@ -1,0 +1,43 @@
+#include "cli/run_program.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace loopmend::test {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+Outcome loopmend_program(const std::string& arguments) {
+  const Workspace files;
+  const std::filesystem::path out = files / "stdout", err = files / "stderr";
+  const std::string command =
+      std::string(LOOPMEND_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+  const int status = std::system(command.c_str());
+  Outcome run;
+  run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  run.out = text_of(out);
+  run.err = text_of(err);
+  return run;
+}
+
+Workspace::Workspace() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "loopmend-test-XXXXXX").string();
+  if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+  folder_ = pattern;
+}
+
+Workspace::~Workspace() {
+  std::error_code error;
+  std::filesystem::remove_all(folder_, error);
+}
+
+}  // namespace loopmend::test

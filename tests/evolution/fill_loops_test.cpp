@@ -1,0 +1,184 @@
+#include "evolution/fill_loops.h"
+
+#include "io/read_mesh.h"
+#include "mesh/self_intersections.h"
+#include "samples/sample_scan.h"
+#include "support/patches.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+
+namespace loopmend {
+namespace {
+
+/// Several holes, two of them three edges apart.
+SurfaceModel holey_sphere() {
+  return make_surface_model(trim_rims(cut(make_icosphere(5), [](const Vec3& p) {
+    for (const Vec3& c : {Vec3(0, 0, 1), Vec3(0.5, 0, 0.86), Vec3(0, -1, 0), Vec3(-1, 0, 0)})
+      if ((p - c).norm() < 0.2) return true;
+    return false;
+  })));
+}
+
+std::vector<BoundaryLoop> holes_of(const SurfaceModel& model) {
+  std::vector<BoundaryLoop> holes;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    if (loop.kind == LoopKind::hole) holes.push_back(loop);
+  return holes;
+}
+
+void expect_input_first(const TriangleSoup& before, const TriangleSoup& after) {
+  ASSERT_GE(after.points.size(), before.points.size());
+  EXPECT_EQ(std::memcmp(before.points.data(), after.points.data(), before.points.size() * sizeof(Vec3)), 0);
+  EXPECT_TRUE(std::equal(before.triangles.begin(), before.triangles.end(), after.triangles.begin()));
+}
+
+TEST(GroupLoops, NeighboursBelongTogether) {
+  const SurfaceModel model = holey_sphere();
+  const std::vector<BoundaryLoop> holes = holes_of(model);
+  ASSERT_EQ(holes.size(), 4u);
+  const auto groups = group_loops(model, holes);
+  ASSERT_EQ(groups.size(), 3u);
+  std::size_t largest = 0;
+  for (const auto& group : groups) largest = std::max(largest, group.size());
+  EXPECT_EQ(largest, 2u);
+}
+
+TEST(FillLoops, FillsEveryHoleAndLeavesTheRest) {
+  const SurfaceModel before = holey_sphere();
+  SurfaceModel model = before;
+  std::mutex mutex;
+  int last = 0;
+  const std::vector<LoopResult> results = fill_loops(model, holes_of(model), {}, [&](const FillProgress& p) {
+    const std::lock_guard lock(mutex);
+    EXPECT_GT(p.loops_done, last);
+    EXPECT_EQ(p.loops_total, 4);
+    last = p.loops_done;
+  }, {});
+  EXPECT_EQ(last, 4);
+  for (const LoopResult& r : results) {
+    EXPECT_EQ(r.status, LoopStatus::converged) << r.message;
+    EXPECT_LT(r.seam_after.h_jump_rms_times_diameter, 0.05);
+    EXPECT_LT(r.seam_after.h_jump_rms, 0.1 * r.seam_before.h_jump_rms);
+    EXPECT_GT(r.free_vertices, 20);
+  }
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+  expect_input_first(before.soup, model.soup);
+  for (std::size_t i = before.soup.points.size(); i < model.soup.points.size(); ++i)
+    EXPECT_NEAR(model.soup.points[i].norm(), 1, 5e-5);
+  EXPECT_TRUE(self_intersections(model.soup.points, model.soup.triangles, static_cast<int>(model.soup.triangles.size()))
+                  .empty());
+}
+
+TEST(FillLoops, TheResultDoesNotDependOnTheNumberOfThreads) {
+  FillOptions options;
+  std::vector<Points> points;
+  for (int threads : {1, 2, 4}) {
+    SurfaceModel model = holey_sphere();
+    options.threads = threads;
+    fill_loops(model, holes_of(model), options, nullptr, {});
+    points.push_back(model.soup.points);
+  }
+  EXPECT_EQ(points[0], points[1]);
+  EXPECT_EQ(points[0], points[2]);
+}
+
+TEST(FillLoops, NoFlowLeavesTheFiller) {
+  SurfaceModel model = test::open_sphere(4, 0.8);
+  FillOptions options;
+  options.evolution.reset();
+  const std::vector<LoopResult> results = fill_loops(model, holes_of(model), options, nullptr, {});
+  EXPECT_EQ(results[0].status, LoopStatus::filled);
+  EXPECT_EQ(results[0].steps, 0);
+  EXPECT_EQ(results[0].message, "");
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+}
+
+TEST(FillLoops, CancelledLeavesTheModel) {
+  SurfaceModel model = holey_sphere();
+  const TriangleSoup before = model.soup;
+  const CancelToken cancel;
+  const auto results = fill_loops(model, holes_of(model), {}, [&](const FillProgress&) { cancel.cancel(); }, cancel);
+  EXPECT_TRUE(results.empty());
+  EXPECT_EQ(model.soup.points.size(), before.points.size());
+  EXPECT_EQ(model.soup.triangles, before.triangles);
+}
+
+TEST(FillLoops, ALoopThatCannotBeFilledSaysSoAndTheOthersAreFilled) {
+  SurfaceModel model = holey_sphere();
+  std::vector<BoundaryLoop> holes = holes_of(model);
+  holes[1].kind = LoopKind::touching;
+  const std::vector<LoopResult> results = fill_loops(model, holes, {}, nullptr, {});
+  ASSERT_EQ(results.size(), 4u);
+  EXPECT_EQ(results[1].status, LoopStatus::failed);
+  EXPECT_NE(results[1].message, "");
+  for (int k : {0, 2, 3}) EXPECT_EQ(results[k].status, LoopStatus::converged);
+  EXPECT_EQ(find_boundary_loops(model).size(), 1u);
+}
+
+TEST(FillLoops, ColoursOfTheInputStayAndNewVerticesGetOne) {
+  SurfaceModel model = test::open_sphere(3, 0.8);
+  model.soup.colors.assign(model.soup.points.size(), Color{1, 2, 3, 255});
+  fill_loops(model, holes_of(model), {}, nullptr, {});
+  EXPECT_EQ(model.soup.colors.size(), model.soup.points.size());
+  EXPECT_EQ(model.soup.colors.front(), (Color{1, 2, 3, 255}));
+}
+
+TEST(FillLoops, TheSampleIsFilledCloseToTheTruth) {
+  SurfaceModel model = make_surface_model(make_sample_scan());
+  const std::size_t first_new = model.soup.points.size();
+  const std::vector<LoopResult> results = fill_loops(model, holes_of(model), {}, nullptr, {});
+  EXPECT_EQ(results.size(), 5u);
+  for (const LoopResult& r : results) EXPECT_EQ(r.status, LoopStatus::converged) << r.loop.number << r.message;
+  // Three of the five holes lie where the relief is smooth: there the patch meets it to a tenth of the edge length.
+  std::vector<double> errors;
+  for (std::size_t i = first_new; i < model.soup.points.size(); ++i) {
+    const Vec3& p = model.soup.points[i];
+    errors.push_back(std::abs(p.z() - sample_relief_height(p.x(), p.y())));
+  }
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors[errors.size() / 4], 0.05);
+  EXPECT_LT(errors.back(), 5);
+}
+
+struct Scan {
+  const char* file;
+  int loops;
+};
+
+class FillsRealScans : public testing::TestWithParam<Scan> {};
+INSTANTIATE_TEST_SUITE_P(Data, FillsRealScans,
+                         testing::Values(Scan{"bunny.ply", 5}, Scan{"head_holes.ply", 5}, Scan{"demosthenes.obj", 1},
+                                         Scan{"plane_holes.obj", 27}),
+                         [](const auto& scan) {
+                           const std::string name = scan.param.file;
+                           return name.substr(0, name.find('.'));
+                         });
+
+TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
+  const std::filesystem::path path = std::filesystem::path(LOOPMEND_SHARED_DIR) / "data" / GetParam().file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+  SurfaceModel model = make_surface_model(read_mesh(path).soup);
+  const TriangleSoup before = model.soup;
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(static_cast<int>(loops.size()), GetParam().loops);
+  for (const LoopResult& r : fill_loops(model, loops, {}, nullptr, {})) {
+    EXPECT_EQ(r.status, LoopStatus::converged) << r.loop.number << ": " << r.message;
+    EXPECT_LE(r.seam_after.h_jump_rms, r.seam_before.h_jump_rms) << r.loop.number;
+  }
+  expect_input_first(before, model.soup);
+  // Seen anew from the soup alone: nothing to repair, nothing open.
+  const SurfaceModel again = make_surface_model(model.soup);
+  EXPECT_TRUE(find_boundary_loops(again).empty());
+  EXPECT_EQ(again.repairs.non_manifold_edges + again.repairs.non_manifold_vertices + again.repairs.reoriented_faces, 0u);
+  Triangles patch_first(model.soup.triangles.begin() + static_cast<long>(before.triangles.size()), model.soup.triangles.end());
+  const int own = static_cast<int>(patch_first.size());
+  patch_first.insert(patch_first.end(), before.triangles.begin(), before.triangles.end());
+  EXPECT_TRUE(self_intersections(model.soup.points, patch_first, own).empty());
+}
+
+}  // namespace
+}  // namespace loopmend

@@ -1,0 +1,188 @@
+#include "filling/loop_filler.h"
+
+#include "core/error.h"
+#include "filling/guarded_mesh.h"
+#include "filling/triangulate_loop.h"
+#include "mesh/quality.h"
+#include "support/patches.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace loopmend {
+namespace {
+
+/// Every edge of the filler has two triangles, but for the loop's own, which have one, in the loop's direction.
+void expect_disc(const LoopFiller& filler, int rim) {
+  std::map<std::pair<int, int>, int> count;
+  std::set<int> used;
+  for (const Triangle& t : filler.triangles)
+    for (int k = 0; k < 3; ++k) {
+      ++count[{t[k], t[(k + 1) % 3]}];
+      used.insert(t[k]);
+    }
+  int open = 0;
+  for (const auto& [edge, times] : count) {
+    EXPECT_EQ(times, 1);
+    if (count.count({edge.second, edge.first})) continue;
+    ++open;
+    EXPECT_EQ(edge.second, (edge.first + 1) % rim);
+  }
+  EXPECT_EQ(open, rim);
+  EXPECT_EQ(used.size(), filler.points.size());
+  const int edges = (static_cast<int>(count.size()) + open) / 2;
+  EXPECT_EQ(static_cast<int>(filler.points.size()) - edges + static_cast<int>(filler.triangles.size()), 1);
+}
+
+/// Closes the model by the filler and checks that the result is a closed oriented surface, the input first.
+void expect_closes(const SurfaceModel& model, const BoundaryLoop& loop, const LoopFiller& filler) {
+  expect_disc(filler, loop.edges());
+  for (int i = 0; i < loop.edges(); ++i)
+    EXPECT_EQ(filler.points[i], model.mesh.point(TriMesh::VertexHandle(loop.vertices[i])));
+  SurfaceModel filled = model;
+  append_patch(filled, patch_geometry(make_patch(model, {loop}, {filler})));
+  EXPECT_EQ(find_boundary_loops(filled).size() + 1, find_boundary_loops(model).size());
+}
+
+TEST(LoopFiller, ClosesAHoleInASphereAtTheDensityOfTheSurroundings) {
+  for (const SurfaceModel& model : {test::open_sphere(4, 0.9), test::rough_open_sphere(4, 0.7)}) {
+    const BoundaryLoop loop = find_boundary_loops(model).at(0);
+    const FillerOutcome outcome = fill_loop(model, loop, {}, {});
+    ASSERT_TRUE(outcome.filler);
+    expect_closes(model, loop, *outcome.filler);
+    EXPECT_EQ(outcome.quality.folds, 0);
+    EXPECT_EQ(outcome.quality.self_intersections, 0);
+    EXPECT_GT(outcome.quality.min_angle_deg, 15);
+    EXPECT_EQ(outcome.message, "");
+    const double edge = mean_edge_length(outcome.filler->points, outcome.filler->triangles,
+                                         static_cast<int>(outcome.filler->triangles.size()));
+    EXPECT_NEAR(edge, loop.perimeter / loop.edges(), 0.25 * edge);
+  }
+}
+
+TEST(LoopFiller, DensityScalesTheEdgeLength) {
+  const SurfaceModel model = test::open_sphere(4, 0.8);
+  const BoundaryLoop loop = find_boundary_loops(model).at(0);
+  std::map<double, double> vertices;
+  for (double density : {0.5, 1.0, 2.0})
+    vertices[density] = static_cast<double>(fill_loop(model, loop, {density}, {}).filler->points.size()) - loop.edges();
+  // The locked rim keeps its own density, which blurs the factor four.
+  EXPECT_GT(vertices[2] / vertices[1], 2.5);
+  EXPECT_LT(vertices[2] / vertices[1], 5);
+  EXPECT_GT(vertices[1] / vertices[0.5], 1.5);
+  EXPECT_THROW(fill_loop(model, loop, {0}, {}), InvalidArgument);
+  EXPECT_THROW(fill_loop(model, loop, {11}, {}), InvalidArgument);
+}
+
+TEST(LoopFiller, ConcaveAndSlitShapedLoops) {
+  const TriangleSoup sphere = roughen(make_icosphere(5), 0.15, 0.2, 4, test::onto_sphere);
+  const auto star = [](const Vec3& p) {
+    const double angle = std::atan2(p.y(), p.x());
+    return p.z() > 0 && p.head<2>().norm() < 0.35 + 0.15 * std::cos(5 * angle);
+  };
+  const auto slit = [](const Vec3& p) { return p.z() > 0 && std::abs(p.y()) < 0.06 && std::abs(p.x()) < 0.7; };
+  for (const auto& shape : {std::function<bool(const Vec3&)>(star), std::function<bool(const Vec3&)>(slit)}) {
+    const SurfaceModel model = make_surface_model(trim_rims(cut(sphere, shape)));
+    for (const BoundaryLoop& loop : find_boundary_loops(model)) {
+      const FillerOutcome outcome = fill_loop(model, loop, {}, {});
+      ASSERT_TRUE(outcome.filler);
+      expect_closes(model, loop, *outcome.filler);
+      EXPECT_EQ(outcome.quality.folds, 0);
+      EXPECT_EQ(outcome.quality.self_intersections, 0);
+    }
+  }
+}
+
+TEST(LoopFiller, ALoopOfTwoThousandEdges) {
+  // A long thin tube end: 2 000 edges around, cubic search would need hours.
+  const SurfaceModel model = make_surface_model(
+      make_revolution([](double z) { return 1 + 0.1 * z; }, 0, 0.03, 2000, 8));
+  const BoundaryLoop loop = find_boundary_loops(model).at(0);
+  ASSERT_EQ(loop.edges(), 2000);
+  const FillerOutcome outcome = fill_loop(model, loop, {0.1}, {});
+  ASSERT_TRUE(outcome.filler) << outcome.message;
+  expect_disc(*outcome.filler, 2000);
+}
+
+TEST(LoopFiller, LoopsOfThreeAndFourEdges) {
+  TriangleSoup soup = make_icosphere(2);
+  soup.triangles.erase(soup.triangles.begin() + 10);
+  const SurfaceModel triangle = make_surface_model(soup);
+  const BoundaryLoop three = find_boundary_loops(triangle).at(0);
+  ASSERT_EQ(three.edges(), 3);
+  const FillerOutcome outcome = fill_loop(triangle, three, {}, {});
+  ASSERT_TRUE(outcome.filler);
+  expect_closes(triangle, three, *outcome.filler);
+}
+
+TEST(LoopFiller, SaysWhyItLeavesALoop) {
+  const SurfaceModel model = test::open_sphere(3, 0.8);
+  BoundaryLoop loop = find_boundary_loops(model).at(0);
+  for (LoopKind kind : {LoopKind::touching, LoopKind::crack, LoopKind::cut}) {
+    loop.kind = kind;
+    const FillerOutcome outcome = fill_loop(model, loop, {}, {});
+    EXPECT_FALSE(outcome.filler);
+    EXPECT_GT(outcome.message.size(), 20u);
+  }
+  const SurfaceModel lone = make_surface_model({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}});
+  const FillerOutcome outcome = fill_loop(lone, find_boundary_loops(lone).at(0), {}, {});
+  EXPECT_FALSE(outcome.filler);
+  EXPECT_NE(outcome.message.find("single triangle"), std::string::npos);
+}
+
+TEST(LoopFiller, CancelledLeavesNothing) {
+  const SurfaceModel model = test::open_sphere(4, 0.5);
+  const CancelToken cancel;
+  cancel.cancel();
+  EXPECT_FALSE(fill_loop(model, find_boundary_loops(model).at(0), {}, cancel).filler);
+}
+
+TEST(TriangulateLoop, AvoidsChordsThatAreEdgesAlready) {
+  // A square hole whose diagonal 0-2 is an edge of the surroundings, through vertex-disjoint wings.
+  const Points points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, -1, 0}, {2, -1, 0}, {2, 2, 0}, {-1, 2, 0},
+                      {0.5, 0.5, -2}};
+  const Triangles around{{1, 0, 4}, {1, 4, 5}, {2, 1, 5}, {2, 5, 6}, {3, 2, 6}, {3, 6, 7}, {0, 3, 7}, {0, 7, 4},
+                         {0, 2, 8}};
+  for (const Triangle& t : triangulate_loop(points, around, {0, 1, 2, 3}, TriangulationMethod::cubic))
+    EXPECT_FALSE(std::count(t.begin(), t.end(), 0) && std::count(t.begin(), t.end(), 2));
+}
+
+TEST(GuardedMesh, SplitsCollapsesAndFlipsKeepTheRimAndTheDisc) {
+  // A coarse fan over a regular 24-gon, refined to the rim's edge length.
+  Points points;
+  Triangles triangles;
+  constexpr int rim = 24;
+  for (int i = 0; i < rim; ++i) points.push_back(Vec3(std::cos(2 * M_PI * i / rim), std::sin(2 * M_PI * i / rim), 0));
+  points.push_back(Vec3(0.3, 0.1, 0));
+  for (int i = 0; i < rim; ++i) triangles.push_back({i, (i + 1) % rim, rim});
+  const double edge = (points[1] - points[0]).norm();
+  GuardedMesh mesh(points, triangles, rim, {}, std::vector<double>(points.size(), edge));
+  for (int round = 0; round < 5; ++round) {
+    mesh.split_long_edges();
+    mesh.flip_to_delaunay();
+    mesh.collapse_short_edges();
+    mesh.flip_to_delaunay();
+    for (int k = 0; k < 3; ++k) mesh.smooth_tangentially();
+  }
+  const LoopFiller result{mesh.points(), mesh.triangles()};
+  expect_disc(result, rim);
+  for (int i = 0; i < rim; ++i) EXPECT_EQ(result.points[i], points[i]);
+  EXPECT_EQ(mesh.bad_edges(5), 0);
+  EXPECT_GT(min_angle_deg(result.points, result.triangles, static_cast<int>(result.triangles.size())), 25);
+  std::map<int, int> valence;
+  for (const Triangle& t : result.triangles)
+    for (int v : t) ++valence[v];
+  int inner = 0, regular = 0;
+  for (const auto& [v, count] : valence)
+    if (v >= rim) {
+      ++inner;
+      regular += count >= 5 && count <= 7;
+    }
+  EXPECT_GT(inner, 20);
+  EXPECT_GT(regular, 0.9 * inner);
+}
+
+}  // namespace
+}  // namespace loopmend

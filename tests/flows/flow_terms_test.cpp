@@ -1,0 +1,124 @@
+#include "flows/flow_terms.h"
+
+#include "energy/curvature_energy.h"
+#include "evolution/state.h"
+#include "flows/decay_rate.h"
+#include "support/patches.h"
+
+#include <gtest/gtest.h>
+
+namespace loopmend {
+namespace {
+
+const FlowKind all_flows[] = {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf};
+
+EvolutionState disturbed_state() {
+  Patch patch = test::exact_sphere_patch(4, 0.85);
+  test::disturb(patch, 0.01);
+  return make_state(std::move(patch), {}, Stencil::two_ring);
+}
+
+Eigen::VectorXd masses(const EvolutionState& state) {
+  return barycentric_areas(state.patch.positions, state.patch.triangles).head(state.patch.free_count);
+}
+
+TEST(FlowTerms, ConstantMeanCurvatureIsStationaryForMmcvfSdfAndTheSphereForWf) {
+  const EvolutionState exact = make_state(test::exact_sphere_patch(4, 0.85), {}, Stencil::two_ring);
+  const FlowState sphere(exact.ops, exact.patch.free_count);
+  const EvolutionState bumpy = disturbed_state();
+  const FlowState bumps(bumpy.ops, bumpy.patch.free_count);
+  for (FlowKind flow : {FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf})
+    EXPECT_LT(flow_velocity(flow, sphere).norm(), 0.02 * flow_velocity(flow, bumps).norm()) << to_string(flow);
+  // MCF does move it: inwards with speed 1/R, H = −1/R and n outward.
+  EXPECT_NEAR(flow_velocity(FlowKind::mcf, sphere).mean(), -exact.patch.scale, 0.01 * exact.patch.scale);
+}
+
+/// V is minus the L² gradient of the flow's energy: dE/ds·φ = −c ∫Vφ for φ that vanishes towards the seam.
+void expect_descent(FlowKind flow, const Objective& objective, double factor) {
+  const EvolutionState state = make_state(disturbed_state().patch, objective, Stencil::two_ring);
+  Eigen::VectorXd phi(state.patch.free_count);
+  for (int i = 0; i < phi.size(); ++i) {
+    double distance = 1;
+    for (int v : state.patch.loops[0])
+      distance = std::min(distance, (state.patch.positions[i] - state.patch.positions[v]).norm());
+    phi[i] = std::pow(distance, 4) * (1 + state.patch.positions[i].x());
+  }
+  constexpr double step = 1e-5;
+  const double difference = (displaced(state, objective, Stencil::two_ring, step * phi).measure -
+                             displaced(state, objective, Stencil::two_ring, -step * phi).measure) /
+                            (2 * step);
+  const Eigen::VectorXd V = flow_velocity(flow, FlowState(state.ops, state.patch.free_count));
+  const double predicted = -factor * V.cwiseProduct(masses(state)).dot(phi);
+  EXPECT_NEAR(predicted, difference, 0.15 * std::abs(difference)) << to_string(flow);
+}
+
+TEST(FlowTerms, McfDescendsArea) { expect_descent(FlowKind::mcf, {FlowKind::mcf, 0}, 2); }
+TEST(FlowTerms, WfDescendsBendingEnergy) { expect_descent(FlowKind::wf, {FlowKind::wf, 0}, 1); }
+TEST(FlowTerms, MmcvfDescendsTheVariationOfH) { expect_descent(FlowKind::mmcvf, {FlowKind::mmcvf, 0}, 1); }
+
+/// The paper's unknowns are r_j^{k+1} in R³; along r_j + n_j s_j its 3n × 3n system is n × n (NUMERICS §3).
+TEST(FlowTerms, ReducedStepEqualsThePapersThreeByThreeBlocks) {
+  const EvolutionState state = disturbed_state();
+  const int n = state.patch.free_count;
+  const FlowState flow_state(state.ops, n);
+  const FlowSystem reduced = assemble_flow(FlowKind::mmcvf, flow_state);
+  constexpr double tau = 1e-7;
+  const Eigen::MatrixXd small = Eigen::MatrixXd::Identity(n, n) - tau * Eigen::MatrixXd(reduced.jacobian);
+  const Eigen::VectorXd s = small.partialPivLu().solve(tau * reduced.velocity);
+
+  // Full system for the displacements d_j in R³: (d_i − τ n_i Σ_j a_ij·d_j) = τ V_i n_i, where a_ij·n_j = J_ij. The rows of
+  // a_ij are those of J with ⟨n_l, ·⟩ kept open at the innermost operator.
+  Eigen::MatrixXd open = Eigen::MatrixXd::Zero(n, 3 * n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      open.block<1, 3>(i, 3 * j) = reduced.jacobian.coeff(i, j) * state.ops.normal[j].transpose();
+  Eigen::MatrixXd full = Eigen::MatrixXd::Identity(3 * n, 3 * n);
+  Eigen::VectorXd rhs(3 * n);
+  for (int i = 0; i < n; ++i) {
+    full.middleRows<3>(3 * i) -= tau * state.ops.normal[i] * open.row(i);
+    rhs.segment<3>(3 * i) = tau * reduced.velocity[i] * state.ops.normal[i];
+  }
+  const Eigen::VectorXd d = full.partialPivLu().solve(rhs);
+  for (int i = 0; i < n; ++i)
+    ASSERT_LT((d.segment<3>(3 * i) - s[i] * state.ops.normal[i]).norm(), 1e-9 * s.cwiseAbs().maxCoeff());
+}
+
+TEST(FlowTerms, JacobianPredictsTheNextVelocity) {
+  // V(r + εφn) ≈ V + ε Jφ up to the frozen operators; the leading terms must agree.
+  const EvolutionState state = disturbed_state();
+  const FlowState flow_state(state.ops, state.patch.free_count);
+  for (FlowKind flow : {FlowKind::sdf, FlowKind::mmcvf}) {
+    const FlowSystem system = assemble_flow(flow, flow_state);
+    Eigen::VectorXd phi(state.patch.free_count);
+    for (int i = 0; i < phi.size(); ++i) phi[i] = std::sin(12 * state.patch.positions[i].x() + 0.3 * i);
+    const EvolutionState next = displaced(state, {}, Stencil::two_ring, 1e-6 * phi);
+    const Eigen::VectorXd change =
+        (flow_velocity(flow, FlowState(next.ops, next.patch.free_count)) - system.velocity) / 1e-6;
+    const Eigen::VectorXd predicted = system.jacobian * phi;
+    EXPECT_LT((change - predicted).norm(), 0.1 * change.norm()) << to_string(flow);
+  }
+}
+
+TEST(DecayRate, OfADiscFollowsTheKnownEigenvalues) {
+  // NUMERICS §4: disc of radius R, clamped: T = 1/λ₁ ≈ 2(R/2.41)² MCF, 2(R/3.2)⁴ SDF, 2(R/3.9)⁶ MMCVF.
+  TriangleSoup grid = make_graph([](double, double) { return 0.0; }, 2, 56);
+  const SurfaceModel model =
+      make_surface_model(cut(grid, [](const Vec3& p) { return p.head<2>().norm() < 1 - 1e-9; }));
+  std::vector<BoundaryLoop> holes;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    if (loop.kind == LoopKind::hole) holes.push_back(loop);
+  ASSERT_EQ(holes.size(), 1u);
+  const Patch patch = *start_patch(model, holes, {}, CancelToken()).patch;
+  const double R = std::sqrt(patch_area(patch) / M_PI);
+  EXPECT_NEAR(slowest_decay_rate(FlowKind::mcf, patch), std::pow(2.405 / R, 2) / 2, 0.03 * std::pow(2.405 / R, 2) / 2);
+  EXPECT_NEAR(slowest_decay_rate(FlowKind::sdf, patch), std::pow(3.196 / R, 4) / 2, 0.25 * std::pow(3.196 / R, 4) / 2);
+  EXPECT_NEAR(slowest_decay_rate(FlowKind::mmcvf, patch), std::pow(3.9 / R, 6) / 2, 0.5 * std::pow(3.9 / R, 6) / 2);
+}
+
+TEST(DecayRate, IsPositiveForEveryFlow) {
+  const Patch patch = test::exact_sphere_patch(3, 0.8);
+  for (FlowKind flow : all_flows) EXPECT_GT(slowest_decay_rate(flow, patch), 0) << to_string(flow);
+}
+
+}  // namespace
+}  // namespace loopmend

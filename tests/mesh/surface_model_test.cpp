@@ -1,0 +1,220 @@
+#include "mesh/surface_model.h"
+
+#include "core/error.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/patch.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace loopmend {
+namespace {
+
+TriangleSoup tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, {}};
+}
+
+/// A flat grid of cells × cells squares without the squares listed.
+TriangleSoup grid_without(int cells, const std::vector<std::pair<int, int>>& missing) {
+  TriangleSoup soup;
+  for (int y = 0; y <= cells; ++y)
+    for (int x = 0; x <= cells; ++x) soup.points.push_back(Vec3(x, y, 0));
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x) {
+      if (std::find(missing.begin(), missing.end(), std::pair(x, y)) != missing.end()) continue;
+      const int a = y * (cells + 1) + x, b = a + 1, c = b + cells + 1, d = a + cells + 1;
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+  return soup;
+}
+
+TEST(SurfaceModel, CleanMeshIsTakenAsItIs) {
+  const TriangleSoup soup = make_icosphere(2);
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.mesh.n_vertices(), 162u);
+  EXPECT_EQ(model.mesh.n_faces(), 320u);
+  EXPECT_EQ(model.soup.triangles, soup.triangles);
+  EXPECT_EQ(model.repairs.reoriented_faces + model.repairs.non_manifold_vertices + model.repairs.unreferenced_vertices, 0u);
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+}
+
+TEST(SurfaceModel, UnreferencedPointsStayInTheSoupAndOutOfTheView) {
+  TriangleSoup soup = tetrahedron();
+  soup.points.insert(soup.points.begin(), Vec3(9, 9, 9));
+  for (Triangle& t : soup.triangles)
+    for (int& v : t) ++v;
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.soup.points.size(), 5u);
+  EXPECT_EQ(model.mesh.n_vertices(), 4u);
+  EXPECT_EQ(model.repairs.unreferenced_vertices, 1u);
+  EXPECT_EQ(model.soup_vertex[0], 1);
+}
+
+TEST(SurfaceModel, AFaceThatDisagreesIsTurnedInPlace) {
+  TriangleSoup soup = make_icosphere(1);
+  std::swap(soup.triangles[7][1], soup.triangles[7][2]);
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.repairs.reoriented_faces, 1u);
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+}
+
+TEST(SurfaceModel, DegenerateAndDuplicateFacesAreCountedAndKeptInTheSoup) {
+  TriangleSoup soup = tetrahedron();
+  soup.triangles.push_back({1, 1, 2});
+  soup.triangles.push_back({1, 3, 0});
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.repairs.degenerate_faces, 1u);
+  EXPECT_EQ(model.repairs.duplicate_faces, 1u);
+  EXPECT_EQ(model.soup.triangles.size(), 6u);
+  EXPECT_EQ(model.mesh.n_faces(), 4u);
+}
+
+TEST(SurfaceModel, ThreeFacesAtAnEdgeCutTheViewAndTheCutIsNoHole) {
+  TriangleSoup soup = tetrahedron();
+  soup.points.push_back(Vec3(2, 2, 2));
+  soup.triangles.push_back({1, 2, 4});  // a fin on edge 1-2
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.repairs.non_manifold_edges, 1u);
+  for (const BoundaryLoop& loop : find_boundary_loops(model)) EXPECT_EQ(loop.kind, LoopKind::cut);
+}
+
+TEST(SurfaceModel, IndexOutOfRangeThrows) {
+  TriangleSoup soup = tetrahedron();
+  soup.triangles.push_back({0, 1, 4});
+  EXPECT_THROW(make_surface_model(soup), InvalidArgument);
+  soup.triangles.assign(3, {1, 1, 1});
+  EXPECT_THROW(make_surface_model(soup), InvalidArgument);
+}
+
+TEST(BoundaryLoops, HoleAndOuterRimOfASheet) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(grid_without(6, {{2, 2}, {3, 2}})));
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[0].kind, LoopKind::outer_rim);
+  EXPECT_EQ(loops[0].edges(), 24);
+  EXPECT_NEAR(loops[0].turning, 1, 1e-12);
+  EXPECT_EQ(loops[1].kind, LoopKind::hole);
+  EXPECT_EQ(loops[1].edges(), 6);
+  EXPECT_NEAR(loops[1].perimeter, 6, 1e-12);
+  EXPECT_NEAR(loops[1].diameter, std::sqrt(5), 1e-12);
+  EXPECT_NEAR(loops[1].area, 2, 1e-12);
+  EXPECT_NEAR(loops[1].planarity, 0, 1e-12);
+  EXPECT_NEAR(loops[1].turning, -1, 1e-12);
+  EXPECT_EQ(loops[1].number, 2);
+}
+
+TEST(BoundaryLoops, EndsOfATubeAreHoles) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(make_cylinder(4, 24)));
+  ASSERT_EQ(loops.size(), 2u);
+  for (const BoundaryLoop& loop : loops) {
+    EXPECT_EQ(loop.kind, LoopKind::hole);
+    EXPECT_NEAR(loop.turning, 0, 0.02);
+  }
+}
+
+TEST(BoundaryLoops, TwoHolesThatMeetAtAVertexAreTouching) {
+  for (const BoundaryLoop& loop : find_boundary_loops(make_surface_model(grid_without(6, {{2, 2}, {3, 3}}))))
+    EXPECT_EQ(loop.kind, loop.edges() > 20 ? LoopKind::outer_rim : LoopKind::touching);
+}
+
+TEST(BoundaryLoops, ASlitBetweenCoincidentVerticesIsACrack) {
+  // A strip of two squares whose common side is there twice.
+  TriangleSoup soup = grid_without(4, {});
+  const int middle = 2 * 5 + 2;  // vertex (2, 2)
+  const int copy = static_cast<int>(soup.points.size());
+  soup.points.push_back(Vec3(soup.points[middle]));
+  for (Triangle& t : soup.triangles) {
+    double x = 0;
+    for (int v : t) x += soup.points[v].x() / 3;
+    for (int& v : t)
+      if (v == middle && x > 2) v = copy;
+  }
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(soup));
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[1].edges(), 4);
+  EXPECT_EQ(loops[1].coincident, 4);
+  EXPECT_EQ(loops[1].kind, LoopKind::crack);
+}
+
+TEST(Patch, CarriesSixFixedRingsInOrder) {
+  const SurfaceModel model = make_surface_model(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }));
+  const BoundaryLoop loop = find_boundary_loops(model).at(0);
+  LoopFiller filler;
+  for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  filler.points.push_back(Vec3(0, 0, 1));
+  for (int i = 0; i < loop.edges(); ++i) filler.triangles.push_back({i, (i + 1) % loop.edges(), loop.edges()});
+  const Patch patch = make_patch(model, {loop}, {filler});
+  EXPECT_EQ(patch.free_count, 1);
+  EXPECT_EQ(patch.patch_triangles, loop.edges());
+  EXPECT_TRUE(std::is_sorted(patch.ring.begin(), patch.ring.end()));
+  EXPECT_EQ(patch.ring.back(), patch_rings);
+  EXPECT_LT((patch.to_mesh(patch.positions[0]) - Vec3(0, 0, 1)).norm(), 1e-15);
+  const PatchGeometry geometry = patch_geometry(patch);
+  EXPECT_EQ(geometry.rim.size(), loop.vertices.size());
+
+  SurfaceModel filled = model;
+  append_patch(filled, geometry);
+  EXPECT_TRUE(find_boundary_loops(filled).empty());
+  EXPECT_EQ(filled.soup.points.size(), model.soup.points.size() + 1);
+  EXPECT_TRUE(std::equal(model.soup.points.begin(), model.soup.points.end(), filled.soup.points.begin()));
+  EXPECT_TRUE(std::equal(model.soup.triangles.begin(), model.soup.triangles.end(), filled.soup.triangles.begin()));
+}
+
+TEST(Patch, OneThatDoesNotFitIsRefusedAndTheModelStays) {
+  SurfaceModel model = make_surface_model(grid_without(6, {{2, 2}}));
+  const std::size_t faces = model.soup.triangles.size();
+  const std::vector<int> rim = find_boundary_loops(model).at(1).vertices;
+  EXPECT_THROW(append_patch(model, {rim, {}, {{0, 2, 1}, {0, 3, 2}}}), InvalidArgument);  // wrong way round
+  EXPECT_THROW(append_patch(model, {rim, {}, {{0, 1, 7}}}), InvalidArgument);
+  EXPECT_EQ(model.soup.triangles.size(), faces);
+  append_patch(model, {rim, {}, {{0, 1, 2}, {0, 2, 3}}});
+  EXPECT_EQ(model.soup.triangles.size(), faces + 2);
+}
+
+TEST(SelfIntersections, AreFoundAndNeighboursAreNot) {
+  const TriangleSoup sphere = make_icosphere(2);
+  const int all = static_cast<int>(sphere.triangles.size());
+  EXPECT_TRUE(self_intersections(sphere.points, sphere.triangles, all).empty());
+  TriangleSoup pierced = sphere;
+  const int base = static_cast<int>(pierced.points.size());
+  pierced.points.insert(pierced.points.end(), {{0.01, 0.02, 0.5}, {0.03, 0.01, 1.5}, {0.3, 0.01, 1.5}});
+  pierced.triangles.push_back({base, base + 1, base + 2});
+  EXPECT_FALSE(self_intersections(pierced.points, pierced.triangles, static_cast<int>(pierced.triangles.size())).empty());
+  EXPECT_TRUE(self_intersections(pierced.points, pierced.triangles, 0).empty());
+}
+
+TEST(SelfIntersections, AFoldOntoTheNeighbourCountsACrackDoesNot) {
+  const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.3, 0}, {0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}};
+  EXPECT_EQ(self_intersections(points, {{0, 1, 2}, {1, 0, 3}}, 2).size(), 1u);  // lies on the first
+  EXPECT_EQ(self_intersections(points, {{0, 1, 2}, {5, 4, 6}}, 2).size(), 0u);  // meets along a coincident edge
+}
+
+TEST(TriangleIndex, FindsWhatTheBoxMeets) {
+  const TriangleSoup sphere = make_icosphere(3);
+  const TriangleIndex index(sphere.points, sphere.triangles);
+  EXPECT_EQ(index.near({-2, -2, -2}, {2, 2, 2}).size(), sphere.triangles.size());
+  EXPECT_TRUE(index.near({3, 3, 3}, {4, 4, 4}).empty());
+  for (int f : index.near({0.9, -0.1, -0.1}, {1.1, 0.1, 0.1})) {
+    double x = -1;
+    for (int v : sphere.triangles[f]) x = std::max(x, sphere.points[v].x());
+    EXPECT_GE(x, 0.9);
+  }
+}
+
+TEST(Quality, AnglesFoldsAndLengths) {
+  const double h = std::sqrt(3.0) / 2;
+  const Points points{{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, -h, 0}, {0.5, 0.1, 0.01}};
+  EXPECT_NEAR(min_angle_deg(points, {{0, 1, 2}}, 1), 60, 1e-10);
+  EXPECT_NEAR(mean_edge_length(points, {{0, 1, 2}}, 1), 1, 1e-12);
+  EXPECT_EQ(count_folds(points, {{0, 1, 2}, {1, 0, 3}}, 2), 0);
+  EXPECT_EQ(count_folds(points, {{0, 1, 2}, {1, 0, 4}}, 2), 1);
+  EXPECT_EQ(count_folds(points, {{0, 1, 2}, {1, 0, 4}}, 0), 0);
+}
+
+}  // namespace
+}  // namespace loopmend

@@ -1,0 +1,267 @@
+#include "operators/operator_set.h"
+
+#include "samples/analytic_surfaces.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace loopmend {
+namespace {
+
+struct Analytic {
+  double H, K;
+  Vec3 normal;
+};
+
+struct Errors {
+  double H = 0, K = 0, laplacian = 0, gradient = 0, diamond = 0;
+};
+
+/// f = x + 2y² on a surface: analytic operators through the ambient derivatives and the shape operator.
+double function_value(const Vec3& p) { return p.x() + 2 * p.y() * p.y(); }
+
+struct Surface {
+  std::function<Analytic(const Vec3&)> at;
+  std::function<Eigen::Matrix3d(const Vec3&)> shape;  ///< S as a map of 3-space that is 0 on the normal
+};
+
+/// Rms errors over vertices that are at least two rings from a boundary.
+Errors errors_on(const TriangleSoup& soup, const Surface& surface, Stencil stencil) {
+  const int n = static_cast<int>(soup.points.size());
+  const Topology topology(n, soup.triangles);
+  const OperatorSet ops = compute_operators(soup.points, soup.triangles, topology, stencil, std::vector<char>(n, 1));
+  Eigen::VectorXd f(n);
+  for (int i = 0; i < n; ++i) f[i] = function_value(soup.points[i]);
+  Errors sum;
+  int count = 0;
+  std::vector<int> ring;
+  std::vector<char> mark(n, 0);
+  for (int i = 0; i < n; ++i) {
+    topology.k_ring(i, 2, ring, mark);
+    bool inner = !topology.is_boundary(i);
+    for (int j : ring) inner = inner && !topology.is_boundary(j);
+    if (!inner) continue;
+    EXPECT_TRUE(ops.valid[i]);
+    const Vec3& p = soup.points[i];
+    const Analytic exact = surface.at(p);
+    const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - exact.normal * exact.normal.transpose();
+    const Vec3 ambient(1, 4 * p.y(), 0);
+    const Vec3 gradient = tangent * ambient;
+    const Vec3 diamond = 2 * exact.H * gradient - surface.shape(p) * gradient;
+    // Δf = trace of the tangential Hessian + 2H ∂f/∂n
+    const double laplacian = 4 * tangent(1, 1) + 2 * exact.H * exact.normal.dot(ambient);
+    sum.H += std::pow(ops.H[i] - exact.H, 2);
+    sum.K += std::pow(ops.K[i] - exact.K, 2);
+    sum.laplacian += std::pow(ops.apply_laplacian(i, f) - laplacian, 2);
+    sum.gradient += (ops.apply_gradient(i, f) - gradient).squaredNorm();
+    sum.diamond += (ops.apply_diamond(i, f) - diamond).squaredNorm();
+    ++count;
+  }
+  for (double* value : {&sum.H, &sum.K, &sum.laplacian, &sum.gradient, &sum.diamond}) *value = std::sqrt(*value / count);
+  return sum;
+}
+
+Surface sphere() {
+  return {[](const Vec3& p) { return Analytic{-1, 1, p.normalized()}; },
+          [](const Vec3& p) -> Eigen::Matrix3d {
+            const Vec3 n = p.normalized();
+            return -(Eigen::Matrix3d::Identity() - n * n.transpose());
+          }};
+}
+
+/// Torus of radii 2 and 0.7.
+Surface torus() {
+  const auto frame = [](const Vec3& p) {
+    const Vec3 axis(p.x() / std::hypot(p.x(), p.y()), p.y() / std::hypot(p.x(), p.y()), 0);
+    const Vec3 n = (p - 2 * axis).normalized();
+    return std::tuple(n, Vec3(-axis.y(), axis.x(), 0), n.dot(axis) / (2 + 0.7 * n.dot(axis)));
+  };
+  return {[=](const Vec3& p) {
+            const auto [n, along, around] = frame(p);
+            return Analytic{-(1 / 0.7 + around) / 2, around / 0.7, n};
+          },
+          [=](const Vec3& p) -> Eigen::Matrix3d {
+            const auto [n, along, around] = frame(p);
+            const Vec3 across = n.cross(along);
+            return -(around * along * along.transpose() + 1 / 0.7 * across * across.transpose());
+          }};
+}
+
+Surface cylinder() {
+  return {[](const Vec3& p) { return Analytic{-0.5, 0, Vec3(p.x(), p.y(), 0).normalized()}; },
+          [](const Vec3& p) -> Eigen::Matrix3d {
+            const Vec3 along = Vec3(-p.y(), p.x(), 0).normalized();
+            return -along * along.transpose();
+          }};
+}
+
+Surface catenoid() {
+  const auto normal = [](const Vec3& p) {
+    const double radius = std::hypot(p.x(), p.y());
+    return Vec3(p.x() / radius, p.y() / radius, -std::sinh(p.z())).normalized();
+  };
+  const auto curvature = [](const Vec3& p) { return 1 / std::pow(std::cosh(p.z()), 2); };
+  return {[=](const Vec3& p) { return Analytic{0, -std::pow(curvature(p), 2), normal(p)}; },
+          [=](const Vec3& p) -> Eigen::Matrix3d {
+            const Vec3 n = normal(p), along = Vec3(-p.y(), p.x(), 0).normalized(), across = n.cross(along);
+            return curvature(p) * (across * across.transpose() - along * along.transpose());
+          }};
+}
+
+double order(double coarse, double fine) { return std::log2(coarse / fine); }
+
+/// Halving the edge length must at least divide each error by 2^least.
+void expect_order(const Errors& coarse, const Errors& fine, double least, const char* what) {
+  EXPECT_GT(order(coarse.H, fine.H), least) << what << " H " << coarse.H << " " << fine.H;
+  EXPECT_GT(order(coarse.K, fine.K), least) << what << " K " << coarse.K << " " << fine.K;
+  EXPECT_GT(order(coarse.laplacian, fine.laplacian), least) << what << " Δ " << coarse.laplacian << " " << fine.laplacian;
+  EXPECT_GT(order(coarse.gradient, fine.gradient), least) << what << " ∇ " << coarse.gradient << " " << fine.gradient;
+  EXPECT_GT(order(coarse.diamond, fine.diamond), least) << what << " ◇ " << coarse.diamond << " " << fine.diamond;
+}
+
+class OperatorConvergence : public testing::TestWithParam<Stencil> {};
+INSTANTIATE_TEST_SUITE_P(Stencils, OperatorConvergence, testing::Values(Stencil::one_ring, Stencil::two_ring));
+
+TEST_P(OperatorConvergence, SecondOrderOnRegularTorus) {
+  expect_order(errors_on(make_torus(2, 0.7, 60, 21), torus(), GetParam()),
+               errors_on(make_torus(2, 0.7, 120, 42), torus(), GetParam()), 1.6, "torus");
+}
+
+TEST_P(OperatorConvergence, SecondOrderOnRegularCylinder) {
+  expect_order(errors_on(make_cylinder(2, 30), cylinder(), GetParam()),
+               errors_on(make_cylinder(2, 60), cylinder(), GetParam()), 1.7, "cylinder");
+}
+
+TEST_P(OperatorConvergence, FirstOrderOnIrregularSphere) {
+  const auto mesh = [](int level) {
+    return roughen(make_icosphere(level), 0.2, 0.25, 7, [](const Vec3& p) { return Vec3(p.normalized()); });
+  };
+  expect_order(errors_on(mesh(4), sphere(), GetParam()), errors_on(mesh(5), sphere(), GetParam()), 0.75, "sphere");
+}
+
+TEST_P(OperatorConvergence, FirstOrderOnIrregularCatenoid) {
+  const auto on_catenoid = [](const Vec3& p) {
+    const double radius = std::hypot(p.x(), p.y());
+    return Vec3(p.x() / radius * std::cosh(p.z()), p.y() / radius * std::cosh(p.z()), p.z());
+  };
+  const auto mesh = [&](int around) {
+    return roughen(make_revolution([](double z) { return std::cosh(z); }, -1, 1, around, around / 3), 0.15, 0.2, 3,
+                   on_catenoid);
+  };
+  const Errors coarse = errors_on(mesh(48), catenoid(), GetParam()), fine = errors_on(mesh(96), catenoid(), GetParam());
+  EXPECT_GT(order(coarse.H, fine.H), 0.7) << coarse.H << " " << fine.H;
+  EXPECT_GT(order(coarse.K, fine.K), 0.7) << coarse.K << " " << fine.K;
+  EXPECT_LT(fine.H, 0.02);
+}
+
+TEST(Operators, InvariantUnderRotationTranslationScaling) {
+  // Paper, Theorem 3.2.
+  const TriangleSoup soup =
+      roughen(make_torus(2, 0.7, 40, 14), 0.15, 0.2, 5, [](const Vec3& p) {
+        const Vec3 axis(2 * p.x() / std::hypot(p.x(), p.y()), 2 * p.y() / std::hypot(p.x(), p.y()), 0);
+        return Vec3(axis + 0.7 * (p - axis).normalized());
+      });
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  constexpr double scale = 137;
+  Points moved;
+  for (const Vec3& p : soup.points) moved.push_back(scale * (R * p) + Vec3(5, -3, 40));
+  const int n = static_cast<int>(soup.points.size());
+  const Topology topology(n, soup.triangles);
+  const std::vector<char> all(n, 1);
+  const OperatorSet a = compute_operators(soup.points, soup.triangles, topology, Stencil::two_ring, all);
+  const OperatorSet b = compute_operators(moved, soup.triangles, topology, Stencil::two_ring, all);
+  Eigen::VectorXd f(n);
+  for (int i = 0; i < n; ++i) f[i] = function_value(soup.points[i]);
+  for (int i = 0; i < n; ++i) {
+    ASSERT_NEAR(b.H[i] * scale, a.H[i], 1e-8);
+    ASSERT_NEAR(b.K[i] * scale * scale, a.K[i], 1e-7);
+    ASSERT_NEAR(b.apply_laplacian(i, f) * scale * scale, a.apply_laplacian(i, f), 1e-6);
+    ASSERT_LT((b.apply_diamond(i, f) * scale * scale - R * a.apply_diamond(i, f)).norm(), 1e-7);
+  }
+}
+
+TEST(Operators, WeightsAnnihilateConstants) {
+  const TriangleSoup soup = make_icosphere(3);
+  const int n = static_cast<int>(soup.points.size());
+  const OperatorSet ops = compute_operators(soup.points, soup.triangles, Topology(n, soup.triangles),
+                                            Stencil::one_ring, std::vector<char>(n, 1));
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(n);
+  for (int i = 0; i < n; ++i) {
+    EXPECT_NEAR(ops.apply_laplacian(i, one), 0, 1e-9);
+    EXPECT_LT(ops.apply_gradient(i, one).norm(), 1e-10);
+  }
+}
+
+TEST(Operators, LowValenceTakesTheTwoRing) {
+  // An octahedron split once: its six corners have valence four, its edge midpoints six.
+  TriangleSoup soup = make_icosphere(2);
+  soup.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  soup.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (int level = 0; level < 3; ++level) {
+    std::map<std::pair<int, int>, int> middle;
+    const auto split = [&](int a, int b) {
+      const auto [entry, added] = middle.emplace(std::minmax(a, b), static_cast<int>(soup.points.size()));
+      if (added) soup.points.push_back((soup.points[a] + soup.points[b]).normalized());
+      return entry->second;
+    };
+    Triangles finer;
+    for (const Triangle& t : soup.triangles) {
+      const int a = split(t[0], t[1]), b = split(t[1], t[2]), c = split(t[2], t[0]);
+      for (const Triangle& s : {Triangle{t[0], a, c}, Triangle{a, t[1], b}, Triangle{c, b, t[2]}, Triangle{a, b, c}})
+        finer.push_back(s);
+    }
+    soup.triangles = finer;
+  }
+  const int n = static_cast<int>(soup.points.size());
+  const Topology topology(n, soup.triangles);
+  ASSERT_EQ(topology.valence(0), 4);
+  FitScratch scratch(n);
+  LocalFit fit;
+  fit_quadratic(soup.points, topology, 0, soup.points[0], Stencil::one_ring, scratch, fit);
+  EXPECT_TRUE(fit.valid);
+  EXPECT_EQ(fit.rings, 2);
+  EXPECT_NEAR(fit.H, -1, 0.03);
+}
+
+TEST(Operators, RankDeficientStencilIsRefusedNotInvented) {
+  // Two triangles: three neighbours at most, whatever the ring.
+  const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.2}};
+  const Triangles triangles{{0, 1, 2}, {1, 3, 2}};
+  FitScratch scratch(4);
+  LocalFit fit;
+  fit_quadratic(points, Topology(4, triangles), 0, Vec3(0, 0, 1), Stencil::two_ring, scratch, fit);
+  EXPECT_FALSE(fit.valid);
+  EXPECT_EQ(fit.H, 0);
+  EXPECT_EQ(fit.laplacian.cwiseAbs().sum(), 0);
+}
+
+TEST(CotanStiffness, DirichletEnergyOfALinearFunctionIsExact) {
+  const TriangleSoup soup = make_graph([](double, double) { return 0.0; }, 1, 7);
+  std::vector<int> faces;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) faces.push_back(static_cast<int>(f));
+  const SparseMatrix C = cotan_stiffness(soup.points, soup.triangles, faces);
+  Eigen::VectorXd x(static_cast<Eigen::Index>(soup.points.size()));
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    x[static_cast<Eigen::Index>(i)] = 3 * soup.points[i].x() - 2 * soup.points[i].y();
+  EXPECT_NEAR(x.dot(C * x), (9 + 4) * 4.0, 1e-10);
+  EXPECT_NEAR(barycentric_areas(soup.points, soup.triangles).sum(), 4, 1e-12);
+}
+
+TEST(Topology, RingsOfAnIcosahedronGrid) {
+  const TriangleSoup soup = make_icosphere(3);
+  const Topology topology(static_cast<int>(soup.points.size()), soup.triangles);
+  std::vector<char> mark(soup.points.size(), 0);
+  std::vector<int> ring;
+  topology.k_ring(0, 2, ring, mark);
+  EXPECT_EQ(topology.valence(0), 5);
+  EXPECT_EQ(ring.size(), 15u);  // five neighbours, ten behind them
+  EXPECT_FALSE(topology.is_boundary(0));
+  EXPECT_EQ(std::count(mark.begin(), mark.end(), 0), static_cast<long>(mark.size()));
+}
+
+}  // namespace
+}  // namespace loopmend

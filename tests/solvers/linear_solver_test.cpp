@@ -1,0 +1,98 @@
+#include "solvers/linear_solver.h"
+
+#include <gtest/gtest.h>
+
+namespace loopmend {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// 2D Laplacian plus `shift`, with `skew` breaking the symmetry.
+Sparse grid_matrix(int side, double shift, double skew) {
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int i = y * side + x;
+      triplets.emplace_back(i, i, 4 + shift);
+      if (x > 0) triplets.emplace_back(i, i - 1, -1 - skew);
+      if (x + 1 < side) triplets.emplace_back(i, i + 1, -1 + skew);
+      if (y > 0) triplets.emplace_back(i, i - side, -1);
+      if (y + 1 < side) triplets.emplace_back(i, i + side, -1);
+    }
+  Sparse A(side * side, side * side);
+  A.setFromTriplets(triplets.begin(), triplets.end());
+  return A;
+}
+
+TEST(SpdSolver, SolvesSeveralRightHandSides) {
+  const Sparse A = grid_matrix(30, 0.1, 0);
+  const Eigen::MatrixXd exact = Eigen::MatrixXd::Random(A.rows(), 3);
+  Eigen::MatrixXd x;
+  const auto solver = make_spd_solver();
+  ASSERT_TRUE(solver->factorize(A));
+  ASSERT_TRUE(solver->solve(A * exact, x));
+  EXPECT_LT((x - exact).norm(), 1e-10 * exact.norm());
+}
+
+TEST(SpdSolver, RefusesAnIndefiniteMatrixWithoutAWord) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const auto solver = make_spd_solver();
+  EXPECT_FALSE(solver->factorize(grid_matrix(10, -5, 0)));
+  EXPECT_TRUE(solver->factorize(grid_matrix(10, 1, 0)));  // and can be used again
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(SpdSolver, FollowsAChangeOfPattern) {
+  const auto solver = make_spd_solver();
+  Eigen::MatrixXd x;
+  for (int side : {10, 20, 15}) {
+    const Sparse A = grid_matrix(side, 1, 0);
+    const Eigen::MatrixXd b = Eigen::MatrixXd::Ones(A.rows(), 1);
+    ASSERT_TRUE(solver->factorize(A));
+    ASSERT_TRUE(solver->solve(b, x));
+    EXPECT_LT((A * x - b).norm(), 1e-10);
+  }
+}
+
+class GeneralSolverTest : public testing::TestWithParam<SolverKind> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, GeneralSolverTest,
+                         testing::Values(SolverKind::automatic, SolverKind::direct, SolverKind::gmres));
+
+TEST_P(GeneralSolverTest, SolvesUnsymmetricSystemsThatDriftAndChangeSize) {
+  const auto solver = make_general_solver(GetParam());
+  for (int call = 0; call < 6; ++call) {
+    const Sparse A = grid_matrix(call < 4 ? 25 : 18, 0.1 + 0.02 * call, 0.3);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 1);
+    Eigen::VectorXd x;
+    const SolveReport report = solver->solve(A, b, x);
+    ASSERT_TRUE(report.solved);
+    EXPECT_LT((A * x - b).norm(), 1e-8 * b.norm());
+  }
+}
+
+TEST_P(GeneralSolverTest, ASingularMatrixIsAValueNotACrash) {
+  const auto solver = make_general_solver(GetParam());
+  Sparse A(5, 5);
+  A.setIdentity();
+  A.coeffRef(2, 2) = 0;
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(5, 7);
+  EXPECT_FALSE(solver->solve(A, Eigen::VectorXd::Ones(5), x).solved);
+  EXPECT_EQ(x[0], 7);
+}
+
+TEST(GmresSolver, KeepsItsFactorsWhileTheyServe) {
+  const auto solver = make_general_solver(SolverKind::gmres);
+  Eigen::VectorXd x;
+  const Sparse A = grid_matrix(25, 0.1, 0.3);
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(A.rows());
+  EXPECT_TRUE(solver->solve(A, b, x).factored);
+  const SolveReport second = solver->solve(grid_matrix(25, 0.11, 0.3), b, x);
+  EXPECT_FALSE(second.factored);
+  EXPECT_GT(second.iterations, 0);
+  EXPECT_TRUE(solver->solve(grid_matrix(25, 40, -0.9), b, x).solved);
+}
+
+}  // namespace
+}  // namespace loopmend

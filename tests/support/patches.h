@@ -1,0 +1,47 @@
+// Hole problems that several tests share.
+#pragma once
+
+#include "evolution/fill_loops.h"
+#include "samples/analytic_surfaces.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace loopmend::test {
+
+inline Vec3 onto_sphere(const Vec3& p) { return p.normalized(); }
+
+/// Unit sphere without its cap above z = height.
+inline SurfaceModel open_sphere(int level, double height) {
+  return make_surface_model(cut(make_icosphere(level), [=](const Vec3& p) { return p.z() > height; }));
+}
+
+/// The same with jittered vertices and flipped edges.
+inline SurfaceModel rough_open_sphere(int level, double height) {
+  return make_surface_model(
+      cut(roughen(make_icosphere(level), 0.2, 0.25, 11, onto_sphere), [=](const Vec3& p) { return p.z() > height; }));
+}
+
+/// The G0 filler of all holes of a model as one patch.
+inline Patch start_of(const SurfaceModel& model) {
+  return *start_patch(model, find_boundary_loops(model), FillerOptions{}, CancelToken()).patch;
+}
+
+/// A patch whose free vertices lie exactly on the unit sphere.
+inline Patch exact_sphere_patch(int level, double height) {
+  Patch patch = start_of(open_sphere(level, height));
+  for (int i = 0; i < patch.free_count; ++i)
+    patch.positions[i] = patch.to_frame(patch.to_mesh(patch.positions[i]).normalized());
+  return patch;
+}
+
+/// Bumps on the free vertices, in mean edge lengths of about 1/20 of the frame.
+inline void disturb(Patch& patch, double amount) {
+  for (int i = 0; i < patch.free_count; ++i) {
+    const Vec3& p = patch.positions[i];
+    patch.positions[i] += amount * std::sin(9 * p.x() + 2) * std::cos(7 * p.y()) * Vec3(0.1, -0.2, 1).normalized();
+  }
+}
+
+}  // namespace loopmend::test
