@@ -49,6 +49,16 @@ int answer_options(int argc, char** argv) {
   return -1;
 }
 
+/// Qt ends the program when it cannot reach the display; before it does, say so in words.
+void explain_and_leave(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type != QtFatalMsg) return;
+  std::fprintf(stderr,
+               "loopmend-gui: the display cannot be reached, or Qt's plugin for it is missing. Check DISPLAY, or use the "
+               "command line: loopmend --help\n(Qt says: %s)\n",
+               qPrintable(message.section(QLatin1Char('\n'), 0, 0)));
+  std::_Exit(exit_no_display);
+}
+
 bool has_display() {
   const auto is_set = [](const char* name) {
     const char* value = std::getenv(name);
@@ -74,7 +84,9 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("Loopmend"));
   QApplication::setApplicationVersion(QStringLiteral(LOOPMEND_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("loopmend"));
+  qInstallMessageHandler(explain_and_leave);
   QApplication application(argc, argv);
+  qInstallMessageHandler(nullptr);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setStyle(QStringLiteral("Fusion"));
 

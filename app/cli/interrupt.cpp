@@ -5,25 +5,28 @@
 
 #include <csignal>
 #include <string_view>
-#include <thread>
 #include <unistd.h>
 
 namespace loopmend {
 
+namespace {
+
+/// Only what POSIX allows in a handler: lock-free atomics, unlink, write, _exit.
+void leave(int) {
+  remove_unfinished_files();
+  constexpr std::string_view words = "\nloopmend: cancelled; nothing was written\n";
+  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  _exit(exit_cancelled);
+}
+
+}  // namespace
+
 void exit_on_interrupt() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread([signals] {
-    int signal = 0;
-    if (sigwait(&signals, &signal) != 0) return;
-    remove_unfinished_files();
-    constexpr std::string_view words = "\ncancelled: nothing was written\n";
-    static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
-    _exit(exit_cancelled);
-  }).detach();
+  struct sigaction action {};
+  action.sa_handler = leave;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
 }  // namespace loopmend

@@ -3,7 +3,7 @@
 
 namespace loopmend {
 
-/// Call once, before any thread is started. From then on SIGINT and SIGTERM, on whatever thread, make the process say
+/// From then on SIGINT and SIGTERM, on whatever thread they arrive, make the process say
 /// "cancelled", remove unfinished files and exit with 130, even in the middle of a factorisation.
 void exit_on_interrupt();
 

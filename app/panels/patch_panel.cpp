@@ -230,11 +230,15 @@ void PatchPanel::update_state() {
   const std::set<int> to_fill = loops_to_fill(), to_move = patches_to_move();
   const bool chosen = !selection_.selected().empty();
 
+  bool left_out = false;
+  for (int loop = 0; loop < static_cast<int>(document_.loops().size()) && !left_out; ++loop)
+    left_out = document_.state(loop) == HoleState::left_out;
   if (!document_.has_scan()) {
     fill_target_->setText(tr("Open a scan first."));
   } else if (to_fill.empty()) {
     fill_target_->setText(chosen ? tr("The selection is filled already.")
-                                 : tr("No open hole is left. To fill a loop that is left out, select it."));
+                                 : left_out ? tr("No open hole is left. To fill a loop that is left out, select it.")
+                                            : tr("No open hole is left."));
   } else {
     fill_target_->setText(chosen ? first_upper(words::holes(document_, to_fill)) + tr(", selected")
                                  : tr("All open holes (%1)").arg(to_fill.size()));

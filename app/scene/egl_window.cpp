@@ -6,6 +6,7 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLState.h>
 
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -105,6 +106,7 @@ vtkSmartPointer<vtkRenderWindow> make_offscreen_window(int width, int height) {
   window->SetSize(width, height);
   window->MakeCurrent();
   window->OpenGLInit();
+  window->GetState()->Initialize(window);  // a bare context has another depth rule than VTK expects
   return window;
 }
 

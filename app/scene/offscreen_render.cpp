@@ -77,7 +77,7 @@ void aim(MeshScene& scene, const SurfaceShape& shape, const SurfaceModel& model,
   stand.aspect = aspect;
   vtkCamera* camera = scene.renderer()->GetActiveCamera();
   place_camera(camera, stand);
-  camera->Zoom(tight_zoom(camera, shape, aspect));
+  fit(camera, shape, aspect);
 }
 
 vtkNew<vtkImageData> halve(vtkUnsignedCharArray* pixels, int width, int height) {

@@ -35,6 +35,33 @@ Vec3 loop_normal(const SurfaceModel& model, const BoundaryLoop& loop) {
   return sum;
 }
 
+/// What the shape covers of the picture, −1..1 both ways.
+Eigen::AlignedBox2d seen_box(vtkCamera* camera, const SurfaceShape& shape, double aspect) {
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> to_clip(
+      camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i + 2 < shape.points.size(); i += 3) {
+    const Eigen::Vector4d p = to_clip * Eigen::Vector4d(shape.points[i], shape.points[i + 1], shape.points[i + 2], 1);
+    if (p.w() > 0) box.extend(p.head<2>() / p.w());
+  }
+  return box;
+}
+
+/// Moves eye and focus in the picture's plane, so that `middle` comes to its centre.
+void shift(vtkCamera* camera, const Eigen::Vector2d& middle, double aspect) {
+  Vec3 eye, focus, up;
+  camera->GetPosition(eye.data());
+  camera->GetFocalPoint(focus.data());
+  camera->GetViewUp(up.data());
+  const Vec3 ahead = (focus - eye).normalized(), right = ahead.cross(up).normalized();
+  const double half_height = (focus - eye).norm() * std::tan(0.5 * camera->GetViewAngle() * pi / 180);
+  const Vec3 move = half_height * (middle.x() * aspect * right + middle.y() * right.cross(ahead));
+  eye += move;
+  focus += move;
+  camera->SetPosition(eye.data());
+  camera->SetFocalPoint(focus.data());
+}
+
 }  // namespace
 
 Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop) {
@@ -73,16 +100,16 @@ void place_camera(vtkCamera* camera, const Stand& stand) {
   camera->SetViewUp(stand.up.data());
 }
 
-double tight_zoom(vtkCamera* camera, const SurfaceShape& shape, double aspect) {
+void fit(vtkCamera* camera, const SurfaceShape& shape, double aspect) {
   constexpr double share = 0.86;
-  Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> to_clip(
-      camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
-  double widest = 0;
-  for (std::size_t i = 0; i + 2 < shape.points.size(); i += 3) {
-    const Eigen::Vector4d p = to_clip * Eigen::Vector4d(shape.points[i], shape.points[i + 1], shape.points[i + 2], 1);
-    if (p.w() > 0) widest = std::max({widest, std::abs(p.x() / p.w()), std::abs(p.y() / p.w())});
+  constexpr int rounds = 2;  // moving sideways changes the perspective a little
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::AlignedBox2d seen = seen_box(camera, shape, aspect);
+    if (seen.isEmpty()) return;
+    shift(camera, seen.center(), aspect);
+    const double widest = (0.5 * seen.sizes()).maxCoeff();
+    if (widest > 0) camera->Zoom(std::clamp(share / widest, 0.2, 3.0));
   }
-  return widest > 0 ? std::clamp(share / widest, 0.2, 3.0) : 1;
 }
 
 }  // namespace loopmend

@@ -29,7 +29,7 @@ struct Stand {
 };
 void place_camera(vtkCamera* camera, const Stand& stand);
 
-/// By how much the camera may zoom so that every point stays inside 86 % of the picture, about its middle.
-double tight_zoom(vtkCamera* camera, const SurfaceShape& shape, double aspect);
+/// Moves the camera sideways and zooms until the shape fills 86 % of the picture, in its middle.
+void fit(vtkCamera* camera, const SurfaceShape& shape, double aspect);
 
 }  // namespace loopmend

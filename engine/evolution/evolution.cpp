@@ -284,7 +284,7 @@ void Evolution::step(const CancelToken& cancel) {
   if (impl_->status == EvolutionStatus::step_limit) impl_->stop(EvolutionStatus::ready, "");
   if (impl_->status != EvolutionStatus::ready) return;
   if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
-  const bool newton = impl_->options.mode == EvolutionMode::steady && has_energy(impl_->options.flow);
+  const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
   newton ? impl_->gauss_newton_step(cancel) : impl_->semi_implicit_step(cancel);
 }
 

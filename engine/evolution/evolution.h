@@ -15,7 +15,7 @@
 namespace loopmend {
 
 enum class EvolutionMode {
-  steady,  ///< straight to the steady state: Gauss-Newton on the energy (MMCVF, WF), large steps (SDF, MCF)
+  steady,  ///< straight to the steady state: Gauss-Newton on the energy (MMCVF), very large steps (WF, SDF, MCF)
   steps,   ///< the paper's semi-implicit scheme, §4, one step of size sigma after another
 };
 

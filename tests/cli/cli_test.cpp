@@ -105,7 +105,7 @@ TEST_F(Cli, LoopsAreChosenByNumberVertexAndSize) {
   EXPECT_EQ(status("--loops all"), "filled filled");
   EXPECT_EQ(status("--loops 2"), "skipped filled");
   EXPECT_EQ(status("--loops 1,2"), "filled filled");
-  EXPECT_EQ(status("--max-diameter 0.7"), "skipped filled");
+  EXPECT_EQ(status("--max-diameter 0.85"), "skipped filled");
   EXPECT_EQ(status("--max-edges 5"), "skipped skipped");
   const SurfaceModel model = make_surface_model(read_mesh(holes).soup);
   const int vertex = model.soup_vertex[find_boundary_loops(model)[1].vertices[3]];
