@@ -52,10 +52,11 @@ int answer_options(int argc, char** argv) {
 /// Qt ends the program when it cannot reach the display; before it does, say so in words.
 void explain_and_leave(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type != QtFatalMsg) return;
-  std::fprintf(stderr,
-               "loopmend-gui: the display cannot be reached, or Qt's plugin for it is missing. Check DISPLAY, or use the "
-               "command line: loopmend --help\n(Qt says: %s)\n",
-               qPrintable(message.section(QLatin1Char('\n'), 0, 0)));
+  std::fprintf(
+      stderr,
+      "loopmend-gui: the display cannot be reached, or Qt's plugin for it is missing. Check DISPLAY, or use the "
+      "command line: loopmend --help\n(Qt says: %s)\n",
+      qPrintable(message.section(QLatin1Char('\n'), 0, 0)));
   std::_Exit(exit_no_display);
 }
 

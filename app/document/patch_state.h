@@ -14,22 +14,22 @@
 namespace loopmend {
 
 enum class PatchStage {
-  filled,     ///< the G0 filler
-  stepped,    ///< some steps of a flow, more can be taken
+  filled,   ///< the G0 filler
+  stepped,  ///< some steps of a flow, more can be taken
   converged,
-  failed,     ///< the flow found no further acceptable step; the state is the last accepted one
+  failed,  ///< the flow found no further acceptable step; the state is the last accepted one
 };
 
 struct PatchState {
   Patch patch;
   std::shared_ptr<const SurfaceShape> shape;
   PatchStage stage = PatchStage::filled;
-  std::string message;           ///< the engine's words about this state; may be empty
+  std::string message;  ///< the engine's words about this state; may be empty
   FlowKind flow = FlowKind::mmcvf;
-  int steps = 0;                 ///< since the filler
-  StepRecord last_step;          ///< meaningful when steps > 0
-  double initial_energy = 0;     ///< of the run that led here
-  double seconds = 0;            ///< of that run
+  int steps = 0;                        ///< since the filler
+  StepRecord last_step;                 ///< meaningful when steps > 0
+  double initial_energy = 0;            ///< of the run that led here
+  double seconds = 0;                   ///< of that run
   std::vector<SeamReport> seam_before;  ///< of the filler, one per loop
   std::vector<SeamReport> seam;         ///< of this state, one per loop
 };

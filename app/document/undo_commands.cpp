@@ -3,7 +3,9 @@
 namespace loopmend {
 
 FillCommand::FillCommand(Document& document, std::vector<OpenPatch> patches, const QString& text)
-    : QUndoCommand(text), document_(document), patches_(std::move(patches)) {}
+    : QUndoCommand(text),
+      document_(document),
+      patches_(std::move(patches)) {}
 
 void FillCommand::redo() { document_.add_patches(patches_); }
 
@@ -14,7 +16,9 @@ void FillCommand::undo() {
 }
 
 EvolveCommand::EvolveCommand(Document& document, std::vector<Change> changes, const QString& text)
-    : QUndoCommand(text), document_(document), changes_(std::move(changes)) {}
+    : QUndoCommand(text),
+      document_(document),
+      changes_(std::move(changes)) {}
 
 void EvolveCommand::redo() {
   std::map<int, PatchStatePtr> states;

@@ -39,7 +39,8 @@ QString kind_help(LoopKind kind) {
       return tr("The rim of an open sheet. It is left out unless you select it yourself and press Fill.");
     case LoopKind::touching: return tr("This loop passes twice through one vertex, or meets another loop there.");
     case LoopKind::crack:
-      return tr("A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.");
+      return tr(
+          "A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.");
     case LoopKind::cut:
       return tr("Not a hole: more than two triangles meet along this edge, so the surface was cut here.");
   }
@@ -88,8 +89,10 @@ QString flow_help(FlowKind flow) {
   switch (flow) {
     case FlowKind::mmcvf:
       return tr("Minimal mean-curvature variation, sixth order: position, tangent and curvature match at the seam.");
-    case FlowKind::wf: return tr("Willmore flow, fourth order: position and tangent match; bends as little as possible.");
-    case FlowKind::sdf: return tr("Surface diffusion, fourth order: position and tangent match; mean curvature spreads evenly.");
+    case FlowKind::wf:
+      return tr("Willmore flow, fourth order: position and tangent match; bends as little as possible.");
+    case FlowKind::sdf:
+      return tr("Surface diffusion, fourth order: position and tangent match; mean curvature spreads evenly.");
     case FlowKind::mcf: return tr("Mean curvature flow, second order: least area; a crease stays at the seam.");
   }
   return {};
@@ -112,21 +115,22 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStag
   if (curvature) {
     sentence = tr("Position, tangent and curvature run through the seam.");
   } else if (tangent) {
-    sentence = tr("Position and tangent run through the seam; the mean curvature jumps by %1 (rms).").arg(number(now.h_jump_rms));
+    sentence = tr("Position and tangent run through the seam; the mean curvature jumps by %1 (rms).")
+                   .arg(number(now.h_jump_rms));
   } else {
     sentence = tr("The patch meets the scan with a crease of %1\u00b0 (rms).").arg(number(now.g1_rms_deg));
   }
   if (stage == PatchStage::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
   if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms)
-    sentence += QLatin1Char(' ') +
-                tr("The flow made the jump of curvature %1 times smaller.").arg(number(before.h_jump_rms / now.h_jump_rms));
+    sentence +=
+        QLatin1Char(' ') +
+        tr("The flow made the jump of curvature %1 times smaller.").arg(number(before.h_jump_rms / now.h_jump_rms));
   return sentence;
 }
 
 QString holes(const Document& document, const std::set<int>& loops) {
   constexpr std::size_t spelled_out = 4;
-  if (loops.size() == 1)
-    return tr("hole %1").arg(document.loops()[static_cast<std::size_t>(*loops.begin())].number);
+  if (loops.size() == 1) return tr("hole %1").arg(document.loops()[static_cast<std::size_t>(*loops.begin())].number);
   if (loops.size() > spelled_out) return tr("%1 holes").arg(loops.size());
   QStringList numbers;
   for (int loop : loops) numbers << QString::number(document.loops()[static_cast<std::size_t>(loop)].number);
@@ -137,8 +141,9 @@ QString holes(const Document& document, const std::set<int>& loops) {
 QString import_summary(const OpenedScan& scan) {
   const ImportReport& in = scan.import;
   const ModelRepairs& mended = scan.model->repairs;
-  QString text = tr("%1: %2 triangles, %3 vertices, %4 boundary loops.")
-                     .arg(QFileInfo(scan.path).fileName(), count(in.triangles), count(in.vertices), count(scan.loops.size()));
+  QString text =
+      tr("%1: %2 triangles, %3 vertices, %4 boundary loops.")
+          .arg(QFileInfo(scan.path).fileName(), count(in.triangles), count(in.vertices), count(scan.loops.size()));
   QStringList notes;
   const auto note = [&notes](std::size_t n, const char* words) {
     if (n > 0) notes << tr(words).arg(count(n));

@@ -23,7 +23,11 @@ PatchStage stage_of(EvolutionStatus status) {
 class Runner {
  public:
   Runner(const EvolveTask& task, const EvolveTask::Item& item, const std::function<void(int, PatchStatePtr)>& show)
-      : id_(item.patch_id), state_(item.start), show_(show), origin_(task.origin), started_(Clock::now()) {
+      : id_(item.patch_id),
+        state_(item.start),
+        show_(show),
+        origin_(task.origin),
+        started_(Clock::now()) {
     if (item.session) {
       evolution_ = item.session;
       evolution_->set_options(task.options);

@@ -40,6 +40,7 @@ struct EvolveResult {
 };
 
 /// @param show  every accepted state, on the worker's thread.
-EvolveResult evolve_patches(const EvolveTask& task, const std::function<void(int, PatchStatePtr)>& show, const Job& job);
+EvolveResult evolve_patches(const EvolveTask& task, const std::function<void(int, PatchStatePtr)>& show,
+                            const Job& job);
 
 }  // namespace loopmend

@@ -18,9 +18,9 @@ struct FillTask {
 };
 
 struct FillResult {
-  std::vector<OpenPatch> patches;             ///< ids are not set
-  std::map<int, std::string> failures;        ///< by index in the document, in words
-  std::map<int, std::string> remarks;         ///< filled, but with something left to wish
+  std::vector<OpenPatch> patches;       ///< ids are not set
+  std::map<int, std::string> failures;  ///< by index in the document, in words
+  std::map<int, std::string> remarks;   ///< filled, but with something left to wish
 };
 
 /// @param progress  holes done; called from several threads, one call at a time.

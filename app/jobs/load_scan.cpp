@@ -24,8 +24,9 @@ bool view_is_file(const SurfaceModel& model) {
       if (numbers[i] != static_cast<int>(i)) return false;
     return true;
   };
-  return model.soup_vertex.size() == model.soup.points.size() && model.soup_face.size() == model.soup.triangles.size() &&
-         model.repairs.reoriented_faces == 0 && counts_up(model.soup_vertex) && counts_up(model.soup_face);
+  return model.soup_vertex.size() == model.soup.points.size() &&
+         model.soup_face.size() == model.soup.triangles.size() && model.repairs.reoriented_faces == 0 &&
+         counts_up(model.soup_vertex) && counts_up(model.soup_face);
 }
 
 }  // namespace

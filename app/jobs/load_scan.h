@@ -9,10 +9,10 @@ namespace loopmend {
 
 /// Called on the worker's thread, in this order.
 struct LoadStages {
-  std::function<void(std::shared_ptr<const SurfaceShape>)> picture;   ///< first plain picture
-  std::function<void(OpenedScan)> opened;                             ///< model and loops, no H yet
-  std::function<void(std::shared_ptr<const SurfaceShape>)> colored;   ///< the same with H
-  std::function<void(QString)> stage;                                 ///< what is being done, in words
+  std::function<void(std::shared_ptr<const SurfaceShape>)> picture;  ///< first plain picture
+  std::function<void(OpenedScan)> opened;                            ///< model and loops, no H yet
+  std::function<void(std::shared_ptr<const SurfaceShape>)> colored;  ///< the same with H
+  std::function<void(QString)> stage;                                ///< what is being done, in words
 };
 
 /// @param path  empty: the embedded sample.

@@ -25,7 +25,9 @@ Activity activity_of(Pace pace) {
 }  // namespace
 
 Workbench::Workbench(Document& document, QUndoStack& undo, QObject* parent)
-    : QObject(parent), document_(document), undo_(undo) {}
+    : QObject(parent),
+      document_(document),
+      undo_(undo) {}
 
 Workbench::~Workbench() {
   if (job_) job_->token().cancel();
@@ -134,9 +136,13 @@ void Workbench::on_filled(FillResult result, const std::set<int>& wanted, qint64
     Q_EMIT said(tr("Filled %1 with %2 triangles in %3 s.").arg(name).arg(triangles).arg(seconds(milliseconds)));
   }
   for (const auto& [loop, words] : result.remarks)
-    Q_EMIT said(tr("Hole %1: %2").arg(document_.loops()[static_cast<std::size_t>(loop)].number).arg(QString::fromStdString(words)));
+    Q_EMIT said(tr("Hole %1: %2")
+                    .arg(document_.loops()[static_cast<std::size_t>(loop)].number)
+                    .arg(QString::fromStdString(words)));
   for (const auto& [loop, words] : result.failures)
-    Q_EMIT said(tr("Hole %1 stays open: %2").arg(document_.loops()[static_cast<std::size_t>(loop)].number).arg(QString::fromStdString(words)));
+    Q_EMIT said(tr("Hole %1 stays open: %2")
+                    .arg(document_.loops()[static_cast<std::size_t>(loop)].number)
+                    .arg(QString::fromStdString(words)));
   if (!result.failures.empty())
     Q_EMIT failed(tr("%1 of %2 holes could not be filled. The State column says why.")
                       .arg(result.failures.size())

@@ -29,7 +29,9 @@ QColor dot_color(HoleState state) {
 }  // namespace
 
 HoleDelegate::HoleDelegate(const Document& document, const HoleSelection& selection, QObject* parent)
-    : QStyledItemDelegate(parent), document_(document), selection_(selection) {}
+    : QStyledItemDelegate(parent),
+      document_(document),
+      selection_(selection) {}
 
 void HoleDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const auto* proxy = static_cast<const QSortFilterProxyModel*>(index.model());
@@ -52,7 +54,8 @@ void HoleDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   const HoleState state = document_.state(loop);
   const bool hollow = state == HoleState::open || state == HoleState::left_out;
   const QColor color = dot_color(state);
-  painter->setPen(QPen(cell.state.testFlag(QStyle::State_Selected) ? option.palette.color(QPalette::Base) : color, 1.6));
+  painter->setPen(
+      QPen(cell.state.testFlag(QStyle::State_Selected) ? option.palette.color(QPalette::Base) : color, 1.6));
   painter->setBrush(hollow ? option.palette.base() : QBrush(color));
   painter->drawEllipse(middle, dot_px / 2, dot_px / 2);
   painter->restore();

@@ -63,6 +63,7 @@ void HolesPanel::build_table() {
   table_->setMouseTracking(true);
   table_->viewport()->installEventFilter(this);
   table_->setShowGrid(false);
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
   table_->setSortingEnabled(true);
@@ -86,7 +87,8 @@ void HolesPanel::fit_columns() {
   for (int column = HoleTable::number; column < HoleTable::state; ++column) {
     const int title = letters.horizontalAdvance(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
     const int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
-    table_->setColumnWidth(column, std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
+    table_->setColumnWidth(column,
+                           std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
   }
 }
 

@@ -39,7 +39,10 @@ QString first_upper(QString text) {
 }  // namespace
 
 PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent)
-    : QWidget(parent), document_(document), selection_(selection), workbench_(workbench) {
+    : QWidget(parent),
+      document_(document),
+      selection_(selection),
+      workbench_(workbench) {
   setObjectName(QStringLiteral("patchPanel"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 8);
@@ -236,9 +239,9 @@ void PatchPanel::update_state() {
   if (!document_.has_scan()) {
     fill_target_->setText(tr("Open a scan first."));
   } else if (to_fill.empty()) {
-    fill_target_->setText(chosen ? tr("The selection is filled already.")
-                                 : left_out ? tr("No open hole is left. To fill a loop that is left out, select it.")
-                                            : tr("No open hole is left."));
+    fill_target_->setText(chosen     ? tr("The selection is filled already.")
+                          : left_out ? tr("No open hole is left. To fill a loop that is left out, select it.")
+                                     : tr("No open hole is left."));
   } else {
     fill_target_->setText(chosen ? first_upper(words::holes(document_, to_fill)) + tr(", selected")
                                  : tr("All open holes (%1)").arg(to_fill.size()));
@@ -246,8 +249,9 @@ void PatchPanel::update_state() {
   std::set<int> moving_loops;
   for (int id : to_move)
     if (const OpenPatch* patch = document_.patch(id)) moving_loops.insert(patch->loops.begin(), patch->loops.end());
-  flow_target_->setText(to_move.empty() ? (chosen ? tr("The selection is not filled yet.") : tr("Nothing is filled yet."))
-                                        : first_upper(words::holes(document_, moving_loops)));
+  flow_target_->setText(to_move.empty()
+                            ? (chosen ? tr("The selection is not filled yet.") : tr("Nothing is filled yet."))
+                            : first_upper(words::holes(document_, moving_loops)));
   flow_help_->setText(words::flow_help(flow()));
   sigma_value_->setText(tr("\u03c3 = %1").arg(words::number(sigma())));
 

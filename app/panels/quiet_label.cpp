@@ -23,8 +23,8 @@ void QuietLabel::take_colors() {
   const QColor ink = from.color(QPalette::WindowText), ground = from.color(QPalette::Window);
   const auto mix = [&](int a, int b) { return static_cast<int>(strength * a + (1 - strength) * b); };
   QPalette mine = palette();
-  mine.setColor(QPalette::WindowText, QColor(mix(ink.red(), ground.red()), mix(ink.green(), ground.green()),
-                                             mix(ink.blue(), ground.blue())));
+  mine.setColor(QPalette::WindowText,
+                QColor(mix(ink.red(), ground.red()), mix(ink.green(), ground.green()), mix(ink.blue(), ground.blue())));
   setPalette(mine);
 }
 

@@ -54,7 +54,9 @@ QWidget* titled(const QString& title, QWidget* content, QPushButton* button) {
 }  // namespace
 
 ReportPanel::ReportPanel(const Document& document, const HoleSelection& selection, QWidget* parent)
-    : QWidget(parent), document_(document), selection_(selection) {
+    : QWidget(parent),
+      document_(document),
+      selection_(selection) {
   setObjectName(QStringLiteral("reportPanel"));
   auto* split = new QSplitter(Qt::Horizontal);
   split->setChildrenCollapsible(false);
@@ -152,23 +154,27 @@ void ReportPanel::update_seam() {
   seam_->setRowCount(static_cast<int>(loops.size()));
   for (int row = 0; row < static_cast<int>(loops.size()); ++row) fill_row(row, loops[static_cast<std::size_t>(row)]);
   if (loops.empty()) {
-    sentence_->setText(!document_.has_scan()          ? tr("Open a scan, fill a hole, and its seam is measured here.")
-                       : selection_.selected().empty() ? tr("No hole is filled yet. Press Fill, and the seam is measured here.")
-                                                       : tr("The selection is not filled yet."));
+    sentence_->setText(!document_.has_scan() ? tr("Open a scan, fill a hole, and its seam is measured here.")
+                       : selection_.selected().empty()
+                           ? tr("No hole is filled yet. Press Fill, and the seam is measured here.")
+                           : tr("The selection is not filled yet."));
     return;
   }
   const int first = loops.front();
   const OpenPatch& patch = *document_.patch_of(first);
-  const auto at = static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), first) - patch.loops.begin());
+  const auto at =
+      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), first) - patch.loops.begin());
   if (at >= patch.state->seam.size()) return;
-  sentence_->setText(tr("Hole %1: %2")
-                         .arg(document_.loops()[static_cast<std::size_t>(first)].number)
-                         .arg(words::seam_sentence(patch.state->seam_before[at], patch.state->seam[at], patch.state->stage)));
+  sentence_->setText(
+      tr("Hole %1: %2")
+          .arg(document_.loops()[static_cast<std::size_t>(first)].number)
+          .arg(words::seam_sentence(patch.state->seam_before[at], patch.state->seam[at], patch.state->stage)));
 }
 
 void ReportPanel::fill_row(int row, int loop) {
   const OpenPatch& patch = *document_.patch_of(loop);
-  const auto at = static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
+  const auto at =
+      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
   for (int column = 0; column < column_count; ++column) {
     QString text;
     if (column == hole) {

@@ -11,7 +11,11 @@
 namespace loopmend {
 
 StatusLine::StatusLine(const Document& document, const Workbench& workbench, QWidget* parent)
-    : QWidget(parent), document_(document), stage_(new QLabel(tr("Ready"))), figures_(new QLabel), scan_(new QLabel) {
+    : QWidget(parent),
+      document_(document),
+      stage_(new QLabel(tr("Ready"))),
+      figures_(new QLabel),
+      scan_(new QLabel) {
   setObjectName(QStringLiteral("statusLine"));
   stage_->setObjectName(QStringLiteral("statusStage"));
   figures_->setObjectName(QStringLiteral("statusFigures"));
@@ -46,7 +50,8 @@ void StatusLine::show_figures(int patch_id) {
   const PatchState& state = *patch->state;
   QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(words::number(state.last_step.energy));
   if (state.last_step.tau > 0)
-    text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2").arg(words::number(state.last_step.sigma), words::number(state.last_step.tau));
+    text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2")
+                .arg(words::number(state.last_step.sigma), words::number(state.last_step.tau));
   figures_->setText(text + tr(" \u00b7 %1 s").arg(state.seconds, 0, 'f', 1));
 }
 

@@ -20,8 +20,8 @@ namespace {
 class EglContext {
  public:
   EglContext() {
-    const auto platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
-        eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    const auto platform_display =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (platform_display) display_ = platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (display_ == EGL_NO_DISPLAY) display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) fail("EGL does not start");
@@ -30,8 +30,9 @@ class EglContext {
     EGLConfig config{};
     EGLint count = 0;
     if (!eglChooseConfig(display_, config_wanted, &config, 1, &count) || count == 0) fail("no EGL configuration fits");
-    const EGLint context_wanted[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint context_wanted[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 2, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, context_wanted);
     if (context_ == EGL_NO_CONTEXT) fail("no OpenGL 3.2 context");
   }
@@ -60,7 +61,9 @@ class EglRenderWindow : public vtkGenericOpenGLRenderWindow {
   static EglRenderWindow* New();
   vtkTypeMacro(EglRenderWindow, vtkGenericOpenGLRenderWindow)
 
-  void adopt(std::unique_ptr<EglContext> context) { context_ = std::move(context); }
+      void adopt(std::unique_ptr<EglContext> context) {
+    context_ = std::move(context);
+  }
   void MakeCurrent() override { context_->make_current(); }
   bool IsCurrent() override { return context_ && context_->is_current(); }
   int SupportsOpenGL() override { return 1; }
@@ -106,7 +109,8 @@ vtkSmartPointer<vtkRenderWindow> make_offscreen_window(int width, int height) {
   window->SetSize(width, height);
   window->MakeCurrent();
   window->OpenGLInit();
-  window->GetState()->Initialize(window);  // a bare context has another depth rule than VTK expects
+  window->GetState()->Initialize(window);
+  glDepthFunc(GL_LEQUAL);  // what VTK takes for granted; a bare context starts with another rule
   return window;
 }
 

@@ -59,8 +59,7 @@ std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<Boun
 }
 
 void fill_scene(Picture& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
-  const CurvatureField field =
-      options.shading == Shading::plain ? CurvatureField{} : curvature_field(model.mesh);
+  const CurvatureField field = options.shading == Shading::plain ? CurvatureField{} : curvature_field(model.mesh);
   picture.shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, field, origin));
   picture.scene.set_surface(picture.shape);
   picture.scene.set_shading(options.shading);
@@ -71,9 +70,10 @@ void aim(MeshScene& scene, const SurfaceShape& shape, const SurfaceModel& model,
   const auto b = scene.bounds();
   Stand stand;
   stand.focus = 0.5 * Vec3(b[0] + b[1], b[2] + b[3], b[4] + b[5]);
-  stand.direction = view_direction(model, find_boundary_loops(model));
-  stand.up = view_up(stand.direction);
-  stand.radius = 0.5 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm();
+  const Vec3 extents(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+  stand.direction = view_direction(model, find_boundary_loops(model), guessed_up(extents));
+  stand.up = view_up(stand.direction, guessed_up(extents));
+  stand.radius = 0.5 * extents.norm();
   stand.aspect = aspect;
   vtkCamera* camera = scene.renderer()->GetActiveCamera();
   place_camera(camera, stand);
@@ -113,7 +113,8 @@ void write_png(vtkRenderWindow* window, const RenderOptions& options, const std:
   writer->Write();
   vtkUnsignedCharArray* png = writer->GetResult();
   write_file_atomically(path, [png](std::ostream& out) {
-    out.write(reinterpret_cast<const char*>(png->GetPointer(0)), static_cast<std::streamsize>(png->GetNumberOfValues()));
+    out.write(reinterpret_cast<const char*>(png->GetPointer(0)),
+              static_cast<std::streamsize>(png->GetNumberOfValues()));
   });
 }
 

@@ -14,7 +14,8 @@ struct RenderOptions {
   Shading shading = Shading::curvature;
   int width = 1600;   ///< pixels, 64..8192; of the whole picture
   int height = 1200;  ///< likewise
-  std::optional<double> h_range;  ///< colours over [−h_range, h_range], 1/length; empty: 98th percentile of the (first) surface
+  std::optional<double>
+      h_range;  ///< colours over [−h_range, h_range], 1/length; empty: 98th percentile of the (first) surface
 };
 
 /// One picture: surface, loops as lines, legend when coloured by H. Looks towards the largest holes.

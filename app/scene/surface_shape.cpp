@@ -49,7 +49,9 @@ std::vector<float> to_floats(const std::vector<double>& values) {
   return out;
 }
 
-void add_triangle(SurfaceShape& shape, const Triangle& t) { shape.triangles.insert(shape.triangles.end(), t.begin(), t.end()); }
+void add_triangle(SurfaceShape& shape, const Triangle& t) {
+  shape.triangles.insert(shape.triangles.end(), t.begin(), t.end());
+}
 
 }  // namespace
 
@@ -100,9 +102,8 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   shape.own_triangles = patch.patch_triangles;
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     const Triangle& tri = patch.triangles[t];
-    const bool near_patch = std::all_of(tri.begin(), tri.end(), [&](int v) {
-      return patch.ring[static_cast<std::size_t>(v)] <= blended_rings;
-    });
+    const bool near_patch = std::all_of(
+        tri.begin(), tri.end(), [&](int v) { return patch.ring[static_cast<std::size_t>(v)] <= blended_rings; });
     if (t < static_cast<std::size_t>(patch.patch_triangles) || near_patch) add_triangle(shape, tri);
   }
   set_normals(shape, field.normals);

@@ -66,12 +66,13 @@ void shift(vtkCamera* camera, const Eigen::Vector2d& middle, double aspect) {
 
 Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop) {
   const Vec3 around = rim_normal(model, loop).normalized(), across = loop_normal(model, loop).normalized();
-  const Vec3 both = across + 0.5 * around;
+  // The rim of a sheet runs the other way round than the rim of a hole: there only the surface tells where outside is.
+  const Vec3 both = across.dot(around) < -0.3 ? around : Vec3(across + 0.5 * around);
   return both.norm() > 1e-6 && both.allFinite() ? Vec3(both.normalized()) : Vec3(Vec3::UnitZ());
 }
 
-Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  Vec3 sum = Vec3::Zero(), largest = Vec3(0, 0, 1);
+Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const Vec3& wanted_up) {
+  Vec3 sum = Vec3::Zero(), largest = Vec3::Zero();
   double largest_perimeter = 0;
   for (const BoundaryLoop& loop : loops) {
     if (loop.kind != LoopKind::hole && loop.kind != LoopKind::touching) continue;
@@ -82,13 +83,24 @@ Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& 
       largest = d;
     }
   }
+  if (largest_perimeter <= 0) return front(wanted_up);
   const Vec3 main = sum.norm() > 0.4 * largest_perimeter ? Vec3(sum.normalized()) : largest;
-  const Vec3 up = view_up(main);
+  const Vec3 up = view_up(main, wanted_up);
   const Vec3 side = up.cross(main).normalized();
   return (main + 0.28 * up - 0.22 * side).normalized();
 }
 
-Vec3 view_up(const Vec3& direction) { return std::abs(direction.y()) < 0.9 ? Vec3::UnitY() : Vec3(0, 0, -1); }
+Vec3 guessed_up(const Vec3& extents) {
+  constexpr double clearly = 1.1;
+  return extents.z() > clearly * extents.head<2>().maxCoeff() ? Vec3::UnitZ() : Vec3::UnitY();
+}
+
+Vec3 view_up(const Vec3& direction, const Vec3& wanted) {
+  if (std::abs(direction.dot(wanted)) < 0.9) return wanted;
+  return wanted.y() > 0.5 ? Vec3(0, 0, -1) : Vec3::UnitY();
+}
+
+Vec3 front(const Vec3& up) { return up.z() > 0.5 ? Vec3(0.3, -1, 0.2).normalized() : Vec3(0.2, 0.2, 1).normalized(); }
 
 void place_camera(vtkCamera* camera, const Stand& stand) {
   const double half = 0.5 * camera->GetViewAngle() * pi / 180;

@@ -13,11 +13,17 @@ namespace loopmend {
 /// Unit vector from the middle of the loop to an eye that looks straight into it.
 Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop);
 
-/// Towards most of the fillable rims, slightly from above and from the left; from the front when there are none.
-Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+/// Towards most of the fillable rims, slightly from above and from the left; the front when there are none.
+Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const Vec3& up);
 
-/// y up, or z up when looking along y.
-Vec3 view_up(const Vec3& direction);
+/// Which way is up in a scan that does not say: z when it is tallest along z, y otherwise.
+Vec3 guessed_up(const Vec3& extents);
+
+/// A usable up for this direction: the wanted one, or another axis when the eye looks along it.
+Vec3 view_up(const Vec3& direction, const Vec3& wanted);
+
+/// The side that the first picture shows: slightly from the right and above.
+Vec3 front(const Vec3& up);
 
 /// A sphere that should be seen whole, and the eye's direction. `aspect` is width / height.
 struct Stand {

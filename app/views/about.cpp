@@ -14,13 +14,15 @@ About::About(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("About Loopmend"));
   auto* picture = new QLabel;
   picture->setPixmap(application_icon().pixmap(72, 72));
-  auto* text = new QLabel(tr(
-      "<h2>Loopmend %1</h2>"
-      "<p>Closes holes in scanned meshes with patches whose curvature runs through the seam.</p>"
-      "<p>Free software under the GNU General Public License, version 3 or later: you may use, study, share and change "
-      "it. It comes without any warranty.<br><a href=\"https://www.gnu.org/licenses/gpl-3.0.html\">"
-      "gnu.org/licenses/gpl-3.0</a></p>"
-      "<p>Built with Qt, VTK, Eigen, OpenMesh, CGAL and SuiteSparse.</p>").arg(QLatin1String(version())));
+  auto* text =
+      new QLabel(tr("<h2>Loopmend %1</h2>"
+                    "<p>Closes holes in scanned meshes with patches whose curvature runs through the seam.</p>"
+                    "<p>Free software under the GNU General Public License, version 3 or later: you may use, study, "
+                    "share and change "
+                    "it. It comes without any warranty.<br><a href=\"https://www.gnu.org/licenses/gpl-3.0.html\">"
+                    "gnu.org/licenses/gpl-3.0</a></p>"
+                    "<p>Built with Qt, VTK, Eigen, OpenMesh, CGAL and SuiteSparse.</p>")
+                     .arg(QLatin1String(version())));
   text->setWordWrap(true);
   text->setOpenExternalLinks(true);
   text->setMinimumWidth(380);

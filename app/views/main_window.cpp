@@ -81,7 +81,7 @@ void MainWindow::build_docks() {
   QDockWidget* left = dock("holesDock", tr("Holes"), holes, Qt::LeftDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("reportDock", tr("Report"), report_, Qt::BottomDockWidgetArea);
-  resizeDocks({left, right}, {436, 264}, Qt::Horizontal);
+  resizeDocks({left, right}, {446, 264}, Qt::Horizontal);
   resizeDocks({bottom}, {170}, Qt::Vertical);
 }
 

@@ -85,15 +85,16 @@ void MainWindow::build_run_actions() {
           &QAction::triggered, patch_, &PatchPanel::run_or_pause);
   connect(add_action("steadyAction", tr("&To steady state"), tr("Straight to where the flow comes to rest"), Qt::Key_T),
           &QAction::triggered, patch_, &PatchPanel::to_steady_state);
-  connect(add_action("cancelAction", tr("&Cancel"), tr("Stop at once"), Qt::Key_Escape), &QAction::triggered, this, [this] {
-    if (workbench_.busy()) {
-      workbench_.cancel();
-    } else if (banner_->isVisible()) {
-      banner_->hide();
-    } else {
-      selection_.select({});
-    }
-  });
+  connect(add_action("cancelAction", tr("&Cancel"), tr("Stop at once"), Qt::Key_Escape), &QAction::triggered, this,
+          [this] {
+            if (workbench_.busy()) {
+              workbench_.cancel();
+            } else if (banner_->isVisible()) {
+              banner_->hide();
+            } else {
+              selection_.select({});
+            }
+          });
 }
 
 void MainWindow::build_menus() {
@@ -140,9 +141,16 @@ void MainWindow::build_toolbar() {
 
 void MainWindow::update_icons() {
   const QColor ink = palette().color(QPalette::ButtonText);
-  for (const auto& [action, picture] :
-       {std::pair{"open", "open"}, {"export", "export"}, {"screenshot", "camera"}, {"undo", "undo"}, {"redo", "redo"},
-        {"curvature", "curvature"}, {"plain", "plain"}, {"zebra", "zebra"}, {"wireframe", "wireframe"}, {"frame", "frame"}})
+  for (const auto& [action, picture] : {std::pair{"open", "open"},
+                                        {"export", "export"},
+                                        {"screenshot", "camera"},
+                                        {"undo", "undo"},
+                                        {"redo", "redo"},
+                                        {"curvature", "curvature"},
+                                        {"plain", "plain"},
+                                        {"zebra", "zebra"},
+                                        {"wireframe", "wireframe"},
+                                        {"frame", "frame"}})
     named(action)->setIcon(icon(picture, ink));
 }
 
@@ -153,7 +161,8 @@ void MainWindow::update_actions() {
   named("undo")->setText(undo_.canUndo() ? tr("&Undo: %1").arg(undo_.undoText()) : tr("&Undo"));
   named("redo")->setText(undo_.canRedo() ? tr("&Redo: %1").arg(undo_.redoText()) : tr("&Redo"));
   named("export")->setEnabled(idle && scan);
-  for (const char* name : {"screenshot", "frame", "wireframe", "curvature", "plain", "zebra"}) named(name)->setEnabled(scan);
+  for (const char* name : {"screenshot", "frame", "wireframe", "curvature", "plain", "zebra"})
+    named(name)->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {
     named(action)->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));
   };
@@ -164,8 +173,8 @@ void MainWindow::update_actions() {
 }
 
 void MainWindow::ask_open() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open a scan"), {},
-                                                    tr("Scans (*.ply *.stl *.obj *.off *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Open a scan"), {}, tr("Scans (*.ply *.stl *.obj *.off *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
   if (!path.isEmpty()) open(path);
 }
 
@@ -182,7 +191,8 @@ void MainWindow::ask_export() {
 
 void MainWindow::ask_screenshot() {
   const QImage picture = view_->picture();
-  const QString path = QFileDialog::getSaveFileName(this, tr("Screenshot"), QStringLiteral("loopmend.png"), tr("PNG (*.png)"));
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Screenshot"), QStringLiteral("loopmend.png"), tr("PNG (*.png)"));
   if (path.isEmpty()) return;
   if (picture.save(path, "PNG")) {
     report_->log(tr("Wrote %1.").arg(QDir::toNativeSeparators(path)));

@@ -18,14 +18,13 @@ namespace {
 class TurnStyle : public vtkInteractorStyleTrackballCamera {
  public:
   static TurnStyle* New();
-  vtkTypeMacro(TurnStyle, vtkInteractorStyleTrackballCamera)
-  void OnChar() override {}
+  vtkTypeMacro(TurnStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
   void OnKeyPress() override {}
   void OnKeyDown() override {}
 };
 vtkStandardNewMacro(TurnStyle)
 
-LoopStyle style_of(HoleState state) {
+    LoopStyle style_of(HoleState state) {
   switch (state) {
     case HoleState::open: return LoopStyle::open;
     case HoleState::left_out: return LoopStyle::left_out;
@@ -53,7 +52,8 @@ void MeshView::prepare_graphics() {
 }
 
 MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* parent)
-    : QWidget(parent), impl_(std::make_unique<Impl>(document, selection)) {
+    : QWidget(parent),
+      impl_(std::make_unique<Impl>(document, selection)) {
   setObjectName(QStringLiteral("meshView"));
   setMinimumSize(320, 240);
   impl_->canvas = new QVTKOpenGLNativeWidget(this);
@@ -120,13 +120,13 @@ void MeshView::set_edges(Edges edges) {
 }
 
 void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
-  impl_->preview_shown = true;
+  if (!std::exchange(impl_->preview_shown, true)) impl_->pose_before = pose_of(impl_->camera());
   impl_->scene.clear();
   impl_->picker.set_loops({});
   impl_->loop_styles.clear();
   impl_->overlay->clear_highlight();
   impl_->scene.set_surface(std::move(shape));
-  frame();
+  face_front();
 }
 
 void MeshView::drop_preview() {
@@ -134,6 +134,7 @@ void MeshView::drop_preview() {
   if (impl_->document.has_scan()) {
     on_opened();
     on_patches_changed();
+    apply(impl_->pose_before, impl_->camera());
   } else {
     impl_->scene.clear();
     redraw();
@@ -142,7 +143,6 @@ void MeshView::drop_preview() {
 
 void MeshView::on_opened() {
   const OpenedScan& scan = impl_->document.scan();
-  impl_->preview_shown = false;
   impl_->scene.clear();
   impl_->scene.set_surface(scan.shape);
   if (!scan.shape->H.empty()) impl_->scene.set_range(symmetric_range(scan.shape->H));
@@ -152,7 +152,7 @@ void MeshView::on_opened() {
   impl_->loop_styles.clear();
   impl_->seen_camera = 0;
   update_loops();
-  frame();
+  if (!std::exchange(impl_->preview_shown, false)) face_front();
 }
 
 void MeshView::on_patches_changed() {

@@ -62,6 +62,7 @@ class MeshView : public QWidget {
   void hover(const QPoint& at);
   void click(const QPoint& at, Qt::KeyboardModifiers modifiers);
   int loop_at(const QPoint& at);
+  void face_front();
   void redraw();
   void after_render();
 

@@ -42,6 +42,7 @@ struct MeshView::Impl {
   QPoint pressed_at;
   Shading shading = Shading::curvature;
   bool preview_shown = false;
+  CameraPose pose_before;              ///< of the preview
   std::vector<LoopStyle> loop_styles;  ///< as drawn
 
   vtkRenderer* renderer() const { return scene.renderer(); }

@@ -7,8 +7,8 @@
 namespace loopmend {
 namespace {
 
-constexpr double pick_reach = 9;  ///< logical pixels
-constexpr int click_slack = 4;    ///< a press that moves less is a click
+constexpr double pick_reach = 9;    ///< logical pixels
+constexpr int click_slack = 4;      ///< a press that moves less is a click
 constexpr double loop_share = 2.4;  ///< how many loop diameters are seen around a loop flown to
 
 }  // namespace
@@ -71,6 +71,16 @@ void MeshView::click(const QPoint& at, Qt::KeyboardModifiers modifiers) {
   }
 }
 
+void MeshView::face_front() {
+  const auto b = impl_->scene.bounds();
+  const Vec3 up = guessed_up(Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]));
+  CameraPose pose;
+  pose.position = front(up);
+  pose.up = up;
+  apply(pose, impl_->camera());
+  frame();
+}
+
 void MeshView::frame() {
   impl_->flight->stop();
   const auto b = impl_->scene.bounds();
@@ -99,7 +109,7 @@ void MeshView::fly_to(int loop) {
   stand.direction = facing(*scan.model, target);
   const Vec3 up = pose_of(impl_->camera()).up;
   const bool usable = std::abs(up.dot(stand.direction)) < 0.9;
-  stand.up = usable ? up : view_up(stand.direction);
+  stand.up = usable ? up : view_up(stand.direction, Vec3::UnitY());
   stand.aspect = impl_->aspect();
   vtkNew<vtkCamera> goal;
   goal->DeepCopy(impl_->camera());

@@ -88,6 +88,8 @@ void ViewOverlay::paint_axes(QPainter& painter) const {
     const QPointF way(axes_(0, axis), -axes_(1, axis));
     QColor color = axis_colors[static_cast<std::size_t>(axis)];
     if (axes_(2, axis) < -0.2) color.setAlpha(140);
+    painter.setPen(QPen(QColor(255, 255, 255, 110), 4.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(middle, middle + axis_length * way);
     painter.setPen(QPen(color, 2.2, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(middle, middle + axis_length * way);
     const QPointF label = middle + (axis_length + 9) * way;

@@ -63,6 +63,8 @@ struct Candidate {
   FillerQuality quality;
 
   int badness() const { return quality.folds + quality.self_intersections; }
+  /// Bad enough to try another triangulation: the folds on a rim that turns back are nobody's fault.
+  bool wants_another(int rim) const { return quality.self_intersections > 0 || (quality.folds > 0 && quality.folds < rim); }
 };
 
 /// Patch and surroundings in one list, the patch's triangles first.
@@ -109,7 +111,7 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
     c.points.assign(site.points.begin(), site.points.begin() + site.n);
     c.quality = assess(site, c);
     candidates.push_back(std::move(c));
-    if (candidates.back().badness() == 0) break;
+    if (!candidates.back().wants_another(site.n)) break;
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.badness() < b.badness(); });
@@ -144,21 +146,35 @@ void relax_once(GuardedMesh& mesh) {
   mesh.smooth_tangentially();
 }
 
-/// Refinement, remeshing and relaxation; a round that makes the patch worse is thrown away (FILLING.md, steps 3 to 5).
+/// Runs a phase on a copy; keeps its result unless it is worse than what was.
+template <class Phase>
+bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, const Phase& phase) {
+  GuardedMesh mesh = guarded(site, size, best);
+  phase(mesh);
+  Candidate next = harvest(site, mesh);
+  if (next.badness() > best.badness()) return false;
+  best = std::move(next);
+  return true;
+}
+
+/// Refinement, remeshing and relaxation (FILLING.md, steps 3 to 5). A phase that makes the patch worse is tried again in
+/// its first round only, then left out.
 Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, const CancelToken& cancel) {
-  const auto try_round = [&](const auto& round) {
-    GuardedMesh mesh = guarded(site, size, best);
-    round(mesh);
-    Candidate next = harvest(site, mesh);
-    if (next.badness() <= best.badness()) best = std::move(next);
+  const auto rounds = [&](int count, void (*round)(GuardedMesh&)) {
+    return [=, &cancel](GuardedMesh& mesh) {
+      for (int k = 0; k < count && !cancel.cancelled(); ++k) round(mesh);
+    };
   };
-  for (int round = 0; round < 5 && !cancel.cancelled(); ++round) try_round(remesh_once);
-  for (int round = 0; round < 8 && !cancel.cancelled(); ++round) try_round(relax_once);
-  for (int round = 0; round < 3 && best.badness() > 0 && !cancel.cancelled(); ++round)
-    try_round([](GuardedMesh& mesh) {
+  if (!try_phase(site, size, best, rounds(5, remesh_once))) try_phase(site, size, best, rounds(1, remesh_once));
+  if (!try_phase(site, size, best, rounds(8, relax_once))) try_phase(site, size, best, rounds(1, relax_once));
+  for (int attempt = 0; attempt < 3 && best.badness() > 0 && !cancel.cancelled(); ++attempt) {
+    const int before = best.badness();
+    try_phase(site, size, best, [](GuardedMesh& mesh) {
       mesh.untangle();
       remesh_once(mesh);
     });
+    if (best.badness() == before) break;
+  }
   return best;
 }
 
@@ -218,7 +234,7 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
   for (const Candidate& candidate : candidates) {
     Candidate refined = refine(site, size, candidate, cancel);
     if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
-    if (best.badness() == 0 || cancel.cancelled()) break;
+    if (!best.wants_another(site.n) || cancel.cancelled()) break;
   }
   if (cancel.cancelled()) return outcome;
 

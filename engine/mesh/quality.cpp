@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <tuple>
+#include <vector>
 
 namespace loopmend {
 
@@ -21,20 +22,28 @@ double min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 int count_folds(const Points& points, const Triangles& triangles, int count) {
-  std::map<std::pair<int, int>, int> face_of;
+  struct Side {
+    int low, high, face;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
   for (std::size_t f = 0; f < triangles.size(); ++f)
-    for (int k = 0; k < 3; ++k) face_of[{triangles[f][k], triangles[f][(k + 1) % 3]}] = static_cast<int>(f);
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(triangles[f][k], triangles[f][(k + 1) % 3]);
+      sides.push_back({low, high, static_cast<int>(f)});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+  });
   const auto normal = [&](int f) {
     const Triangle& t = triangles[f];
     return unit_normal(points[t[0]], points[t[1]], points[t[2]]);
   };
   int folds = 0;
-  for (int f = 0; f < count; ++f)
-    for (int k = 0; k < 3; ++k) {
-      const auto other = face_of.find({triangles[f][(k + 1) % 3], triangles[f][k]});
-      if (other == face_of.end() || (other->second < count && other->second < f)) continue;
-      if (normal(f).dot(normal(other->second)) <= 0) ++folds;
-    }
+  for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
+    if (sides[s].low != sides[s + 1].low || sides[s].high != sides[s + 1].high || sides[s].face >= count) continue;
+    if (normal(sides[s].face).dot(normal(sides[s + 1].face)) <= 0) ++folds;
+  }
   return folds;
 }
 

@@ -50,6 +50,8 @@ class PairTest {
           in_b[shared] = j;
           ++shared;
         }
+    // Neighbours at less than a right angle: the common case, and no need for exact arithmetic.
+    if (shared == 2 && plain_normal(a).dot(plain_normal(b)) > 0) return false;
     const Kernel::Triangle_3 s = triangle(a), t = triangle(b);
     if (s.is_degenerate() || t.is_degenerate()) return false;
     if (shared == 3) return true;  // one triangle on top of the other
@@ -64,6 +66,9 @@ class PairTest {
 
  private:
   Kernel::Point_3 point(int v) const { return to_cgal(points_[v]); }
+  Vec3 plain_normal(const Triangle& t) const {
+    return (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);
+  }
   Kernel::Triangle_3 triangle(const Triangle& t) const { return {point(t[0]), point(t[1]), point(t[2])}; }
   Kernel::Segment_3 opposite_edge(const Triangle& t, int corner) const {
     return {point(t[(corner + 1) % 3]), point(t[(corner + 2) % 3])};

@@ -22,7 +22,8 @@ QDir folder;
 /// What the person would see: the composed window from the screen.
 void shoot(MainWindow& window, const char* name) {
   settle(250);
-  window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height())
+  window.screen()
+      ->grabWindow(0, window.x(), window.y(), window.width(), window.height())
       .save(folder.filePath(QLatin1String(name) + QStringLiteral(".png")));
 }
 
@@ -31,7 +32,8 @@ QPalette dark_palette() {
   p.setColor(QPalette::Base, QColor(34, 37, 41));
   p.setColor(QPalette::AlternateBase, QColor(44, 47, 52));
   p.setColor(QPalette::Highlight, QColor(64, 112, 176));
-  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) p.setColor(role, QColor(228, 230, 232));
+  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    p.setColor(role, QColor(228, 230, 232));
   for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     p.setColor(QPalette::Disabled, role, QColor(122, 126, 132));
   p.setColor(QPalette::PlaceholderText, QColor(160, 164, 170));
@@ -42,9 +44,7 @@ QPalette dark_palette() {
 class GapMeter : public QObject {
  public:
   GapMeter() {
-    connect(&timer_, &QTimer::timeout, this, [this] {
-      worst_ = std::max(worst_, clock_.restart());
-    });
+    connect(&timer_, &QTimer::timeout, this, [this] { worst_ = std::max(worst_, clock_.restart()); });
     timer_.start(1);
     clock_.start();
   }

@@ -135,7 +135,8 @@ void WindowTest::whole_story(const QString& path) {
   QCOMPARE(window.selection().selected(), std::set<int>{loop});
   const QTableView* table = part<QTableView>(window, "holesTable");
   QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
-  QCOMPARE(table->selectionModel()->selectedRows().first().data().toInt(), document.loops()[static_cast<std::size_t>(loop)].number);
+  QCOMPARE(table->selectionModel()->selectedRows().first().data().toInt(),
+           document.loops()[static_cast<std::size_t>(loop)].number);
 
   // Fill.
   QTest::mouseMove(window.view().canvas(), QPoint(3, 3));
@@ -273,8 +274,9 @@ void WindowTest::malformed_file_is_told_and_the_old_scan_stays() {
   const QString bad = folder_.filePath(QStringLiteral("bad.ply"));
   QFile file(bad);
   QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-             "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 nonsense\n");
+  file.write(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 nonsense\n");
   file.close();
   const QImage before = window.view().picture();
   window.open(bad);
