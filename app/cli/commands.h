@@ -27,16 +27,16 @@ struct InfoCommand {
 struct FillCommand {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::string loops = "all";          ///< "all" or numbers, "1,3"
-  std::vector<int> at_vertices;       ///< 0-based input vertices: the loops through them
+  std::string loops = "all";     ///< "all" or numbers, "1,3"
+  std::vector<int> at_vertices;  ///< 0-based input vertices: the loops through them
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
-  std::string report;                 ///< file or "-"; empty: none
+  std::string report;  ///< file or "-"; empty: none
   Encoding encoding = Encoding::binary;
   Verbosity verbosity = Verbosity::normal;
-  std::string command_line;           ///< as typed, for the report
+  std::string command_line;  ///< as typed, for the report
 };
 
 struct RenderCommand {

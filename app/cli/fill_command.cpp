@@ -69,9 +69,9 @@ std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<Bou
   std::vector<LoopResult> filled;
   if (!selected.empty()) {
     progress.say("filling " + std::to_string(selected.size()) + (selected.size() == 1 ? " loop" : " loops"));
-    filled = fill_loops(model, selected, command.fill,
-                        [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); },
-                        CancelToken());
+    filled = fill_loops(
+        model, selected, command.fill,
+        [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); }, CancelToken());
   }
   std::vector<LoopResult> results;
   std::size_t next = 0;
@@ -132,8 +132,8 @@ int run_fill(const FillCommand& command) {
     else
       print_summary(out, results, command, seconds);
   }
-  const bool failed = std::any_of(results.begin(), results.end(),
-                                  [](const LoopResult& r) { return r.status == LoopStatus::failed; });
+  const bool failed =
+      std::any_of(results.begin(), results.end(), [](const LoopResult& r) { return r.status == LoopStatus::failed; });
   return failed ? exit_loops_failed : exit_done;
 }
 

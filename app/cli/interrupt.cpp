@@ -3,9 +3,9 @@
 #include "exit_codes.h"
 #include "io/atomic_file.h"
 
+#include <unistd.h>
 #include <csignal>
 #include <string_view>
-#include <unistd.h>
 
 namespace loopmend {
 

@@ -21,8 +21,9 @@ std::string quoted_command_line(int argc, char** argv) {
   std::string line;
   for (int k = 0; k < argc; ++k) {
     const std::string word = argv[k];
-    const bool plain = !word.empty() && word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                                               "0123456789_-./,:=+@%") == std::string::npos;
+    const bool plain = !word.empty() && word.find_first_not_of(
+                                            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                            "0123456789_-./,:=+@%") == std::string::npos;
     std::string shown = word;
     if (!plain) {
       shown = "'";
@@ -56,27 +57,36 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
   fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   fill->add_option("--loops", command.loops, "Loops by the numbers that 'info' prints, or 'all'")
-      ->type_name("all|1,3,...")->capture_default_str();
+      ->type_name("all|1,3,...")
+      ->capture_default_str();
   fill->add_option("--at-vertex", command.at_vertices, "Loops through these input vertices, 0-based")
-      ->delimiter(',')->type_name("V,...");
+      ->delimiter(',')
+      ->type_name("V,...");
   fill->add_option("--max-edges", command.max_edges, "Leave loops with more edges")->check(CLI::PositiveNumber);
-  fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")->check(CLI::PositiveNumber);
+  fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
+      ->check(CLI::PositiveNumber);
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   fill->add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first filler")
-      ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))->capture_default_str();
+      ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
+      ->capture_default_str();
   fill->add_option("--mode", words.mode, "steady: straight to the steady state; steps: the semi-implicit scheme")
-      ->check(CLI::IsMember({"steady", "steps"}))->capture_default_str();
+      ->check(CLI::IsMember({"steady", "steps"}))
+      ->capture_default_str();
   fill->add_option("--steps", words.steps, "At most so many steps (default 60)")->check(CLI::Range(1, 1000000));
   fill->add_option("--sigma", words.sigma, "Size of a step, dimensionless: 10 is large, 0.1 shows the flow at work")
-      ->check(CLI::Range(1e-6, 1e8))->capture_default_str();
+      ->check(CLI::Range(1e-6, 1e8))
+      ->capture_default_str();
   fill->add_option("--solver", words.solver, "Linear solver of the steps")
-      ->check(CLI::IsMember({"auto", "direct", "gmres"}))->capture_default_str();
+      ->check(CLI::IsMember({"auto", "direct", "gmres"}))
+      ->capture_default_str();
   fill->add_option("--density", command.fill.filler.density, "Vertices along a length, relative to the surroundings")
-      ->check(CLI::Range(0.1, 10.0))->capture_default_str();
+      ->check(CLI::Range(0.1, 10.0))
+      ->capture_default_str();
   fill->add_option("--report", command.report, "Write a JSON report to FILE, or to standard output for -")
       ->type_name("FILE|-");
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
-      ->check(CLI::Range(0, 1024))->capture_default_str();
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
   fill->add_flag("--ascii", words.ascii, "Write PLY or STL as text");
   fill->add_flag("--quiet", words.quiet, "No progress and no summary");
   fill->footer(
@@ -115,7 +125,8 @@ void add_render(CLI::App& app, RenderCommand& command) {
   render->add_option("IN", command.inputs, "One mesh, or two to be shown side by side")->required()->expected(1, 2);
   render->add_option("-o,--output", command.output, "PNG file to write")->required();
   render->add_option("--color", command.color, "h: mean curvature; plain; zebra: reflection lines")
-      ->check(CLI::IsMember({"h", "plain", "zebra"}))->capture_default_str();
+      ->check(CLI::IsMember({"h", "plain", "zebra"}))
+      ->capture_default_str();
   const auto take_size = [&command](const std::string& text) {
     int used = 0;
     if (std::sscanf(text.c_str(), "%dx%d%n", &command.width, &command.height, &used) != 2 ||
@@ -124,8 +135,9 @@ void add_render(CLI::App& app, RenderCommand& command) {
       throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT in pixels, 64x64 to 8192x8192, not '" + text + "'");
   };
   render->add_option_function<std::string>("--size", take_size, "Size of the picture in pixels")->type_name("WxH");
-  render->footer("Examples:\n  loopmend render filled.ply -o filled.png\n"
-                 "  loopmend render scan.ply filled.ply -o before_after.png --color zebra --size 1600x800");
+  render->footer(
+      "Examples:\n  loopmend render filled.ply -o filled.png\n"
+      "  loopmend render scan.ply filled.ply -o before_after.png --color zebra --size 1600x800");
 }
 
 int say(const std::exception& error, int code) {
@@ -134,7 +146,8 @@ int say(const std::exception& error, int code) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Loopmend closes holes in scanned meshes with patches whose curvature runs through the seam.", "loopmend");
+  CLI::App app("Loopmend closes holes in scanned meshes with patches whose curvature runs through the seam.",
+               "loopmend");
   app.set_version_flag("--version", std::string("loopmend ") + version());
   app.require_subcommand(1);
   app.footer("'loopmend COMMAND --help' tells more about a command, with examples.");

@@ -1,7 +1,7 @@
 #include "progress_line.h"
 
-#include <cstdio>
 #include <unistd.h>
+#include <cstdio>
 
 namespace loopmend {
 

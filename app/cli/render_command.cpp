@@ -10,7 +10,7 @@ namespace loopmend {
 
 int run_render(const RenderCommand& command) {
   RenderOptions options;
-  options.shading = command.color == "plain" ? Shading::plain
+  options.shading = command.color == "plain"   ? Shading::plain
                     : command.color == "zebra" ? Shading::zebra
                                                : Shading::curvature;
   if (command.width > 0) {

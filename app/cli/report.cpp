@@ -15,12 +15,10 @@ namespace {
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json seam_json(const SeamReport& seam) {
-  return {{"g0_gap", number(seam.g0_gap)},
-          {"g1_rms_deg", number(seam.g1_rms_deg)},
-          {"g1_max_deg", number(seam.g1_max_deg)},
-          {"h_jump_rms", number(seam.h_jump_rms)},
-          {"h_jump_max", number(seam.h_jump_max)},
-          {"h_jump_rms_times_diameter", number(seam.h_jump_rms_times_diameter)}};
+  return {
+      {"g0_gap", number(seam.g0_gap)},         {"g1_rms_deg", number(seam.g1_rms_deg)},
+      {"g1_max_deg", number(seam.g1_max_deg)}, {"h_jump_rms", number(seam.h_jump_rms)},
+      {"h_jump_max", number(seam.h_jump_max)}, {"h_jump_rms_times_diameter", number(seam.h_jump_rms_times_diameter)}};
 }
 
 }  // namespace
@@ -45,9 +43,9 @@ Json input_json(const std::filesystem::path& path, const ImportReport& import, c
 }
 
 Json loop_json(const BoundaryLoop& loop) {
-  return {{"number", loop.number},       {"edges", loop.edges()},           {"perimeter", loop.perimeter},
-          {"diameter", loop.diameter},   {"planarity", loop.planarity},     {"area", loop.area},
-          {"turning", loop.turning},     {"kind", to_string(loop.kind)}};
+  return {{"number", loop.number},     {"edges", loop.edges()},       {"perimeter", loop.perimeter},
+          {"diameter", loop.diameter}, {"planarity", loop.planarity}, {"area", loop.area},
+          {"turning", loop.turning},   {"kind", to_string(loop.kind)}};
 }
 
 Json loop_json(const LoopResult& result) {

@@ -28,6 +28,7 @@ class GroupFiller {
 
   void fill(const std::vector<int>& group, const CancelToken& cancel) {
     std::vector<BoundaryLoop> loops;
+    loops.reserve(group.size());
     for (int i : group) loops.push_back(task_.loops[static_cast<std::size_t>(i)]);
     PatchStart start;
     std::string trouble;

@@ -18,7 +18,7 @@ namespace loopmend {
 /// One job: its way to cancel, and its way to speak to the window.
 class Job {
  public:
-  Job(QObject* window_side) : window_side_(window_side) {}
+  explicit Job(QObject* window_side) : window_side_(window_side) {}
 
   const CancelToken& token() const { return token_; }
   /// Asked to stop after the present step, keeping everything.

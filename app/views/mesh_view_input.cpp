@@ -37,8 +37,8 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
       if (loop != no_loop) fly_to(loop);
       break;
     }
-    case QEvent::Wheel: impl_->flight->stop(); break;
     case QEvent::Leave: impl_->selection.hover(no_loop); break;
+    case QEvent::Wheel: impl_->flight->stop(); break;
     default: break;
   }
   return QWidget::eventFilter(watched, event);
@@ -62,13 +62,8 @@ void MeshView::hover(const QPoint& at) {
 void MeshView::click(const QPoint& at, Qt::KeyboardModifiers modifiers) {
   const int loop = loop_at(at);
   const bool add = modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::ShiftModifier);
-  if (loop == no_loop) {
-    if (!add) impl_->selection.select({});
-  } else if (add) {
-    impl_->selection.toggle(loop);
-  } else {
-    impl_->selection.select({loop});
-  }
+  if (add && loop != no_loop) impl_->selection.toggle(loop);
+  if (!add) impl_->selection.select(loop == no_loop ? std::set<int>{} : std::set<int>{loop});
 }
 
 void MeshView::face_front() {

@@ -7,8 +7,8 @@
 
 namespace loopmend {
 
-std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& side, int i, const Vec3& reference_normal,
-                                         std::vector<char>& mark) {
+std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& side, int i,
+                                         const Vec3& reference_normal, std::vector<char>& mark) {
   if (reference_normal.isZero()) return std::nullopt;
   std::vector<int> neighbors;
   for (int rings = 2; rings <= 5 && neighbors.size() < 18; ++rings) side.k_ring(i, rings, neighbors, mark);

@@ -42,8 +42,9 @@ RowSparseMatrix curvature_jacobian(const OperatorSet& ops, int free_count) {
       const int j = ops.index[e];
       if (j >= free_count) continue;
       const Vec3& n = ops.normal[j];
-      triplets.emplace_back(i, j, 0.5 * ops.laplacian[e] * ops.normal[i].dot(n) -
-                                      (2 * ops.H[i] * ops.gradient[e] - ops.diamond[e]).dot(n));
+      triplets.emplace_back(
+          i, j,
+          0.5 * ops.laplacian[e] * ops.normal[i].dot(n) - (2 * ops.H[i] * ops.gradient[e] - ops.diamond[e]).dot(n));
     }
   RowSparseMatrix B(vertices, free_count);
   B.setFromTriplets(triplets.begin(), triplets.end());
@@ -56,7 +57,8 @@ Eigen::VectorXd metric_gradient(const Patch& patch, const OperatorSet& ops, cons
   for (int f : faces) {
     const Triangle& t = patch.triangles[f];
     if (std::min({t[0], t[1], t[2]}) >= patch.free_count) continue;
-    const Vec3 cross = (patch.positions[t[1]] - patch.positions[t[0]]).cross(patch.positions[t[2]] - patch.positions[t[0]]);
+    const Vec3 cross =
+        (patch.positions[t[1]] - patch.positions[t[0]]).cross(patch.positions[t[2]] - patch.positions[t[0]]);
     const double twice_area = cross.norm();
     if (!(twice_area > 0)) continue;
     std::array<Vec3, 3> hat;  // gradients of the three linear basis functions
@@ -82,7 +84,8 @@ double patch_area(const Patch& patch) {
   double area = 0;
   for (int f = 0; f < patch.patch_triangles; ++f) {
     const Triangle& t = patch.triangles[f];
-    area += (patch.positions[t[1]] - patch.positions[t[0]]).cross(patch.positions[t[2]] - patch.positions[t[0]]).norm() / 2;
+    area +=
+        (patch.positions[t[1]] - patch.positions[t[0]]).cross(patch.positions[t[2]] - patch.positions[t[0]]).norm() / 2;
   }
   return area;
 }

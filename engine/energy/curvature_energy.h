@@ -14,9 +14,9 @@ struct EnergyWeights {
 
 /// The energy as a quadratic form in H at fixed geometry, E = Hᵀ Q H, over the triangles whose H the patch can change.
 struct CurvatureEnergy {
-  SparseMatrix Q;               ///< #V by #V: variation · C + bending · M
-  std::vector<int> faces;       ///< triangles it runs over
-  Eigen::VectorXd mass;         ///< #V: barycentric areas
+  SparseMatrix Q;          ///< #V by #V: variation · C + bending · M
+  std::vector<int> faces;  ///< triangles it runs over
+  Eigen::VectorXd mass;    ///< #V: barycentric areas
 };
 
 CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weights);

@@ -19,11 +19,11 @@ namespace loopmend {
 
 namespace {
 
-constexpr double steady_sigma = 1e4;       ///< a step that jumps to the steady state of the linear part
+constexpr double steady_sigma = 1e4;  ///< a step that jumps to the steady state of the linear part
 constexpr double first_gauss_newton_sigma = 500;
-constexpr int most_trials = 12;            ///< before the step is given up
+constexpr int most_trials = 12;  ///< before the step is given up
 constexpr int steps_with_mesh_care = 15;
-constexpr double flow_tolerance = 1.05;    ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
+constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
 constexpr double newton_tolerance = 1 + 1e-9;
 
 class Stopwatch {
@@ -43,7 +43,8 @@ void check(const EvolutionOptions& options) {
   if (!(options.sigma >= 1e-6 && options.sigma <= 1e8))
     throw InvalidArgument("the time step sigma must lie between 1e-6 and 1e8, not " + std::to_string(options.sigma));
   if (options.bending && !(*options.bending >= 0 && *options.bending <= 1e6))
-    throw InvalidArgument("the share of bending energy must lie between 0 and 1e6, not " + std::to_string(*options.bending));
+    throw InvalidArgument("the share of bending energy must lie between 0 and 1e6, not " +
+                          std::to_string(*options.bending));
   if (options.max_steps < 1)
     throw InvalidArgument("the number of steps must be at least 1, not " + std::to_string(options.max_steps));
 }
@@ -80,13 +81,13 @@ struct Evolution::Impl {
   std::vector<StepRecord> history;
   double initial_energy = 0;
 
-  Eigen::AlignedBox3d room;    ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
-  double blend = 0;            ///< αR² of the order blend in force
-  double decay_rate = 0;       ///< patch frame
-  double sigma = 0;            ///< of the next semi-implicit step; falls on rejection, recovers
-  double mu = 0;               ///< of the next Gauss-Newton step
-  int small_moves = 0;         ///< Gauss-Newton steps in a row that moved nothing to speak of
-  double tried_move = 0;       ///< of the last trial, in mean edge lengths
+  Eigen::AlignedBox3d room;  ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
+  double blend = 0;          ///< αR² of the order blend in force
+  double decay_rate = 0;     ///< patch frame
+  double sigma = 0;          ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;             ///< of the next Gauss-Newton step
+  int small_moves = 0;       ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double tried_move = 0;     ///< of the last trial, in mean edge lengths
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
 

@@ -22,8 +22,9 @@ enum class EvolutionMode {
 struct EvolutionOptions {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steady;
-  double sigma = 10;    ///< time step, dimensionless, 1e-6..1e8: tau = sigma / (slowest decay rate of the flow); steps only
-  int max_steps = 60;   ///< accepted steps of one run()
+  double sigma =
+      10;  ///< time step, dimensionless, 1e-6..1e8: tau = sigma / (slowest decay rate of the flow); steps only
+  int max_steps = 60;  ///< accepted steps of one run()
   SolverKind solver = SolverKind::automatic;
   /// MMCVF to the steady state minimises ∫‖∇H‖² + β/R² ∫H², R the patch's radius: β = 0 is the pure flow, 60 to 150 suits
   /// rough scans. Empty: as the roughness of the surroundings asks for, 0 where they are smooth.
@@ -42,12 +43,12 @@ const char* to_string(EvolutionStatus status);
 
 /// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
 struct StepRecord {
-  int step = 0;           ///< from 1
-  double energy = 0;      ///< after the step
-  double sigma = 0;       ///< the step's size, dimensionless
-  double tau = 0;         ///< the step's size in the flow's own time, mesh units
-  double max_move = 0;    ///< largest move of a vertex, in mean edge lengths of the patch
-  int rejections = 0;     ///< trials thrown away before this one was accepted
+  int step = 0;         ///< from 1
+  double energy = 0;    ///< after the step
+  double sigma = 0;     ///< the step's size, dimensionless
+  double tau = 0;       ///< the step's size in the flow's own time, mesh units
+  double max_move = 0;  ///< largest move of a vertex, in mean edge lengths of the patch
+  int rejections = 0;   ///< trials thrown away before this one was accepted
   double assemble_seconds = 0;
   double solve_seconds = 0;
 };

@@ -96,8 +96,7 @@ std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<Bounda
   const auto size = [&](const std::vector<int>& group) {
     return std::accumulate(group.begin(), group.end(), 0, [&](int sum, int k) { return sum + loops[k].edges(); });
   };
-  std::stable_sort(groups.begin(), groups.end(),
-                   [&](const auto& a, const auto& b) { return size(a) > size(b); });
+  std::stable_sort(groups.begin(), groups.end(), [&](const auto& a, const auto& b) { return size(a) > size(b); });
   const FillSite site(model);
   std::vector<GroupOutcome> outcomes(groups.size());
   std::mutex progress_mutex;

@@ -38,16 +38,20 @@ struct LoopResult {
   int free_vertices = 0;
   int steps = 0;
   double bending = 0;  ///< EvolutionOptions::bending that was used: above 0 where the surroundings are rough
-  struct { double filler = 0, assemble = 0, solve = 0, total = 0; } seconds;
-  struct { double initial = 0, final = 0; } energy;  ///< of the whole problem that the loop was solved in
+  struct {
+    double filler = 0, assemble = 0, solve = 0, total = 0;
+  } seconds;
+  struct {
+    double initial = 0, final = 0;
+  } energy;  ///< of the whole problem that the loop was solved in
   SeamReport seam_before, seam_after;
 };
 
 struct FillProgress {
   int loops_done = 0;
   int loops_total = 0;
-  int loop_number = 0;   ///< the one that was just worked on
-  std::string stage;     ///< "triangulating", "evolving", "checking", "done"
+  int loop_number = 0;  ///< the one that was just worked on
+  std::string stage;    ///< "triangulating", "evolving", "checking", "done"
 };
 /// May be called from several threads, one call at a time.
 using OnFillProgress = std::function<void(const FillProgress&)>;
@@ -57,8 +61,8 @@ std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::
 
 /// The fillers of one group, made into a problem. Loops without a valid filler are left out.
 struct PatchStart {
-  std::optional<Patch> patch;                ///< empty when no loop of the group could be filled
-  std::vector<FillerOutcome> fillers;        ///< one per loop of the group
+  std::optional<Patch> patch;          ///< empty when no loop of the group could be filled
+  std::vector<FillerOutcome> fillers;  ///< one per loop of the group
 };
 PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
                        const CancelToken& cancel);

@@ -1,8 +1,8 @@
 #include "evolution/rim_roughness.h"
 
 #include "energy/curvature_energy.h"
-#include "operators/local_fit.h"
 #include "mesh/quality.h"
+#include "operators/local_fit.h"
 
 #include <algorithm>
 #include <cmath>

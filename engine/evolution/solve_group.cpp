@@ -168,8 +168,8 @@ GroupOutcome failed_group(const std::vector<BoundaryLoop>& group, const std::str
 GroupOutcome solve_group(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
                          const CancelToken& cancel) try {
   GroupOutcome joint = solve_jointly(site, group, options, cancel);
-  const bool spoilt = count_status(joint, LoopStatus::failed) > 0 ||
-                      (options.evolution && count_status(joint, LoopStatus::filled) > 0);
+  const bool spoilt =
+      count_status(joint, LoopStatus::failed) > 0 || (options.evolution && count_status(joint, LoopStatus::filled) > 0);
   if (group.size() == 1 || !spoilt || cancel.cancelled()) return joint;
   return solve_one_by_one(site, group, options, cancel);
 } catch (const std::exception& error) {

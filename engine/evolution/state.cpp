@@ -32,8 +32,7 @@ double measure_of(const Objective& objective, const Patch& patch, const Operator
 EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
                           std::shared_ptr<const Topology> topology) {
   EvolutionState state;
-  state.topology =
-      topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
+  state.topology = topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
   std::vector<char> wanted(patch.vertex_count());
   for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= flow_reach;
   state.ops = compute_operators(patch.positions, patch.triangles, *state.topology, stencil, wanted);
@@ -43,7 +42,8 @@ EvolutionState make_state(Patch patch, const Objective& objective, Stencil stenc
   return state;
 }
 
-EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil, const Eigen::VectorXd& s) {
+EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil,
+                         const Eigen::VectorXd& s) {
   Patch patch = state.patch;
   for (int i = 0; i < patch.free_count; ++i) patch.positions[i] += s[i] * state.ops.normal[i];
   return make_state(std::move(patch), objective, stencil, state.topology);

@@ -32,7 +32,8 @@ EvolutionState make_state(Patch patch, const Objective& objective, Stencil stenc
                           std::shared_ptr<const Topology> topology = nullptr);
 
 /// The state after moving the free vertices by s (n, patch frame) along their normals.
-EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil, const Eigen::VectorXd& s);
+EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil,
+                         const Eigen::VectorXd& s);
 
 /// The energy to show (StepRecord): MMCVF ∫‖∇H‖², WF ∫H², SDF and MCF area, in mesh units.
 double shown_energy(FlowKind flow, const EvolutionState& state);

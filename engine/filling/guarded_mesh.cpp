@@ -22,7 +22,8 @@ double cosine(const Vec3& a, const Vec3& b) { return a.isZero() || b.isZero() ? 
 
 GuardedMesh::GuardedMesh(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
                          std::vector<double> size)
-    : locked_(locked), size_(std::move(size)) {
+    : locked_(locked),
+      size_(std::move(size)) {
   for (const Vec3& p : points) mesh_.add_vertex(p);
   for (const Triangle& t : triangles) mesh_.add_face(VH(t[0]), VH(t[1]), VH(t[2]));
   rim_normal_.assign(mesh_.n_edges(), Vec3::Zero());
@@ -69,8 +70,8 @@ double GuardedMesh::fan_worst(VH v, const Vec3& position) const {
   for (const auto h : mesh_.voh_range(v)) {
     if (mesh_.is_boundary(h)) continue;
     const HH link = mesh_.next_halfedge_handle(h);
-    normals.push_back(unit_normal(position, mesh_.point(mesh_.from_vertex_handle(link)),
-                                  mesh_.point(mesh_.to_vertex_handle(link))));
+    normals.push_back(
+        unit_normal(position, mesh_.point(mesh_.from_vertex_handle(link)), mesh_.point(mesh_.to_vertex_handle(link))));
     const HH across = mesh_.opposite_halfedge_handle(link);
     if (!mesh_.is_boundary(across) || !rim_normal_[mesh_.edge_handle(link).idx()].isZero())
       worst = std::min(worst, cosine(normals.back(), normal_across(link)));
@@ -132,8 +133,7 @@ void GuardedMesh::split_long_edges() {
       const EH e(index);
       const HH h = mesh_.halfedge_handle(e, 0);
       const double size = target(e);
-      const Vec3 middle =
-          (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
+      const Vec3 middle = (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
       const VH v = mesh_.add_vertex(middle);
       size_.resize(mesh_.n_vertices());
       size_[v.idx()] = size;

@@ -16,17 +16,17 @@ namespace loopmend {
 
 namespace {
 
-constexpr int longest_for_cubic = 350;         // FILLING.md, step 1
+constexpr int longest_for_cubic = 350;  // FILLING.md, step 1
 constexpr int longest_for_all_methods = 5000;
 
 /// Everything the filler needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
 struct LoopSite {
   int n = 0;
-  Points points;            ///< the loop, then the rings around it
-  Triangles surroundings;   ///< over `points`
-  std::vector<double> size; ///< n: mean length of the edges of the surroundings at each loop vertex
+  Points points;             ///< the loop, then the rings around it
+  Triangles surroundings;    ///< over `points`
+  std::vector<double> size;  ///< n: mean length of the edges of the surroundings at each loop vertex
   RimNormals rim_normals;
-  Patch frame;              ///< an empty patch: its centre and scale
+  Patch frame;  ///< an empty patch: its centre and scale
 };
 
 LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
@@ -64,7 +64,9 @@ struct Candidate {
 
   int badness() const { return quality.folds + quality.self_intersections; }
   /// Bad enough to try another triangulation: the folds on a rim that turns back are nobody's fault.
-  bool wants_another(int rim) const { return quality.self_intersections > 0 || (quality.folds > 0 && quality.folds < rim); }
+  bool wants_another(int rim) const {
+    return quality.self_intersections > 0 || (quality.folds > 0 && quality.folds < rim);
+  }
 };
 
 /// Patch and surroundings in one list, the patch's triangles first.

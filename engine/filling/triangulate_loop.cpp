@@ -39,8 +39,7 @@ void call_cgal(Mesh& mesh, Mesh::Halfedge_index border, TriangulationMethod meth
       pmp::triangulate_hole(mesh, border, out, base.use_delaunay_triangulation(true));
       break;
     case TriangulationMethod::delaunay_only:
-      pmp::triangulate_hole(mesh, border, out,
-                            base.use_delaunay_triangulation(true).do_not_use_cubic_algorithm(true));
+      pmp::triangulate_hole(mesh, border, out, base.use_delaunay_triangulation(true).do_not_use_cubic_algorithm(true));
       break;
     case TriangulationMethod::planar:
       pmp::triangulate_hole(mesh, border, out,

@@ -13,10 +13,10 @@ const char* to_string(FlowKind flow);
 struct FlowState {
   const OperatorSet& ops;
   int n = 0;
-  Eigen::VectorXd lap_H;       ///< #V; 0 where there is no fit
-  Points grad_H, dia_H;        ///< n
-  RowSparseMatrix B;           ///< #V by n: H at the new level = B s + H, frozen operators: ½ w^Δ_ij ⟨n_i, n_j⟩
-  RowSparseMatrix L;           ///< #V by #V: Δ
+  Eigen::VectorXd lap_H;  ///< #V; 0 where there is no fit
+  Points grad_H, dia_H;   ///< n
+  RowSparseMatrix B;      ///< #V by n: H at the new level = B s + H, frozen operators: ½ w^Δ_ij ⟨n_i, n_j⟩
+  RowSparseMatrix L;      ///< #V by #V: Δ
 
   FlowState(const OperatorSet& operators, int free_count);
 };

@@ -7,10 +7,10 @@ namespace loopmend {
 
 /// (μM + Bᵀ Q B) s = −½∇E, with E = Hᵀ Q H, B = ∂H/∂s. One step is a step of the flow of size τ = 1/(2μ) for small τ.
 struct GaussNewtonSystem {
-  double energy = 0;           ///< E at the present state
+  double energy = 0;              ///< E at the present state
   Eigen::VectorXd half_gradient;  ///< n: ½ ∂E/∂s
-  SparseMatrix curvature;      ///< n by n: Bᵀ Q B
-  Eigen::VectorXd mass;        ///< n
+  SparseMatrix curvature;         ///< n by n: Bᵀ Q B
+  Eigen::VectorXd mass;           ///< n
 };
 
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights);

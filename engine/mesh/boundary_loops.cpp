@@ -86,7 +86,8 @@ std::vector<BoundaryLoop> walk_loops(const TriMesh& mesh) {
 class SoupEdges {
  public:
   explicit SoupEdges(const SurfaceModel& model) {
-    if (model.mesh.n_vertices() == 0 || (model.repairs.non_manifold_edges == 0 && model.repairs.non_manifold_vertices == 0))
+    if (model.mesh.n_vertices() == 0 ||
+        (model.repairs.non_manifold_edges == 0 && model.repairs.non_manifold_vertices == 0))
       return;
     for (int f : model.soup_face)
       for (int k = 0; k < 3; ++k) ++faces_[key(model.soup.triangles[f][k], model.soup.triangles[f][(k + 1) % 3])];

@@ -23,12 +23,13 @@ struct BoundaryLoop {
   int number = 0;             ///< from 1, by falling perimeter; stable for one model
   std::vector<int> vertices;  ///< view vertices in the order of the boundary halfedges (the hole lies to their left)
   double perimeter = 0;
-  double diameter = 0;        ///< largest distance between two loop vertices
-  double planarity = 0;       ///< rms distance from the best plane, divided by the diameter: 0 is flat
-  double area = 0;            ///< of the projection to the best plane
-  double turning = 0;         ///< total geodesic curvature seen from the surface, in units of 2π: −1 round hole, +1 rim of a sheet
-  Vec3 center = Vec3::Zero(); ///< mean of the loop's vertices
-  int coincident = 0;         ///< edges that lie exactly on another boundary edge, of this loop or another
+  double diameter = 0;   ///< largest distance between two loop vertices
+  double planarity = 0;  ///< rms distance from the best plane, divided by the diameter: 0 is flat
+  double area = 0;       ///< of the projection to the best plane
+  double turning =
+      0;  ///< total geodesic curvature seen from the surface, in units of 2π: −1 round hole, +1 rim of a sheet
+  Vec3 center = Vec3::Zero();  ///< mean of the loop's vertices
+  int coincident = 0;          ///< edges that lie exactly on another boundary edge, of this loop or another
   LoopKind kind = LoopKind::hole;
 
   int edges() const { return static_cast<int>(vertices.size()); }

@@ -16,7 +16,8 @@ OrientedSoup orient_soup(const Points& points, const Triangles& triangles) {
   std::vector<std::vector<std::size_t>> polygons;
   polygons.reserve(triangles.size());
   for (const Triangle& t : triangles)
-    polygons.push_back({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
+    polygons.push_back(
+        {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
 
   CGAL::Polygon_mesh_processing::orient_polygon_soup(cgal_points, polygons);
 
@@ -33,7 +34,7 @@ OrientedSoup orient_soup(const Points& points, const Triangles& triangles) {
     const auto fits = [&](const Triangle& old_order) {
       for (int k = 0; k < 3; ++k) {
         if (static_cast<std::size_t>(turned[k]) < points.size() ? turned[k] != old_order[k]
-                                                                 : cgal_points[turned[k]] != cgal_points[old_order[k]])
+                                                                : cgal_points[turned[k]] != cgal_points[old_order[k]])
           return false;
       }
       return true;

@@ -70,7 +70,8 @@ Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
       number[i] = next_free++;
       patch.positions.push_back(patch.to_frame(fillers[k].points[i]));
     }
-    for (const Triangle& t : fillers[k].triangles) patch.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    for (const Triangle& t : fillers[k].triangles)
+      patch.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
     patch.loops.emplace_back(number.begin(), number.begin() + rim);
     patch.loop_numbers.push_back(loops[k].number);
   }

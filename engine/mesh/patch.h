@@ -17,16 +17,16 @@ struct LoopFiller {
 /// (centre 0, size about 1), so that no tolerance depends on the unit of the scan. Fixed vertices are copies: they are
 /// never written back, so the surroundings cannot move, not by one bit.
 struct Patch {
-  int free_count = 0;         ///< n, the unknowns
-  Points positions;           ///< #V, patch frame: x = (mesh − center) / scale
-  Triangles triangles;        ///< the patch's own `patch_triangles` first, then those of the surroundings
+  int free_count = 0;   ///< n, the unknowns
+  Points positions;     ///< #V, patch frame: x = (mesh − center) / scale
+  Triangles triangles;  ///< the patch's own `patch_triangles` first, then those of the surroundings
   int patch_triangles = 0;
-  std::vector<int> ring;      ///< #V: 0 free, 1 on a loop, 2, 3, ... edges away from the loops
-  std::vector<int> view_vertex;  ///< #V: vertex of the model's view; −1 for free vertices
+  std::vector<int> ring;                ///< #V: 0 free, 1 on a loop, 2, 3, ... edges away from the loops
+  std::vector<int> view_vertex;         ///< #V: vertex of the model's view; −1 for free vertices
   std::vector<std::vector<int>> loops;  ///< per loop: its patch vertices (all of ring 1), in loop order
   std::vector<int> loop_numbers;        ///< BoundaryLoop::number of each
-  Vec3 center = Vec3::Zero(); ///< of the frame, mesh units
-  double scale = 1;           ///< of the frame, mesh units
+  Vec3 center = Vec3::Zero();           ///< of the frame, mesh units
+  double scale = 1;                     ///< of the frame, mesh units
 
   int vertex_count() const { return static_cast<int>(positions.size()); }
   Vec3 to_mesh(const Vec3& p) const { return p * scale + center; }

@@ -37,7 +37,9 @@ std::vector<int> merged_by_place(const Points& points) {
 class PairTest {
  public:
   PairTest(const Points& points, const Triangles& triangles)
-      : points_(points), triangles_(triangles), merged_(merged_by_place(points)) {}
+      : points_(points),
+        triangles_(triangles),
+        merged_(merged_by_place(points)) {}
 
   bool cut(int f, int g) const {
     const Triangle &a = triangles_[f], &b = triangles_[g];
@@ -113,8 +115,9 @@ TriangleIndex::TriangleIndex(const Points& points, const Triangles& triangles) :
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     Eigen::AlignedBox3d box;
     for (int v : triangles[f]) box.extend(points[v]);
-    entries.emplace_back(TreeBox({box.min().x(), box.min().y(), box.min().z()}, {box.max().x(), box.max().y(), box.max().z()}),
-                         static_cast<int>(f));
+    entries.emplace_back(
+        TreeBox({box.min().x(), box.min().y(), box.min().z()}, {box.max().x(), box.max().y(), box.max().z()}),
+        static_cast<int>(f));
   }
   impl_->tree = decltype(impl_->tree)(entries);  // packed: O(n log n)
 }

@@ -112,8 +112,8 @@ bool is_oriented_manifold(const Triangles& triangles, std::size_t vertex_count, 
 }
 
 /// Cuts and turns what is not an oriented manifold; keeps the soup's order of triangles.
-void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles,
-                 std::vector<int>& origin, ModelRepairs& repairs) {
+void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles, std::vector<int>& origin,
+                 ModelRepairs& repairs) {
   OrientedSoup oriented = orient_soup(soup.points, view_triangles);
   origin = std::move(oriented.origin);
   std::set<int> split;
@@ -183,7 +183,8 @@ void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
   for (const Triangle& t : patch.triangles)
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
-      if (a < 0 || a >= vertex_count || a == b) throw InvalidArgument("a patch triangle names a vertex that is not there");
+      if (a < 0 || a >= vertex_count || a == b)
+        throw InvalidArgument("a patch triangle names a vertex that is not there");
       if (!directed.insert({a, b}).second) throw InvalidArgument("the patch is not an oriented manifold");
     }
   for (const auto& [a, b] : directed) {
@@ -215,8 +216,8 @@ void append_patch(SurfaceModel& model, const PatchGeometry& patch) {
     const auto face = model.mesh.add_face(view[t[0]], view[t[1]], view[t[2]]);
     if (!face.is_valid()) throw std::logic_error("append_patch: a checked patch did not fit");
     model.soup_face.push_back(static_cast<int>(model.soup.triangles.size()));
-    model.soup.triangles.push_back(
-        {model.soup_vertex[view[t[0]].idx()], model.soup_vertex[view[t[1]].idx()], model.soup_vertex[view[t[2]].idx()]});
+    model.soup.triangles.push_back({model.soup_vertex[view[t[0]].idx()], model.soup_vertex[view[t[1]].idx()],
+                                    model.soup_vertex[view[t[2]].idx()]});
   }
 }
 

@@ -62,8 +62,7 @@ bool derivative_weights(const Points& points, int i, const std::vector<int>& nei
 void operator_weights(const Points& points, int i, const Matrix5X& P, const Vec3& reference_normal, LocalFit& fit) {
   const Eigen::Index m = P.cols();
   Eigen::Matrix<double, 3, 5> r = Eigen::Matrix<double, 3, 5>::Zero();  // r_u, r_v, r_uu, r_uv, r_vv
-  for (Eigen::Index k = 0; k < m; ++k)
-    r.noalias() += (points[fit.neighbors[k]] - points[i]) * P.col(k).transpose();
+  for (Eigen::Index k = 0; k < m; ++k) r.noalias() += (points[fit.neighbors[k]] - points[i]) * P.col(k).transpose();
   const Vec3 ru = r.col(0), rv = r.col(1), ruu = r.col(2), ruv = r.col(3), rvv = r.col(4);
   const double g11 = ru.squaredNorm(), g12 = ru.dot(rv), g22 = rv.squaredNorm();
   const double g = g11 * g22 - g12 * g12;

@@ -11,9 +11,9 @@ namespace loopmend {
 
 /// Over which neighbours the quadratic is fitted.
 enum class Stencil {
-  one_ring,  ///< the paper's N_1(i), unweighted; widened where it does not determine the quadratic
-  two_ring,  ///< N_2(i), weighted by 1/d²: less sensitive to bad triangles and to noise
-  four_ring, ///< N_4(i), weighted likewise: to tell shape from roughness
+  one_ring,   ///< the paper's N_1(i), unweighted; widened where it does not determine the quadratic
+  two_ring,   ///< N_2(i), weighted by 1/d²: less sensitive to bad triangles and to noise
+  four_ring,  ///< N_4(i), weighted likewise: to tell shape from roughness
 };
 
 /// Weights such that Θf(r_i) ≈ Σ_j w_ij (f(r_j) − f(r_i)) for j in `neighbors`; the centre's own weight is −Σ w_ij.
@@ -24,11 +24,12 @@ struct LocalFit {
   Eigen::Matrix3Xd diamond;    ///< 3 by m, 1/length²: ◇ = 2H∇ − S∇, the second tangent operator of §2
   Eigen::Matrix3Xd gauss;      ///< 3 by m, 1/length³: K ≈ Σ_j gauss_j · (r_j − r_i)
   Vec3 normal = Vec3::Zero();  ///< r_u × r_v, unit
-  Eigen::Matrix3d second_form = Eigen::Matrix3d::Zero();  ///< 1/length: the surface is r + t + ½ (tᵀ II t) n for tangential t
-  double H = 0;                ///< mean curvature, 1/length; −1/R on a sphere with outward normals
-  double K = 0;                ///< Gaussian curvature, 1/length²
-  int rings = 0;               ///< how far the stencil had to reach
-  bool valid = false;          ///< false: rank-deficient or folded over; then all weights are 0
+  Eigen::Matrix3d second_form =
+      Eigen::Matrix3d::Zero();  ///< 1/length: the surface is r + t + ½ (tᵀ II t) n for tangential t
+  double H = 0;                 ///< mean curvature, 1/length; −1/R on a sphere with outward normals
+  double K = 0;                 ///< Gaussian curvature, 1/length²
+  int rings = 0;                ///< how far the stencil had to reach
+  bool valid = false;           ///< false: rank-deficient or folded over; then all weights are 0
 };
 
 /// Scratch memory that one thread reuses over many fits.

@@ -100,8 +100,7 @@ SparseMatrix cotan_stiffness(const Points& points, const Triangles& triangles, c
   triplets.reserve(12 * faces.size());
   for (int f : faces) {
     const auto weights = half_cotangents(points, triangles[f]);
-    for (int k = 0; k < 3; ++k)
-      add_edge(triplets, triangles[f][(k + 1) % 3], triangles[f][(k + 2) % 3], weights[k]);
+    for (int k = 0; k < 3; ++k) add_edge(triplets, triangles[f][(k + 1) % 3], triangles[f][(k + 2) % 3], weights[k]);
   }
   return square_matrix(points.size(), triplets);
 }

@@ -13,14 +13,14 @@ using RowSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// Row i holds the weights of vertex i; entry `offset[i]` is the centre, the others its neighbours. Rows of vertices that
 /// were not asked for, or whose fit failed, are empty.
 struct OperatorSet {
-  std::vector<int> offset;    ///< #V + 1
-  std::vector<int> index;     ///< vertex of each entry
+  std::vector<int> offset;  ///< #V + 1
+  std::vector<int> index;   ///< vertex of each entry
   std::vector<double> laplacian;
   Points gradient, diamond, gauss;
-  Points normal;              ///< #V, unit: of the fit where there is one, else angle-weighted
+  Points normal;                             ///< #V, unit: of the fit where there is one, else angle-weighted
   std::vector<Eigen::Matrix3d> second_form;  ///< #V, see LocalFit
-  Eigen::VectorXd H, K;       ///< #V, 0 in empty rows
-  std::vector<char> valid;    ///< #V
+  Eigen::VectorXd H, K;                      ///< #V, 0 in empty rows
+  std::vector<char> valid;                   ///< #V
 
   double apply_laplacian(int i, const Eigen::VectorXd& f) const;
   Vec3 apply_gradient(int i, const Eigen::VectorXd& f) const;

@@ -5,7 +5,9 @@
 namespace loopmend {
 
 Topology::Topology(int vertex_count, const Triangles& triangles)
-    : face_offset_(vertex_count + 1, 0), neighbor_offset_(vertex_count + 1, 0), boundary_(vertex_count, 0) {
+    : face_offset_(vertex_count + 1, 0),
+      neighbor_offset_(vertex_count + 1, 0),
+      boundary_(vertex_count, 0) {
   for (const Triangle& t : triangles)
     for (int v : t) ++face_offset_[v + 1];
   for (int v = 0; v < vertex_count; ++v) face_offset_[v + 1] += face_offset_[v];

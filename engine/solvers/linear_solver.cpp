@@ -109,11 +109,17 @@ class StaleFactors {
   template <typename Matrix>
   explicit StaleFactors(const Matrix&) {}
   template <typename Matrix>
-  StaleFactors& analyzePattern(const Matrix&) { return *this; }
+  StaleFactors& analyzePattern(const Matrix&) {
+    return *this;
+  }
   template <typename Matrix>
-  StaleFactors& factorize(const Matrix&) { return *this; }
+  StaleFactors& factorize(const Matrix&) {
+    return *this;
+  }
   template <typename Matrix>
-  StaleFactors& compute(const Matrix&) { return *this; }
+  StaleFactors& compute(const Matrix&) {
+    return *this;
+  }
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors->solve(b); }
   Eigen::ComputationInfo info() const { return Eigen::Success; }
 

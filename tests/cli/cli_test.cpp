@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/wait.h>
+#include <unistd.h>
 #include <algorithm>
-#include <cstring>
 #include <csignal>
+#include <cstring>
 #include <fstream>
 #include <thread>
-#include <unistd.h>
-#include <sys/wait.h>
 
 namespace loopmend {
 namespace {
@@ -36,8 +36,7 @@ void expect_message(const Outcome& run, int code, const std::string& words) {
 class Cli : public testing::Test {
  protected:
   void SetUp() override {
-    const TriangleSoup two_holes =
-        cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9 || p.x() > 0.95; });
+    const TriangleSoup two_holes = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9 || p.x() > 0.95; });
     write_mesh(holes, two_holes);
     write_mesh(closed, make_icosphere(2));
   }
@@ -127,7 +126,8 @@ TEST_F(Cli, OuterRimIsLeftUnlessAskedFor) {
 TEST_F(Cli, EveryFlowModeAndSolverRuns) {
   for (const char* flow : {"mmcvf", "wf", "sdf", "mcf"})
     for (const char* mode : {"steady", "steps --sigma 1 --steps 40", "steps --solver gmres --steps 5"}) {
-      const Outcome run = loopmend_program("fill " + in_out() + "--flow " + flow + " --mode " + mode + " --quiet --report -");
+      const Outcome run =
+          loopmend_program("fill " + in_out() + "--flow " + flow + " --mode " + mode + " --quiet --report -");
       EXPECT_EQ(run.code, 0) << flow << mode << run.err;
       EXPECT_THAT(json::parse(run.out)["loops"][0]["status"], testing::AnyOf("converged", "step_limit"));
     }
@@ -220,7 +220,8 @@ TEST_F(Cli, FillWritesEveryFormat) {
   for (const char* name : {"a.ply", "a.stl", "a.obj", "a.off"})
     for (const char* encoding : {"", " --ascii"}) {
       const std::filesystem::path path = work / name;
-      EXPECT_EQ(loopmend_program("fill '" + holes.string() + "' -o '" + path.string() + "' --quiet" + encoding).code, 0);
+      EXPECT_EQ(loopmend_program("fill '" + holes.string() + "' -o '" + path.string() + "' --quiet" + encoding).code,
+                0);
       EXPECT_TRUE(find_boundary_loops(make_surface_model(read_mesh(path).soup)).empty()) << name;
     }
 }

@@ -208,8 +208,7 @@ TEST(RimRoughness, SmoothSurroundingsAskForThePureFlowRoughOnesForBending) {
   EXPECT_EQ(rim_roughness(test::start_of(test::open_sphere(4, 0.8))).bending, 0);
   EXPECT_EQ(rim_roughness(test::start_of(test::rough_open_sphere(4, 0.8))).bending, 0);
   TriangleSoup scan = make_icosphere(5);
-  for (Vec3& p : scan.points)
-    p *= 1 + 0.02 * std::sin(31 * p.x()) * std::sin(29 * p.y()) * std::cos(33 * p.z());
+  for (Vec3& p : scan.points) p *= 1 + 0.02 * std::sin(31 * p.x()) * std::sin(29 * p.y()) * std::cos(33 * p.z());
   const RimRoughness rough = rim_roughness(
       test::start_of(make_surface_model(trim_rims(cut(scan, [](const Vec3& p) { return p.z() > 0.85; })))));
   EXPECT_GT(rough.bending, 1);

@@ -52,12 +52,14 @@ TEST(FillLoops, FillsEveryHoleAndLeavesTheRest) {
   SurfaceModel model = before;
   std::mutex mutex;
   int last = 0;
-  const std::vector<LoopResult> results = fill_loops(model, holes_of(model), {}, [&](const FillProgress& p) {
-    const std::lock_guard lock(mutex);
-    EXPECT_GT(p.loops_done, last);
-    EXPECT_EQ(p.loops_total, 4);
-    last = p.loops_done;
-  }, {});
+  const std::vector<LoopResult> results = fill_loops(model, holes_of(model), {},
+                                                     [&](const FillProgress& p) {
+                                                       const std::lock_guard lock(mutex);
+                                                       EXPECT_GT(p.loops_done, last);
+                                                       EXPECT_EQ(p.loops_total, 4);
+                                                       last = p.loops_done;
+                                                     },
+                                                     {});
   EXPECT_EQ(last, 4);
   for (const LoopResult& r : results) {
     EXPECT_EQ(r.status, LoopStatus::converged) << r.message;
@@ -101,7 +103,8 @@ TEST(FillLoops, CancelledLeavesTheModel) {
   SurfaceModel model = holey_sphere();
   const TriangleSoup before = model.soup;
   const CancelToken cancel;
-  const auto results = fill_loops(model, holes_of(model), {}, [&](const FillProgress&) { cancel.cancel(); }, cancel);
+  const auto results = fill_loops(
+      model, holes_of(model), {}, [&](const FillProgress&) { cancel.cancel(); }, cancel);
   EXPECT_TRUE(results.empty());
   EXPECT_EQ(model.soup.points.size(), before.points.size());
   EXPECT_EQ(model.soup.triangles, before.triangles);
@@ -173,8 +176,10 @@ TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
   // Seen anew from the soup alone: nothing to repair, nothing open.
   const SurfaceModel again = make_surface_model(model.soup);
   EXPECT_TRUE(find_boundary_loops(again).empty());
-  EXPECT_EQ(again.repairs.non_manifold_edges + again.repairs.non_manifold_vertices + again.repairs.reoriented_faces, 0u);
-  Triangles patch_first(model.soup.triangles.begin() + static_cast<long>(before.triangles.size()), model.soup.triangles.end());
+  EXPECT_EQ(again.repairs.non_manifold_edges + again.repairs.non_manifold_vertices + again.repairs.reoriented_faces,
+            0u);
+  Triangles patch_first(model.soup.triangles.begin() + static_cast<long>(before.triangles.size()),
+                        model.soup.triangles.end());
   const int own = static_cast<int>(patch_first.size());
   patch_first.insert(patch_first.end(), before.triangles.begin(), before.triangles.end());
   EXPECT_TRUE(self_intersections(model.soup.points, patch_first, own).empty());

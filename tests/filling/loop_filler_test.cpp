@@ -97,8 +97,8 @@ TEST(LoopFiller, ConcaveAndSlitShapedLoops) {
 
 TEST(LoopFiller, ALoopOfTwoThousandEdges) {
   // A long thin tube end: 2 000 edges around, cubic search would need hours.
-  const SurfaceModel model = make_surface_model(
-      make_revolution([](double z) { return 1 + 0.1 * z; }, 0, 0.03, 2000, 8));
+  const SurfaceModel model =
+      make_surface_model(make_revolution([](double z) { return 1 + 0.1 * z; }, 0, 0.03, 2000, 8));
   const BoundaryLoop loop = find_boundary_loops(model).at(0);
   ASSERT_EQ(loop.edges(), 2000);
   const FillerOutcome outcome = fill_loop(model, loop, {0.1}, {});
@@ -141,10 +141,10 @@ TEST(LoopFiller, CancelledLeavesNothing) {
 
 TEST(TriangulateLoop, AvoidsChordsThatAreEdgesAlready) {
   // A square hole whose diagonal 0-2 is an edge of the surroundings, through vertex-disjoint wings.
-  const Points points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, -1, 0}, {2, -1, 0}, {2, 2, 0}, {-1, 2, 0},
-                      {0.5, 0.5, -2}};
-  const Triangles around{{1, 0, 4}, {1, 4, 5}, {2, 1, 5}, {2, 5, 6}, {3, 2, 6}, {3, 6, 7}, {0, 3, 7}, {0, 7, 4},
-                         {0, 2, 8}};
+  const Points points{{0, 0, 0},  {1, 0, 0}, {1, 1, 0},  {0, 1, 0},     {-1, -1, 0},
+                      {2, -1, 0}, {2, 2, 0}, {-1, 2, 0}, {0.5, 0.5, -2}};
+  const Triangles around{{1, 0, 4}, {1, 4, 5}, {2, 1, 5}, {2, 5, 6}, {3, 2, 6},
+                         {3, 6, 7}, {0, 3, 7}, {0, 7, 4}, {0, 2, 8}};
   for (const Triangle& t : triangulate_loop(points, around, {0, 1, 2, 3}, TriangulationMethod::cubic))
     EXPECT_FALSE(std::count(t.begin(), t.end(), 0) && std::count(t.begin(), t.end(), 2));
 }

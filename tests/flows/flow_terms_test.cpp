@@ -102,8 +102,7 @@ TEST(FlowTerms, JacobianPredictsTheNextVelocity) {
 TEST(DecayRate, OfADiscFollowsTheKnownEigenvalues) {
   // NUMERICS §4: disc of radius R, clamped: T = 1/λ₁ ≈ 2(R/2.41)² MCF, 2(R/3.2)⁴ SDF, 2(R/3.9)⁶ MMCVF.
   TriangleSoup grid = make_graph([](double, double) { return 0.0; }, 2, 56);
-  const SurfaceModel model =
-      make_surface_model(cut(grid, [](const Vec3& p) { return p.head<2>().norm() < 1 - 1e-9; }));
+  const SurfaceModel model = make_surface_model(cut(grid, [](const Vec3& p) { return p.head<2>().norm() < 1 - 1e-9; }));
   std::vector<BoundaryLoop> holes;
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     if (loop.kind == LoopKind::hole) holes.push_back(loop);

@@ -40,7 +40,8 @@ TEST(SurfaceModel, CleanMeshIsTakenAsItIs) {
   EXPECT_EQ(model.mesh.n_vertices(), 162u);
   EXPECT_EQ(model.mesh.n_faces(), 320u);
   EXPECT_EQ(model.soup.triangles, soup.triangles);
-  EXPECT_EQ(model.repairs.reoriented_faces + model.repairs.non_manifold_vertices + model.repairs.unreferenced_vertices, 0u);
+  EXPECT_EQ(model.repairs.reoriented_faces + model.repairs.non_manifold_vertices + model.repairs.unreferenced_vertices,
+            0u);
   EXPECT_TRUE(find_boundary_loops(model).empty());
 }
 
@@ -184,7 +185,8 @@ TEST(SelfIntersections, AreFoundAndNeighboursAreNot) {
   const int base = static_cast<int>(pierced.points.size());
   pierced.points.insert(pierced.points.end(), {{0.01, 0.02, 0.5}, {0.03, 0.01, 1.5}, {0.3, 0.01, 1.5}});
   pierced.triangles.push_back({base, base + 1, base + 2});
-  EXPECT_FALSE(self_intersections(pierced.points, pierced.triangles, static_cast<int>(pierced.triangles.size())).empty());
+  EXPECT_FALSE(
+      self_intersections(pierced.points, pierced.triangles, static_cast<int>(pierced.triangles.size())).empty());
   EXPECT_TRUE(self_intersections(pierced.points, pierced.triangles, 0).empty());
 }
 

@@ -2,8 +2,8 @@
 
 #include "samples/analytic_surfaces.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <functional>
@@ -61,12 +61,15 @@ Errors errors_on(const TriangleSoup& soup, const Surface& surface, Stencil stenc
     sum.diamond += (ops.apply_diamond(i, f) - diamond).squaredNorm();
     ++count;
   }
-  for (double* value : {&sum.H, &sum.K, &sum.laplacian, &sum.gradient, &sum.diamond}) *value = std::sqrt(*value / count);
+  for (double* value : {&sum.H, &sum.K, &sum.laplacian, &sum.gradient, &sum.diamond})
+    *value = std::sqrt(*value / count);
   return sum;
 }
 
 Surface sphere() {
-  return {[](const Vec3& p) { return Analytic{-1, 1, p.normalized()}; },
+  return {[](const Vec3& p) {
+            return Analytic{-1, 1, p.normalized()};
+          },
           [](const Vec3& p) -> Eigen::Matrix3d {
             const Vec3 n = p.normalized();
             return -(Eigen::Matrix3d::Identity() - n * n.transpose());
@@ -92,7 +95,9 @@ Surface torus() {
 }
 
 Surface cylinder() {
-  return {[](const Vec3& p) { return Analytic{-0.5, 0, Vec3(p.x(), p.y(), 0).normalized()}; },
+  return {[](const Vec3& p) {
+            return Analytic{-0.5, 0, Vec3(p.x(), p.y(), 0).normalized()};
+          },
           [](const Vec3& p) -> Eigen::Matrix3d {
             const Vec3 along = Vec3(-p.y(), p.x(), 0).normalized();
             return -along * along.transpose();
@@ -105,7 +110,9 @@ Surface catenoid() {
     return Vec3(p.x() / radius, p.y() / radius, -std::sinh(p.z())).normalized();
   };
   const auto curvature = [](const Vec3& p) { return 1 / std::pow(std::cosh(p.z()), 2); };
-  return {[=](const Vec3& p) { return Analytic{0, -std::pow(curvature(p), 2), normal(p)}; },
+  return {[=](const Vec3& p) {
+            return Analytic{0, -std::pow(curvature(p), 2), normal(p)};
+          },
           [=](const Vec3& p) -> Eigen::Matrix3d {
             const Vec3 n = normal(p), along = Vec3(-p.y(), p.x(), 0).normalized(), across = n.cross(along);
             return curvature(p) * (across * across.transpose() - along * along.transpose());
@@ -118,7 +125,8 @@ double order(double coarse, double fine) { return std::log2(coarse / fine); }
 void expect_order(const Errors& coarse, const Errors& fine, double least, const char* what) {
   EXPECT_GT(order(coarse.H, fine.H), least) << what << " H " << coarse.H << " " << fine.H;
   EXPECT_GT(order(coarse.K, fine.K), least) << what << " K " << coarse.K << " " << fine.K;
-  EXPECT_GT(order(coarse.laplacian, fine.laplacian), least) << what << " Δ " << coarse.laplacian << " " << fine.laplacian;
+  EXPECT_GT(order(coarse.laplacian, fine.laplacian), least)
+      << what << " Δ " << coarse.laplacian << " " << fine.laplacian;
   EXPECT_GT(order(coarse.gradient, fine.gradient), least) << what << " ∇ " << coarse.gradient << " " << fine.gradient;
   EXPECT_GT(order(coarse.diamond, fine.diamond), least) << what << " ◇ " << coarse.diamond << " " << fine.diamond;
 }
@@ -160,11 +168,10 @@ TEST_P(OperatorConvergence, FirstOrderOnIrregularCatenoid) {
 
 TEST(Operators, InvariantUnderRotationTranslationScaling) {
   // Paper, Theorem 3.2.
-  const TriangleSoup soup =
-      roughen(make_torus(2, 0.7, 40, 14), 0.15, 0.2, 5, [](const Vec3& p) {
-        const Vec3 axis(2 * p.x() / std::hypot(p.x(), p.y()), 2 * p.y() / std::hypot(p.x(), p.y()), 0);
-        return Vec3(axis + 0.7 * (p - axis).normalized());
-      });
+  const TriangleSoup soup = roughen(make_torus(2, 0.7, 40, 14), 0.15, 0.2, 5, [](const Vec3& p) {
+    const Vec3 axis(2 * p.x() / std::hypot(p.x(), p.y()), 2 * p.y() / std::hypot(p.x(), p.y()), 0);
+    return Vec3(axis + 0.7 * (p - axis).normalized());
+  });
   const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
   constexpr double scale = 137;
   Points moved;
@@ -187,8 +194,8 @@ TEST(Operators, InvariantUnderRotationTranslationScaling) {
 TEST(Operators, WeightsAnnihilateConstants) {
   const TriangleSoup soup = make_icosphere(3);
   const int n = static_cast<int>(soup.points.size());
-  const OperatorSet ops = compute_operators(soup.points, soup.triangles, Topology(n, soup.triangles),
-                                            Stencil::one_ring, std::vector<char>(n, 1));
+  const OperatorSet ops = compute_operators(soup.points, soup.triangles, Topology(n, soup.triangles), Stencil::one_ring,
+                                            std::vector<char>(n, 1));
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(n);
   for (int i = 0; i < n; ++i) {
     EXPECT_NEAR(ops.apply_laplacian(i, one), 0, 1e-9);
