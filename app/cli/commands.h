@@ -27,8 +27,8 @@ struct InfoCommand {
 struct FillCommand {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::string loops = "all";     ///< "all" or numbers, "1,3"
-  std::vector<int> at_vertices;  ///< 0-based input vertices: the loops through them
+  std::string loops = "all";               ///< "all" or numbers, "1,3"
+  std::optional<std::string> at_vertices;  ///< 0-based input vertices, "17,230": the loops through them
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;

@@ -25,10 +25,26 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-bool starts_with_bits_of(const TriangleSoup& result, const TriangleSoup& original) {
-  return result.points.size() >= original.points.size() && result.triangles.size() >= original.triangles.size() &&
-         std::memcmp(result.points.data(), original.points.data(), original.points.size() * sizeof(Vec3)) == 0 &&
-         std::equal(original.triangles.begin(), original.triangles.end(), result.triangles.begin());
+/// Points bit for bit, triangles in their order; `turned` triangles may have changed their sense, as the import says.
+bool starts_with(const TriangleSoup& result, const TriangleSoup& input, std::size_t turned) {
+  if (result.points.size() < input.points.size() || result.triangles.size() < input.triangles.size()) return false;
+  if (std::memcmp(result.points.data(), input.points.data(), input.points.size() * sizeof(Vec3)) != 0) return false;
+  std::size_t found_turned = 0;
+  for (std::size_t f = 0; f < input.triangles.size(); ++f) {
+    if (result.triangles[f] == input.triangles[f]) continue;
+    const Triangle& t = input.triangles[f];
+    if (result.triangles[f] != Triangle{t[0], t[2], t[1]}) return false;
+    ++found_turned;
+  }
+  return found_turned == turned;
+}
+
+/// The report must not land on a mesh. @throws UsageError
+void check_paths(const FillCommand& command) {
+  if (command.report.empty() || command.report == "-") return;
+  for (const std::filesystem::path& mesh : {command.input, command.output})
+    if (same_file(mesh, command.report))
+      throw UsageError("--report " + command.report + " would overwrite the mesh " + mesh.string());
 }
 
 bool is_filled(LoopStatus status) {
@@ -103,16 +119,16 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
 
 int run_fill(const FillCommand& command) {
   const auto start = std::chrono::steady_clock::now();
+  check_paths(command);
   check_mesh_writable(command.output);
   if (!command.report.empty() && command.report != "-") check_writable(command.report);
   OpenedModel opened = open_model(command.input);
   SurfaceModel& model = opened.model;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   const std::vector<LoopChoice> choices = choose_loops(model, loops, command);
-  const TriangleSoup original = model.soup;
 
   const std::vector<LoopResult> results = fill_selected(model, loops, choices, command);
-  const bool unchanged = starts_with_bits_of(model.soup, original);
+  const bool unchanged = starts_with(model.soup, opened.as_read, model.repairs.reoriented_faces);
   if (!unchanged) throw std::logic_error("the surroundings of a patch were changed: nothing was written");
   write_mesh(command.output, model.soup, command.encoding);
 
@@ -126,9 +142,11 @@ int run_fill(const FillCommand& command) {
   }
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
+    if (model.repairs.reoriented_faces > 0)
+      std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n",
+                   model.repairs.reoriented_faces);
     if (loops.empty())
-      std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written as it came.\n",
-                   command.output.c_str());
+      std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else
       print_summary(out, results, command, seconds);
   }

@@ -38,6 +38,8 @@ void print_loops(const std::vector<BoundaryLoop>& loops) {
 }  // namespace
 
 int run_info(const InfoCommand& command) {
+  if (!command.json.empty() && command.json != "-" && same_file(command.input, command.json))
+    throw UsageError("--json " + command.json + " would overwrite the mesh");
   const OpenedModel opened = open_model(command.input);
   const SurfaceModel& model = opened.model;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);

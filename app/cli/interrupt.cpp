@@ -14,7 +14,7 @@ namespace {
 /// Only what POSIX allows in a handler: lock-free atomics, unlink, write, _exit.
 void leave(int) {
   remove_unfinished_files();
-  constexpr std::string_view words = "\nloopmend: cancelled; nothing was written\n";
+  constexpr std::string_view words = "\nloopmend: cancelled\n";
   static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
   _exit(exit_cancelled);
 }

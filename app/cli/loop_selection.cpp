@@ -1,5 +1,6 @@
 #include "loop_selection.h"
 
+#include <algorithm>
 #include <charconv>
 #include <set>
 #include <sstream>
@@ -14,12 +15,41 @@ std::string count_of_loops(const std::vector<BoundaryLoop>& loops) {
   return "the mesh has " + std::to_string(loops.size()) + " loops, numbers 1 to " + std::to_string(loops.size());
 }
 
-int parse_number(const std::string& text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw UsageError("--loops takes 'all' or numbers such as 1,3, not '" + text + "'");
-  return value;
+/// Whole numbers between commas; blanks around them are allowed.
+std::vector<int> parse_numbers(const std::string& text, const std::string& option) {
+  std::vector<int> numbers;
+  std::istringstream list(text);
+  for (std::string item; std::getline(list, item, ',');) {
+    const auto first = item.find_first_not_of(" \t");
+    const std::string word =
+        first == std::string::npos ? "" : item.substr(first, item.find_last_not_of(" \t") - first + 1);
+    int value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || error != std::errc() || end != word.data() + word.size())
+      throw UsageError(option + " takes whole numbers such as 1,3, not '" + text + "'");
+    numbers.push_back(value);
+  }
+  if (numbers.empty()) throw UsageError(option + " names nothing. It takes whole numbers such as 1,3");
+  return numbers;
+}
+
+/// Loops through a vertex of the input. @throws UsageError when there is none.
+void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int vertex,
+                  std::set<std::size_t>& named) {
+  const std::string name = "vertex " + std::to_string(vertex);
+  if (vertex < 0 || vertex >= static_cast<int>(model.soup.points.size()))
+    throw UsageError("there is no " + name + ": the mesh has " + std::to_string(model.soup.points.size()) +
+                     ", numbered from 0");
+  bool found = false;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    for (int v : loops[k].vertices)
+      if (model.soup_vertex[v] == vertex) {
+        named.insert(k);
+        found = true;
+      }
+  if (found) return;
+  const bool used = std::find(model.soup_vertex.begin(), model.soup_vertex.end(), vertex) != model.soup_vertex.end();
+  throw UsageError(name + (used ? " lies on no boundary loop" : " belongs to no face"));
 }
 
 /// Indices into `loops` that are named on the command line; empty when none is.
@@ -27,31 +57,16 @@ std::set<std::size_t> named_loops(const SurfaceModel& model, const std::vector<B
                                   const FillCommand& command) {
   std::set<std::size_t> named;
   if (command.loops != "all") {
-    std::istringstream list(command.loops);
-    for (std::string item; std::getline(list, item, ',');) {
-      const int number = parse_number(item);
+    for (const int number : parse_numbers(command.loops, "--loops")) {
       if (number < 1 || number > static_cast<int>(loops.size()))
         throw UsageError("there is no loop " + std::to_string(number) + ": " + count_of_loops(loops) +
                          ". 'loopmend info' lists them");
       named.insert(static_cast<std::size_t>(number - 1));
     }
-    if (named.empty()) throw UsageError("--loops names no loop. It takes 'all' or numbers such as 1,3");
   }
-  for (int vertex : command.at_vertices) {
-    if (vertex < 0 || vertex >= static_cast<int>(model.soup.points.size()))
-      throw UsageError("there is no vertex " + std::to_string(vertex) + ": the mesh has " +
-                       std::to_string(model.soup.points.size()) + ", numbered from 0");
-    const std::size_t before = named.size();
-    bool found = false;
-    for (std::size_t k = 0; k < loops.size(); ++k)
-      for (int v : loops[k].vertices)
-        if (model.soup_vertex[v] == vertex) {
-          named.insert(k);
-          found = true;
-        }
-    if (!found && named.size() == before)
-      throw UsageError("vertex " + std::to_string(vertex) + " lies on no boundary loop");
-  }
+  if (command.at_vertices)
+    for (const int vertex : parse_numbers(*command.at_vertices, "--at-vertex"))
+      add_loops_at(model, loops, vertex, named);
   return named;
 }
 
@@ -59,7 +74,7 @@ std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command
   if (any_named && !named) return "not selected";
   if (!named && loop.kind == LoopKind::outer_rim && command.outer_rim == FillCommand::OuterRim::leave)
     return "outer rim of an open sheet: left open (--include-outer-rim fills it)";
-  if (!named && loop.kind == LoopKind::cut) return "no hole: runs along an edge with more than two faces";
+  if (!named && loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut";
   if (!named && loop.kind == LoopKind::crack) return "crack: nothing is missing, its sides are only not joined";
   if (command.max_edges && loop.edges() > *command.max_edges)
     return "has more than " + std::to_string(*command.max_edges) + " edges (--max-edges)";

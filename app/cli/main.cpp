@@ -9,8 +9,10 @@
 
 #include <clocale>
 #include <cstdio>
+#include <iostream>
 #include <map>
 #include <new>
+#include <sstream>
 
 namespace {
 
@@ -33,6 +35,21 @@ std::string quoted_command_line(int argc, char** argv) {
     line += (k ? " " : "") + shown;
   }
   return line;
+}
+
+/// Like CLI::Range, but NaN is out of range, and the numbers in the message are readable.
+CLI::Validator between(double low, double high) {
+  return CLI::Validator(
+      [low, high](std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return std::string();
+        std::ostringstream words;
+        words << "takes a number " << (low < 1e-100 ? "above 0" : "");
+        if (low >= 1e-100) words << "from " << low << " to " << high;
+        words << ", not '" << text << "'";
+        return words.str();
+      },
+      "NUMBER");
 }
 
 void add_info(CLI::App& app, InfoCommand& command) {
@@ -60,11 +77,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->type_name("all|1,3,...")
       ->capture_default_str();
   fill->add_option("--at-vertex", command.at_vertices, "Loops through these input vertices, 0-based")
-      ->delimiter(',')
       ->type_name("V,...");
-  fill->add_option("--max-edges", command.max_edges, "Leave loops with more edges")->check(CLI::PositiveNumber);
+  fill->add_option("--max-edges", command.max_edges, "Leave loops with more edges")->check(between(1e-300, 1e300));
   fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
-      ->check(CLI::PositiveNumber);
+      ->check(between(1e-300, 1e300));
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   fill->add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first filler")
       ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
@@ -72,20 +88,20 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--mode", words.mode, "steady: straight to the steady state; steps: the semi-implicit scheme")
       ->check(CLI::IsMember({"steady", "steps"}))
       ->capture_default_str();
-  fill->add_option("--steps", words.steps, "At most so many steps (default 60)")->check(CLI::Range(1, 1000000));
+  fill->add_option("--steps", words.steps, "At most so many steps (default 60)")->check(between(1, 1e6));
   fill->add_option("--sigma", words.sigma, "Size of a step, dimensionless: 10 is large, 0.1 shows the flow at work")
-      ->check(CLI::Range(1e-6, 1e8))
+      ->check(between(1e-6, 1e8))
       ->capture_default_str();
   fill->add_option("--solver", words.solver, "Linear solver of the steps")
       ->check(CLI::IsMember({"auto", "direct", "gmres"}))
       ->capture_default_str();
   fill->add_option("--density", command.fill.filler.density, "Vertices along a length, relative to the surroundings")
-      ->check(CLI::Range(0.1, 10.0))
+      ->check(between(0.1, 10))
       ->capture_default_str();
   fill->add_option("--report", command.report, "Write a JSON report to FILE, or to standard output for -")
       ->type_name("FILE|-");
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
+      ->check(between(0, 1024))
       ->capture_default_str();
   fill->add_flag("--ascii", words.ascii, "Write PLY or STL as text");
   fill->add_flag("--quiet", words.quiet, "No progress and no summary");
@@ -183,7 +199,10 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   loopmend::exit_on_interrupt();
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
+    std::fprintf(stderr, "loopmend: standard output cannot be written; is the disk full?\n");
+    return loopmend::exit_unwritable;
   } catch (const loopmend::ReadError& error) {
     return say(error, loopmend::exit_unreadable);
   } catch (const loopmend::WriteError& error) {

@@ -7,7 +7,8 @@ namespace loopmend {
 OpenedModel open_model(const std::filesystem::path& path) {
   ImportedMesh imported = read_mesh(path);
   try {
-    return {make_surface_model(std::move(imported.soup)), std::move(imported.report)};
+    SurfaceModel model = make_surface_model(imported.soup);
+    return {std::move(imported.soup), std::move(model), std::move(imported.report)};
   } catch (const InvalidArgument& error) {
     throw ReadError(path, error.what(), "", "Check the mesh in the program that made it.");
   }

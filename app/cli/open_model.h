@@ -9,6 +9,7 @@
 namespace loopmend {
 
 struct OpenedModel {
+  TriangleSoup as_read;  ///< before any face was turned round
   SurfaceModel model;
   ImportReport import;
 };

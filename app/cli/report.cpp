@@ -65,6 +65,12 @@ Json loop_json(const LoopResult& result) {
   return json;
 }
 
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
 void write_report(const std::string& target, const Json& report) {
   const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (target == "-")

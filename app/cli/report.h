@@ -22,6 +22,9 @@ nlohmann::ordered_json loop_json(const BoundaryLoop& loop);
 /// The same with status, times, energies and seam figures.
 nlohmann::ordered_json loop_json(const LoopResult& result);
 
+/// True if both names mean one file, be it there already or not.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Writes to the file, or to standard output for "-". @throws WriteError
 void write_report(const std::string& target, const nlohmann::ordered_json& report);
 

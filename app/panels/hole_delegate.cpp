@@ -56,7 +56,7 @@ void HoleDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   const QColor color = dot_color(state);
   painter->setPen(
       QPen(cell.state.testFlag(QStyle::State_Selected) ? option.palette.color(QPalette::Base) : color, 1.6));
-  painter->setBrush(hollow ? option.palette.base() : QBrush(color));
+  painter->setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(color));
   painter->drawEllipse(middle, dot_px / 2, dot_px / 2);
   painter->restore();
   cell.rect.setLeft(option.rect.left() + dot_column_px);

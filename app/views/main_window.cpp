@@ -41,7 +41,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), workbench_(docume
   update_actions();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // The undo stack speaks once more while it goes, after the workbench has gone.
+  undo_.disconnect(this);
+}
 
 void MainWindow::build_centre() {
   view_ = new MeshView(document_, selection_);

@@ -13,23 +13,37 @@
 
 namespace loopmend {
 
-SeamReport seam_report(const Patch& patch, int loop) {
-  if (loop < 0 || loop >= static_cast<int>(patch.loops.size()))
-    throw InvalidArgument("the patch has no loop " + std::to_string(loop));
-  const auto middle = patch.triangles.begin() + patch.patch_triangles;
-  const Topology inside(patch.vertex_count(), Triangles(patch.triangles.begin(), middle));
-  const Topology outside(patch.vertex_count(), Triangles(middle, patch.triangles.end()));
-  const Points normals = angle_weighted_normals(patch.positions, patch.triangles);
-  std::vector<char> mark(patch.vertex_count(), 0);
+namespace {
 
+/// The two sides of a patch's seams, each by itself.
+struct Sides {
+  explicit Sides(const Patch& p)
+      : patch(p),
+        inside(p.vertex_count(), Triangles(p.triangles.begin(), p.triangles.begin() + p.patch_triangles)),
+        outside(p.vertex_count(), Triangles(p.triangles.begin() + p.patch_triangles, p.triangles.end())),
+        normals(angle_weighted_normals(p.positions, p.triangles)),
+        mark(p.vertex_count(), 0) {}
+  const Patch& patch;
+  Topology inside, outside;
+  Points normals;
+  std::vector<char> mark;
+};
+
+double diameter(const Points& points, const std::vector<int>& vertices) {
+  double diameter2 = 0;
+  for (int v : vertices)
+    for (int w : vertices) diameter2 = std::max(diameter2, (points[v] - points[w]).squaredNorm());
+  return std::sqrt(diameter2);
+}
+
+SeamReport report_of(Sides& sides, const std::vector<int>& loop) {
+  const Patch& patch = sides.patch;
   SeamReport report;
-  double angle2 = 0, jump2 = 0, diameter2 = 0;
+  double angle2 = 0, jump2 = 0;
   int count = 0;
-  for (int v : patch.loops[loop]) {
-    for (int w : patch.loops[loop])
-      diameter2 = std::max(diameter2, (patch.positions[v] - patch.positions[w]).squaredNorm());
-    const auto in = one_sided_fit(patch.positions, inside, v, normals[v], mark);
-    const auto out = one_sided_fit(patch.positions, outside, v, normals[v], mark);
+  for (int v : loop) {
+    const auto in = one_sided_fit(patch.positions, sides.inside, v, sides.normals[v], sides.mark);
+    const auto out = one_sided_fit(patch.positions, sides.outside, v, sides.normals[v], sides.mark);
     if (!in || !out) continue;
     const double angle =
         std::atan2(in->normal.cross(out->normal).norm(), in->normal.dot(out->normal)) * 180 / std::numbers::pi;
@@ -47,8 +61,24 @@ SeamReport seam_report(const Patch& patch, int loop) {
     report.g1_rms_deg = std::sqrt(angle2 / count);
     report.h_jump_rms = std::sqrt(jump2 / count);
   }
-  report.h_jump_rms_times_diameter = report.h_jump_rms * std::sqrt(diameter2) * patch.scale;
+  report.h_jump_rms_times_diameter = report.h_jump_rms * diameter(patch.positions, loop) * patch.scale;
   return report;
+}
+
+}  // namespace
+
+std::vector<SeamReport> seam_reports(const Patch& patch) {
+  Sides sides(patch);
+  std::vector<SeamReport> reports;
+  for (const auto& loop : patch.loops) reports.push_back(report_of(sides, loop));
+  return reports;
+}
+
+SeamReport seam_report(const Patch& patch, int loop) {
+  if (loop < 0 || loop >= static_cast<int>(patch.loops.size()))
+    throw InvalidArgument("the patch has no loop " + std::to_string(loop));
+  Sides sides(patch);
+  return report_of(sides, patch.loops[loop]);
 }
 
 }  // namespace loopmend

@@ -3,18 +3,23 @@
 
 #include "mesh/patch.h"
 
+#include <vector>
+
 namespace loopmend {
 
 /// At the vertices of a loop, from one-sided fits: inside (the patch) against outside (the surroundings). Mesh units.
 /// NaN where no vertex of the loop has enough triangles on both sides.
 struct SeamReport {
-  double g0_gap = 0;      ///< largest distance between the two sides at the loop: 0, they share their vertices
+  double g0_gap = 0;      ///< distance between the two sides at the loop: 0, since they share their vertices
   double g1_rms_deg = 0;  ///< angle between the one-sided normals
   double g1_max_deg = 0;
   double h_jump_rms = 0;  ///< |H_in − H_out|, 1/length
   double h_jump_max = 0;
   double h_jump_rms_times_diameter = 0;  ///< the same without a unit: times the loop's diameter
 };
+
+/// One report for each loop of the patch.
+std::vector<SeamReport> seam_reports(const Patch& patch);
 
 /// @param loop  which of patch.loops, 0-based.
 /// @throws InvalidArgument if there is no such loop.

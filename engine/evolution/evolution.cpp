@@ -25,6 +25,8 @@ constexpr int most_trials = 12;  ///< before the step is given up
 constexpr int steps_with_mesh_care = 15;
 constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
 constexpr double newton_tolerance = 1 + 1e-9;
+constexpr double small_move = 1e-3;     ///< in mean edge lengths: no eye sees it
+constexpr double smallest_step = 1e-6;  ///< relative to the step that was asked for: below, the flow has stalled
 
 class Stopwatch {
  public:
@@ -39,16 +41,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void check(const EvolutionOptions& options) {
-  if (!(options.sigma >= 1e-6 && options.sigma <= 1e8))
-    throw InvalidArgument("the time step sigma must lie between 1e-6 and 1e8, not " + std::to_string(options.sigma));
-  if (options.bending && !(*options.bending >= 0 && *options.bending <= 1e6))
-    throw InvalidArgument("the share of bending energy must lie between 0 and 1e6, not " +
-                          std::to_string(*options.bending));
-  if (options.max_steps < 1)
-    throw InvalidArgument("the number of steps must be at least 1, not " + std::to_string(options.max_steps));
-}
-
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
 int order_of(FlowKind flow) { return flow == FlowKind::mcf ? 2 : flow == FlowKind::mmcvf ? 6 : 4; }
 
@@ -58,7 +50,28 @@ EnergyWeights energy_of(const Objective& objective) {
   return objective.flow == FlowKind::wf ? EnergyWeights{0, 1} : EnergyWeights{1, objective.bending};
 }
 
+/// What came of one Gauss-Newton solve.
+struct GaussNewtonTrial {
+  bool accepted = false;
+  double move = 0;      ///< largest displacement before the line search, in mean edge lengths; 0 if unsolved
+  double promised = 0;  ///< fall of the energy that the quadratic model foresees
+};
+
+constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
+
+constexpr const char* collapsed_words = "stopped early: only vanishing time steps keep the flow stable here";
+
 }  // namespace
+
+void check(const EvolutionOptions& options) {
+  if (!(options.sigma >= 1e-6 && options.sigma <= 1e8))
+    throw InvalidArgument("the time step sigma must lie between 1e-6 and 1e8, not " + std::to_string(options.sigma));
+  if (options.bending && !(*options.bending >= 0 && *options.bending <= 1e6))
+    throw InvalidArgument("the share of bending energy must lie between 0 and 1e6, not " +
+                          std::to_string(*options.bending));
+  if (options.max_steps < 1)
+    throw InvalidArgument("the number of steps must be at least 1, not " + std::to_string(options.max_steps));
+}
 
 const char* to_string(EvolutionStatus status) {
   switch (status) {
@@ -81,25 +94,26 @@ struct Evolution::Impl {
   std::vector<StepRecord> history;
   double initial_energy = 0;
 
-  Eigen::AlignedBox3d room;  ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
-  double blend = 0;          ///< αR² of the order blend in force
-  double decay_rate = 0;     ///< patch frame
-  double sigma = 0;          ///< of the next semi-implicit step; falls on rejection, recovers
-  double mu = 0;             ///< of the next Gauss-Newton step
-  int small_moves = 0;       ///< Gauss-Newton steps in a row that moved nothing to speak of
-  double tried_move = 0;     ///< of the last trial, in mean edge lengths
+  Eigen::AlignedBox3d room;   ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
+  double blend = 0;           ///< αR² of the order blend in force
+  double decay_rate = 0;      ///< patch frame
+  double sigma = 0;           ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;              ///< of the next Gauss-Newton step
+  int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double start_measure = 0;   ///< at the last set_options
+  double lowest_measure = 0;  ///< since then
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
 
   void prepare(Patch start);
   void take_options(const EvolutionOptions& new_options);
   Objective objective_for(const EvolutionOptions& new_options);
-  bool acceptable(const EvolutionState& next, double tolerance) const;
+  bool acceptable(const EvolutionState& next, double limit) const;
   void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma);
-  void care_for_mesh(double tolerance);
-  bool replace_if_good(Patch patch, double tolerance);
+  void care_for_mesh(double limit);
+  bool replace_if_good(Patch patch, double limit);
   void gauss_newton_step(const CancelToken& cancel);
-  bool try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
+  GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
   void semi_implicit_step(const CancelToken& cancel);
   double edge_length() const {
     return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);
@@ -142,16 +156,17 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   mu = decay_rate / (2 * first_gauss_newton_sigma);
   small_moves = 0;
+  start_measure = lowest_measure = state.measure;
   general = make_general_solver(options.solver);
   spd = make_spd_solver();
   stop(EvolutionStatus::ready, "");
 }
 
-bool Evolution::Impl::acceptable(const EvolutionState& next, double tolerance) const {
+bool Evolution::Impl::acceptable(const EvolutionState& next, double limit) const {
   if (!std::isfinite(next.measure) || next.folds > state.folds) return false;
   for (int i = 0; i < next.patch.free_count; ++i)
     if (!room.contains(next.patch.positions[i])) return false;
-  return next.measure <= state.measure * tolerance || next.measure < 1e-20;
+  return next.measure <= limit;
 }
 
 void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma) {
@@ -164,18 +179,18 @@ void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen
   history.push_back(record);
 }
 
-bool Evolution::Impl::replace_if_good(Patch patch, double tolerance) {
+bool Evolution::Impl::replace_if_good(Patch patch, double limit) {
   EvolutionState next = make_state(std::move(patch), objective, stencil);
-  if (next.folds > state.folds || !(next.measure <= tolerance * state.measure)) return false;
+  if (next.folds > state.folds || !(next.measure <= limit)) return false;
   state = std::move(next);
   return true;
 }
 
 /// Only while the surface still moves: near the end the mesh must stand still for the solve to converge.
-void Evolution::Impl::care_for_mesh(double tolerance) {
+void Evolution::Impl::care_for_mesh(double limit) {
   if (history.size() > steps_with_mesh_care || history.back().max_move < 0.05) return;
-  replace_if_good(tangentially_relaxed(state), tolerance);
-  replace_if_good(with_delaunay_flips(state.patch), tolerance);
+  replace_if_good(tangentially_relaxed(state), limit);
+  replace_if_good(with_delaunay_flips(state.patch), limit);
   if (state.folds > 0) {
     EvolutionState next = make_state(remeshed(state.patch), objective, stencil);
     if (next.folds < state.folds && std::isfinite(next.measure)) state = std::move(next);
@@ -184,27 +199,31 @@ void Evolution::Impl::care_for_mesh(double tolerance) {
 }
 
 /// One trial with the present mu: the whole step, a half, a quarter.
-bool Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel) {
+GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record,
+                                                   const CancelToken& cancel) {
   Stopwatch watch;
+  GaussNewtonTrial trial;
   SparseMatrix A = system.curvature;
   const SparseMatrix M(system.mass.asDiagonal());
   A += mu * M;
   Eigen::MatrixXd s;
   const bool solved = spd->factorize(A) && spd->solve(-system.half_gradient, s);
   record.solve_seconds += watch.lap();
-  if (!solved) return false;
-  tried_move = s.cwiseAbs().maxCoeff() / edge_length();
+  if (!solved) return trial;
+  trial.move = s.cwiseAbs().maxCoeff() / edge_length();
+  trial.promised = -system.half_gradient.dot(s.col(0));
   for (double share : {1.0, 0.5, 0.25}) {
-    if (cancel.cancelled()) return false;
+    if (cancel.cancelled()) return trial;
     const Eigen::VectorXd move = share * s.col(0);
     EvolutionState next = displaced(state, objective, stencil, move);
-    const bool good = acceptable(next, newton_tolerance);
+    const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();
     if (!good) continue;
     accept(std::move(next), record, move, decay_rate / (2 * mu));
-    return true;
+    trial.accepted = true;
+    return trial;
   }
-  return false;
+  return trial;
 }
 
 void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
@@ -212,24 +231,30 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   StepRecord record;
   record.assemble_seconds = watch.lap();
-  for (int trial = 0; trial < most_trials; ++trial) {
+  double promised = 0;  // by the first, boldest trial
+  for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
-    if (try_gauss_newton(system, record, cancel)) {
-      const double used_mu = mu;
-      mu = std::max(0.2 * mu, 1e-8 * decay_rate);
-      const bool small = history.back().max_move < 1e-4;
+    const double energy_before = state.measure;
+    const GaussNewtonTrial trial = try_gauss_newton(system, record, cancel);
+    if (trial.accepted) {
+      const bool small = history.back().max_move < 0.1 * small_move;
       small_moves = small ? small_moves + 1 : 0;
-      if ((small && used_mu <= decay_rate) || small_moves >= 3) return stop(EvolutionStatus::converged, "");
-      care_for_mesh(1.2);
-      return;
+      const bool bold = mu <= decay_rate;
+      mu = std::max(0.2 * mu, 1e-8 * decay_rate);
+      if (small && (bold || small_moves >= 3)) return stop(EvolutionStatus::converged, "");
+      return care_for_mesh(1.2 * state.measure);
     }
-    // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
-    if (tried_move < 1e-3) return stop(EvolutionStatus::converged, "");
+    if (k == 0) promised = trial.promised;
     ++record.rejections;
+    if (trial.move > 0 && trial.move < small_move) {
+      // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
+      const bool at_minimum = k == 0 || promised < 1e-2 * energy_before || promised < 1e-6 * start_measure;
+      return at_minimum ? stop(EvolutionStatus::converged, "") : stop(EvolutionStatus::failed, stalled_words);
+    }
     mu *= 10;
   }
   if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
-  stop(EvolutionStatus::converged, "no further step lowers the energy");
+  stop(EvolutionStatus::failed, stalled_words);
 }
 
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
@@ -244,6 +269,7 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
     if (trial == 2 && has_energy(options.flow)) {
       mu = decay_rate / (2 * sigma);
+      sigma = std::min(wanted, 100 * sigma);
       return gauss_newton_step(cancel);
     }
     const double tau = sigma / decay_rate;
@@ -252,21 +278,23 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
     record.solve_seconds += watch.lap();
     if (report.solved) {
       EvolutionState next = displaced(state, objective, stencil, s);
-      const bool good = acceptable(next, flow_tolerance);
+      const bool good = acceptable(next, flow_tolerance * lowest_measure);
       record.assemble_seconds += watch.lap();
       if (good) {
         const double used = sigma;
         accept(std::move(next), record, s, used);
         sigma = std::min(wanted, sigma * 3);
-        if (history.back().max_move < 1e-3 * std::min(1.0, used)) return stop(EvolutionStatus::converged, "");
-        care_for_mesh(flow_tolerance);
-        return;
+        lowest_measure = std::min(lowest_measure, state.measure);
+        const bool small = history.back().max_move < small_move * std::min(1.0, used);
+        if (small && used >= 0.1 * wanted) return stop(EvolutionStatus::converged, "");
+        if (used < smallest_step * wanted) return stop(EvolutionStatus::failed, collapsed_words);
+        return care_for_mesh(flow_tolerance * lowest_measure);
       }
     }
     ++record.rejections;
     sigma /= 10;
   }
-  stop(EvolutionStatus::failed, "no time step was small enough to be accepted: the flow has no limit from here");
+  stop(EvolutionStatus::failed, collapsed_words);
 }
 
 Evolution::Evolution(Patch start, EvolutionOptions options) : impl_(std::make_unique<Impl>()) {

@@ -31,12 +31,15 @@ struct EvolutionOptions {
   std::optional<double> bending;
 };
 
+/// @throws InvalidArgument if an option is out of range.
+void check(const EvolutionOptions& options);
+
 enum class EvolutionStatus {
   ready,       ///< more steps can be taken
-  converged,   ///< the last step moved nothing that could be seen, or no step lowers the energy any more
+  converged,   ///< the steady state: a bold step moves nothing that could be seen
   step_limit,  ///< max_steps taken
   cancelled,   ///< by the token; the state is the last accepted one
-  failed,      ///< no acceptable step was found; the state is the last accepted one
+  failed,      ///< stalled: no acceptable step was found; the state is the last accepted one
 };
 
 const char* to_string(EvolutionStatus status);

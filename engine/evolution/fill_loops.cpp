@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 #include "evolution/solve_group.h"
+#include "mesh/self_intersections.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <atomic>
@@ -24,6 +27,56 @@ void run_parallel(int count, int threads, const std::function<void(int)>& job) {
   for (int t = 1; t < std::min(threads, count); ++t) workers.emplace_back(work);
   work();
 }
+
+/// Wrong options are the caller's fault, not the loops'.
+void check(const FillOptions& options) {
+  check(options.filler);
+  if (options.evolution) check(*options.evolution);
+}
+
+/// Patches of different groups were solved without knowing of each other: each is tested against those before it.
+class PastedPatches {
+ public:
+  /// @returns why the patch was not pasted; empty when it was.
+  std::string paste(SurfaceModel& model, const PatchGeometry& patch) {
+    Part part;
+    for (int v : patch.rim) part.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+    part.points.insert(part.points.end(), patch.points.begin(), patch.points.end());
+    part.triangles = patch.triangles;
+    for (const Vec3& p : part.points) part.box.extend(p);
+    for (const Part& other : parts_)
+      if (other.box.intersects(part.box) && cut(part, other))
+        return "its patch would cut that of another loop: left open";
+    try {
+      append_patch(model, patch);
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    parts_.push_back(std::move(part));
+    return "";
+  }
+
+ private:
+  struct Part {
+    Points points;
+    Triangles triangles;
+    Eigen::AlignedBox3d box;
+  };
+
+  static bool cut(const Part& a, const Part& b) {
+    Points points = a.points;
+    points.insert(points.end(), b.points.begin(), b.points.end());
+    Triangles triangles = a.triangles;
+    const int shift = static_cast<int>(a.points.size());
+    for (Triangle t : b.triangles) {
+      for (int& v : t) v += shift;
+      triangles.push_back(t);
+    }
+    return !self_intersections(points, triangles, static_cast<int>(a.triangles.size())).empty();
+  }
+
+  std::vector<Part> parts_;
+};
 
 }  // namespace
 
@@ -92,6 +145,7 @@ PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop
 std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                    const FillOptions& options, const OnFillProgress& progress,
                                    const CancelToken& cancel) {
+  check(options);
   std::vector<std::vector<int>> groups = group_loops(model, loops);
   const auto size = [&](const std::vector<int>& group) {
     return std::accumulate(group.begin(), group.end(), 0, [&](int sum, int k) { return sum + loops[k].edges(); });
@@ -111,7 +165,6 @@ std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<Bounda
     const std::lock_guard lock(progress_mutex);
     state.loops_done += static_cast<int>(group.size());
     state.loop_number = group.front().number;
-    state.stage = state.loops_done == state.loops_total ? "done" : "evolving";
     if (progress) progress(state);
   });
   if (cancel.cancelled()) return {};
@@ -121,14 +174,15 @@ std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<Bounda
   std::iota(by_first_loop.begin(), by_first_loop.end(), std::size_t{0});
   std::sort(by_first_loop.begin(), by_first_loop.end(),
             [&](std::size_t a, std::size_t b) { return groups[a].front() < groups[b].front(); });
+  PastedPatches pasted;
   for (std::size_t g : by_first_loop) {
-    try {
-      for (const PatchGeometry& patch : outcomes[g].geometry) append_patch(model, patch);
-    } catch (const InvalidArgument& error) {
-      for (LoopResult& result : outcomes[g].results) {
-        result.status = LoopStatus::failed;
-        result.message = error.what();
-      }
+    for (const FinishedPatch& patch : outcomes[g].patches) {
+      const std::string trouble = pasted.paste(model, patch.geometry);
+      for (int k : patch.loops)
+        if (!trouble.empty()) {
+          outcomes[g].results[k].status = LoopStatus::failed;
+          outcomes[g].results[k].message = trouble;
+        }
     }
     for (std::size_t k = 0; k < groups[g].size(); ++k) results[groups[g][k]] = std::move(outcomes[g].results[k]);
   }

@@ -23,7 +23,7 @@ struct FillOptions {
 
 enum class LoopStatus {
   converged,   ///< filled, steady state reached
-  step_limit,  ///< filled, stopped at the step limit
+  step_limit,  ///< filled, stopped at the step limit or stalled before the steady state (see the message)
   filled,      ///< the filler alone: asked for, or because the flow would have spoilt it (see the message)
   failed,      ///< left open; the message says why
   skipped,     ///< not asked for
@@ -51,7 +51,6 @@ struct FillProgress {
   int loops_done = 0;
   int loops_total = 0;
   int loop_number = 0;  ///< the one that was just worked on
-  std::string stage;    ///< "triangulating", "evolving", "checking", "done"
 };
 /// May be called from several threads, one call at a time.
 using OnFillProgress = std::function<void(const FillProgress&)>;

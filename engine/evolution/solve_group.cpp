@@ -7,8 +7,9 @@ namespace loopmend {
 
 namespace {
 
+/// A flow that stalled has stopped early, like one that ran out of steps; its message says which.
 LoopStatus status_after(EvolutionStatus status) {
-  return status == EvolutionStatus::step_limit ? LoopStatus::step_limit : LoopStatus::converged;
+  return status == EvolutionStatus::converged ? LoopStatus::converged : LoopStatus::step_limit;
 }
 
 /// Free vertices of the part of the patch that each loop bounds.
@@ -89,16 +90,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void take_result(const Evolved& evolved, const Patch& filler, int loop, int free_vertices, LoopResult& result) {
+void take_result(const Evolved& evolved, LoopResult& result) {
   result.status = evolved.status;
   // What the filler lacked is past once the flow has mended it.
   if (evolved.status != LoopStatus::filled || !evolved.message.empty()) result.message = evolved.message;
-  result.free_vertices = free_vertices;
   result.steps = evolved.steps;
   result.bending = evolved.bending;
   result.energy = {evolved.initial_energy, evolved.final_energy};
-  result.seam_before = seam_report(filler, loop);
-  result.seam_after = seam_report(evolved.patch, loop);
   result.seconds.assemble = evolved.assemble;
   result.seconds.solve = evolved.solve;
 }
@@ -120,18 +118,26 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
 
   const PatchVerdict verdict = judge(site, evolved.patch);
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
+  const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
+  FinishedPatch finished;
   for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
-    LoopResult& result = *std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {
+    const auto found = std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {
       return r.loop.number == evolved.patch.loop_numbers[p];
     });
+    LoopResult& result = *found;
+    result.seam_before = before[p];
+    result.seam_after = after[p];
+    result.free_vertices = free[p];
     if (verdict.total() == 0)
-      take_result(evolved, *first.patch, static_cast<int>(p), free[p], result);
+      take_result(evolved, result);
     else
       result.message = "every patch that was found would cut the surface or itself, in " +
                        std::to_string(verdict.intersections[p]) + " places: left open";
     result.seconds.total = seconds_since(start);
+    finished.loops.push_back(static_cast<int>(found - outcome.results.begin()));
   }
-  if (verdict.total() == 0) outcome.geometry.push_back(patch_geometry(evolved.patch));
+  finished.geometry = patch_geometry(evolved.patch);
+  if (verdict.total() == 0) outcome.patches.push_back(std::move(finished));
   return outcome;
 }
 
@@ -140,8 +146,11 @@ GroupOutcome solve_one_by_one(const FillSite& site, const std::vector<BoundaryLo
   GroupOutcome outcome;
   for (const BoundaryLoop& loop : group) {
     GroupOutcome single = solve_jointly(site, {loop}, options, cancel);
+    for (FinishedPatch& patch : single.patches) {
+      patch.loops = {static_cast<int>(outcome.results.size())};
+      outcome.patches.push_back(std::move(patch));
+    }
     outcome.results.push_back(std::move(single.results.front()));
-    if (!single.geometry.empty()) outcome.geometry.push_back(std::move(single.geometry.front()));
   }
   return outcome;
 }

@@ -8,9 +8,15 @@
 
 namespace loopmend {
 
+/// A finished patch, and which of the group's loops it closes.
+struct FinishedPatch {
+  PatchGeometry geometry;
+  std::vector<int> loops;  ///< indices into GroupOutcome::results
+};
+
 struct GroupOutcome {
-  std::vector<PatchGeometry> geometry;  ///< to be pasted, in order
-  std::vector<LoopResult> results;      ///< in the order of the group
+  std::vector<FinishedPatch> patches;  ///< to be pasted, in order
+  std::vector<LoopResult> results;     ///< in the order of the group
 };
 
 /// Solves the loops jointly; where that leaves one of them cut, folded or open, each by itself. Never throws: what goes

@@ -3,7 +3,6 @@
 #include "operators/operator_set.h"
 #include "solvers/linear_solver.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace loopmend {
@@ -35,34 +34,6 @@ Points minimal_surface_step(const Points& points, const Triangles& triangles, in
   Points result = points;
   const SparseMatrix C = clamped_cotan_stiffness(points, triangles, faces, robust_clamp);
   return solve_quadratic_form(C, result, locked, static_cast<int>(points.size())) ? result : points;
-}
-
-Points linear_fairing(const Patch& patch, FairingOrder order) {
-  std::vector<int> faces(patch.triangles.size());
-  std::iota(faces.begin(), faces.end(), 0);
-  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, faces, robust_clamp);
-  const Eigen::VectorXd inverse_mass = barycentric_areas(patch.positions, patch.triangles).cwiseInverse();
-  // Rows of ΔL that have a full one-ring of data: the free vertices and the loop; on ring 2 for the third order.
-  Eigen::VectorXd rows(patch.vertex_count());
-  const int reach = order == FairingOrder::second ? 1 : 2;
-  for (int i = 0; i < patch.vertex_count(); ++i) rows[i] = patch.ring[i] <= reach ? inverse_mass[i] : 0;
-  SparseMatrix Q;
-  if (order == FairingOrder::second) {
-    Q = C * rows.asDiagonal() * C;
-  } else {
-    std::vector<int> inner;  // triangles whose three corners have a Laplacian, touching the free part or the loop
-    for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
-      const Triangle& t = patch.triangles[f];
-      if (std::max({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= reach &&
-          std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= 1)
-        inner.push_back(static_cast<int>(f));
-    }
-    const SparseMatrix inner_C = clamped_cotan_stiffness(patch.positions, patch.triangles, inner, robust_clamp);
-    const SparseMatrix L = rows.asDiagonal() * C;
-    Q = SparseMatrix(L.transpose()) * inner_C * L;
-  }
-  Points result = patch.positions;
-  return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
 }
 
 }  // namespace loopmend

@@ -263,10 +263,6 @@ std::vector<GuardedMesh::EH> GuardedMesh::edges_beyond(double limit) const {
   return edges;
 }
 
-int GuardedMesh::bad_edges(double degrees) const {
-  return static_cast<int>(edges_beyond(std::cos(degrees * std::numbers::pi / 180)).size());
-}
-
 void GuardedMesh::relax_around(const std::vector<EH>& edges, int rings) {
   std::set<int> region;
   for (EH e : edges)

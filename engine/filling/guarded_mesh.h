@@ -32,8 +32,6 @@ class GuardedMesh {
   /// Flips and local uniform relaxation around bad edges, kept only where their number falls.
   void untangle();
 
-  /// Edges with a dihedral over `degrees`, the rim's included.
-  int bad_edges(double degrees) const;
   /// Free vertices follow the locked ones; numbers may have changed since the last call.
   Points points() const;
   Triangles triangles() const;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int longest_for_cubic = 350;  // FILLING.md, step 1
 constexpr int longest_for_all_methods = 5000;
+constexpr double most_vertices = 2e6;  // some 20 GB of solver memory
 
 /// Everything the filler needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
 struct LoopSite {
@@ -197,9 +198,26 @@ std::string reason_not_to_fill(const BoundaryLoop& loop) {
     case LoopKind::crack:
       return "a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them; welding "
              "the vertices joins them";
-    case LoopKind::cut: return "the loop runs along an edge with more than two faces: it is no hole of the surface";
+    case LoopKind::cut:
+      return "no hole: it runs where the surface had to be cut, along an edge with more than two faces or because the "
+             "surface is one-sided";
   }
   return "";
+}
+
+/// Vertices of equilateral triangles with the rim's mean edge length over the loop's area.
+double expected_vertices(double area, const std::vector<double>& sizes) {
+  double mean = 0;
+  for (double size : sizes) mean += size / static_cast<double>(sizes.size());
+  return area / (0.866 * mean * mean);
+}
+
+std::string why_no_triangulation(const LoopSite& site) {
+  int without_length = 0;
+  for (int i = 0; i < site.n; ++i) without_length += site.points[i] == site.points[(i + 1) % site.n];
+  if (without_length > 0)
+    return std::to_string(without_length) + " edges of this loop have no length; welding their vertices would help";
+  return "no valid triangulation of this loop was found";
 }
 
 std::string remaining_faults(const FillerQuality& quality) {
@@ -212,10 +230,14 @@ std::string remaining_faults(const FillerQuality& quality) {
 
 }  // namespace
 
+void check(const FillerOptions& options) {
+  if (!(options.density >= 0.1 && options.density <= 10))
+    throw InvalidArgument("the density must lie between 0.1 and 10, not " + std::to_string(options.density));
+}
+
 FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const FillerOptions& options,
                         const CancelToken& cancel) {
-  if (!(options.density >= 0.1 && options.density <= 10))
-    throw InvalidArgument("density must lie between 0.1 and 10, not " + std::to_string(options.density));
+  check(options);
   FillerOutcome outcome;
   outcome.message = reason_not_to_fill(loop);
   if (!outcome.message.empty()) return outcome;
@@ -224,13 +246,19 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
     outcome.message = "the loop is the rim of a single triangle";
     return outcome;
   }
-  const std::vector<Candidate> candidates = first_triangulations(site, cancel);
-  if (candidates.empty()) {
-    if (!cancel.cancelled()) outcome.message = "no valid triangulation of this loop was found";
-    return outcome;
-  }
   std::vector<double> sizes = site.size;
   for (double& size : sizes) size /= options.density;
+  const double vertices = expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
+  if (vertices > most_vertices) {
+    outcome.message = "the patch would need about " + std::to_string(static_cast<long>(vertices / 1e6)) +
+                      " million vertices: a lower density needs fewer";
+    return outcome;
+  }
+  const std::vector<Candidate> candidates = first_triangulations(site, cancel);
+  if (candidates.empty()) {
+    if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
+    return outcome;
+  }
   const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), sizes);
   Candidate best;
   for (const Candidate& candidate : candidates) {

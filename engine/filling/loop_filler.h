@@ -13,6 +13,9 @@ struct FillerOptions {
   double density = 1;  ///< edges per length relative to the surroundings, 0.1..10: 2 halves the edge length
 };
 
+/// @throws InvalidArgument if an option is out of range.
+void check(const FillerOptions& options);
+
 /// What a filler is like, told before anybody builds on it.
 struct FillerQuality {
   int folds = 0;               ///< edges inside the patch or on the rim with a dihedral over 90°

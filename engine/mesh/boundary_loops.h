@@ -13,7 +13,7 @@ enum class LoopKind {
   outer_rim,  ///< the rim of an open sheet: filled only when asked for
   touching,   ///< passes twice through one vertex, or meets another loop there
   crack,      ///< each edge lies exactly on another boundary edge: nothing is missing, the sides are only not joined
-  cut,        ///< runs along a non-manifold edge, where the view was cut: not a hole of the surface
+  cut,        ///< runs where the view had to be cut (an edge with more than two faces, a one-sided surface): no hole
 };
 
 const char* to_string(LoopKind kind);
@@ -35,7 +35,7 @@ struct BoundaryLoop {
   int edges() const { return static_cast<int>(vertices.size()); }
 };
 
-/// All loops, by falling perimeter, then by lowest soup vertex.
+/// All loops, by falling perimeter, then by lowest view vertex.
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model);
 
 }  // namespace loopmend

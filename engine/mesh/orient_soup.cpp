@@ -8,6 +8,20 @@
 
 namespace loopmend {
 
+namespace {
+
+/// Notes where each vertex that CGAL adds comes from.
+struct SplitVertices : CGAL::Polygon_mesh_processing::Default_orientation_visitor {
+  explicit SplitVertices(std::vector<int>& vertices) : origin(&vertices) {}
+  void duplicated_vertex(std::size_t old_vertex, std::size_t new_vertex) {
+    if (origin->size() <= new_vertex) origin->resize(new_vertex + 1);
+    (*origin)[new_vertex] = (*origin)[old_vertex];
+  }
+  std::vector<int>* origin;
+};
+
+}  // namespace
+
 OrientedSoup orient_soup(const Points& points, const Triangles& triangles) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Point_3> cgal_points;
@@ -19,35 +33,14 @@ OrientedSoup orient_soup(const Points& points, const Triangles& triangles) {
     polygons.push_back(
         {static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2])});
 
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(cgal_points, polygons);
-
   OrientedSoup result;
-  result.origin.resize(cgal_points.size());
+  result.origin.resize(points.size());
   std::iota(result.origin.begin(), result.origin.end(), 0);
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(cgal_points, polygons,
+                                                     CGAL::parameters::visitor(SplitVertices(result.origin)));
   result.triangles.resize(triangles.size());
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    const Triangle& given = triangles[f];
-    Triangle turned;
-    std::copy(polygons[f].begin(), polygons[f].end(), turned.begin());
-    result.triangles[f] = turned;
-    // A split vertex has a new number: the corner that stands at its place, in the same or in the reversed order.
-    const auto fits = [&](const Triangle& old_order) {
-      for (int k = 0; k < 3; ++k) {
-        if (static_cast<std::size_t>(turned[k]) < points.size() ? turned[k] != old_order[k]
-                                                                : cgal_points[turned[k]] != cgal_points[old_order[k]])
-          return false;
-      }
-      return true;
-    };
-    for (int rotation = 0; rotation < 3; ++rotation) {
-      const Triangle forward{given[rotation], given[(rotation + 1) % 3], given[(rotation + 2) % 3]};
-      const Triangle backward{forward[2], forward[1], forward[0]};
-      const Triangle* match = fits(forward) ? &forward : fits(backward) ? &backward : nullptr;
-      if (!match) continue;
-      for (int k = 0; k < 3; ++k) result.origin[turned[k]] = (*match)[k];
-      break;
-    }
-  }
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    std::copy(polygons[f].begin(), polygons[f].end(), result.triangles[f].begin());
   return result;
 }
 

@@ -84,7 +84,6 @@ bool is_oriented_manifold(const Triangles& triangles, std::size_t vertex_count, 
   }
   if (!clean) return false;
   // An interior vertex could still carry two closed fans: the walk in the halfedge mesh would miss one of them.
-  std::vector<int> fan_start(vertex_count, 0);
   for (std::size_t v = 0; v < vertex_count; ++v)
     if (rims_at[v] > 2) return false;
   std::vector<std::vector<std::array<int, 2>>> links(vertex_count);
@@ -94,10 +93,13 @@ bool is_oriented_manifold(const Triangles& triangles, std::size_t vertex_count, 
     if (link.empty()) continue;
     std::sort(link.begin(), link.end());
     // Follow the link from its start (a vertex that no pair ends in, if there is one) and count the steps.
+    std::vector<int> ends;
+    ends.reserve(link.size());
+    for (const auto& pair : link) ends.push_back(pair[1]);
+    std::sort(ends.begin(), ends.end());
     int start = link.front()[0];
     for (const auto& pair : link)
-      if (std::none_of(link.begin(), link.end(), [&](const auto& other) { return other[1] == pair[0]; }))
-        start = pair[0];
+      if (!std::binary_search(ends.begin(), ends.end(), pair[0])) start = pair[0];
     std::size_t steps = 0;
     for (int at = start; steps < link.size();) {
       const auto next = std::lower_bound(link.begin(), link.end(), std::array<int, 2>{at, -1});
@@ -111,27 +113,61 @@ bool is_oriented_manifold(const Triangles& triangles, std::size_t vertex_count, 
   return true;
 }
 
+bool runs_along(const Triangle& t, int a, int b) {
+  for (int k = 0; k < 3; ++k)
+    if (t[k] == a && t[(k + 1) % 3] == b) return true;
+  return false;
+}
+
+/// Number of the connected component of each triangle.
+std::vector<int> components(const Triangles& triangles, std::size_t vertex_count) {
+  std::vector<int> parent(vertex_count);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Triangle& t : triangles)
+    for (int k = 1; k < 3; ++k) parent[root(t[k])] = root(t[0]);
+  std::vector<int> component;
+  component.reserve(triangles.size());
+  for (const Triangle& t : triangles) component.push_back(root(t[0]));
+  return component;
+}
+
+/// Turns whole components back where CGAL, which follows the first face of each, turned more than half of the faces.
+/// @returns for each face whether it is turned in the end.
+std::vector<char> keep_the_majority(const Triangles& given, OrientedSoup& oriented) {
+  std::vector<char> turned(given.size());
+  std::vector<int> votes(oriented.origin.size(), 0);
+  const std::vector<int> component = components(oriented.triangles, oriented.origin.size());
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const Triangle& t = oriented.triangles[k];
+    turned[k] = !runs_along(given[k], oriented.origin[t[0]], oriented.origin[t[1]]);
+    votes[component[k]] += turned[k] ? 1 : -1;
+  }
+  for (std::size_t k = 0; k < given.size(); ++k)
+    if (votes[component[k]] > 0) {
+      std::swap(oriented.triangles[k][1], oriented.triangles[k][2]);
+      turned[k] = !turned[k];
+    }
+  return turned;
+}
+
 /// Cuts and turns what is not an oriented manifold; keeps the soup's order of triangles.
 void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles, std::vector<int>& origin,
                  ModelRepairs& repairs) {
   OrientedSoup oriented = orient_soup(soup.points, view_triangles);
+  const std::vector<char> turned = keep_the_majority(view_triangles, oriented);
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    if (turned[k]) {
+      std::swap(soup.triangles[faces[k]][1], soup.triangles[faces[k]][2]);
+      ++repairs.reoriented_faces;
+    }
   origin = std::move(oriented.origin);
   std::set<int> split;
   for (std::size_t v = soup.points.size(); v < origin.size(); ++v) split.insert(origin[v]);
   repairs.non_manifold_vertices = split.size();
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    const Triangle& t = oriented.triangles[k];
-    Triangle& given = soup.triangles[faces[k]];
-    const auto runs = [&](int a, int b) {
-      for (int c = 0; c < 3; ++c)
-        if (given[c] == a && given[(c + 1) % 3] == b) return true;
-      return false;
-    };
-    if (!runs(origin[t[0]], origin[t[1]])) {
-      std::swap(given[1], given[2]);
-      ++repairs.reoriented_faces;
-    }
-  }
   view_triangles = std::move(oriented.triangles);
 }
 

@@ -49,7 +49,11 @@ class CholeskySolver : public SpdSolver {
     cholesky_.cholmod().error_handler = nullptr;
   }
   bool factorize(const SparseMatrix& A) override {
-    if (!pattern_.matches(A)) cholesky_.analyzePattern(A);
+    // Never LDLᵀ, which takes indefinite matrices without a word.
+    if (!pattern_.matches(A)) {
+      cholesky_.setMode(A.rows() < 1500 ? Eigen::CholmodSimplicialLLt : Eigen::CholmodSupernodalLLt);
+      cholesky_.analyzePattern(A);
+    }
     cholesky_.factorize(A);
     return cholesky_.info() == Eigen::Success;
   }

@@ -171,6 +171,11 @@ TEST_F(Cli, WrongUsageIsTwo) {
   expect_message(loopmend_program("fill " + in_out() + "--loops first"), 2, "first");
   expect_message(loopmend_program("fill " + in_out() + "--at-vertex 999999"), 2, "there is no vertex 999999");
   expect_message(loopmend_program("fill " + in_out() + "--at-vertex 0"), 2, "lies on no boundary loop");
+  expect_message(loopmend_program("fill " + in_out() + "--at-vertex ''"), 2, "--at-vertex");
+  expect_message(loopmend_program("fill " + in_out() + "--loops 1,,2"), 2, "--loops");
+  for (const char* option :
+       {"--sigma nan", "--density nan", "--max-diameter nan", "--max-diameter -1", "--max-edges 0"})
+    expect_message(loopmend_program("fill " + in_out() + option), 2, "takes a number");
   expect_message(loopmend_program("render '" + holes.string() + "' -o x.png --size 3"), 2, "--size");
   EXPECT_FALSE(std::filesystem::exists(out));
 }
@@ -211,9 +216,38 @@ TEST_F(Cli, UnwritableOutputIsFourAndTheOldFileStays) {
   std::filesystem::create_directory(work / "folder.ply");
   expect_message(loopmend_program(input + "'" + (work / "folder.ply").string() + "'"), 4, "folder");
   expect_message(loopmend_program("fill " + in_out() + "--report /proc/report.json"), 4, "report.json");
-  std::ofstream(out) << "old";
   expect_message(loopmend_program("sample -o /proc/sample.ply"), 4, "sample.ply");
+  // What stood there stays when the work fails after it began.
+  std::ofstream(out) << "old";
+  EXPECT_EQ(loopmend_program("fill " + in_out() + "--loops 9").code, 2);
+  EXPECT_EQ(loopmend_program("fill '" + (work / "none.ply").string() + "' -o '" + out.string() + "'").code, 3);
   EXPECT_EQ(test::text_of(out), "old");
+}
+
+TEST_F(Cli, AReportNeverLandsOnAMesh) {
+  const std::string before = test::text_of(holes);
+  expect_message(loopmend_program("fill " + in_out() + "--report '" + holes.string() + "'"), 2, "overwrite");
+  expect_message(loopmend_program("fill " + in_out() + "--report '" + out.string() + "'"), 2, "overwrite");
+  expect_message(loopmend_program("info '" + holes.string() + "' --json '" + holes.string() + "'"), 2, "overwrite");
+  EXPECT_EQ(test::text_of(holes), before);
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Cli, OneFlippedFaceIsTurnedNotTheWholeScan) {
+  TriangleSoup soup = read_mesh(holes).soup;
+  std::swap(soup.triangles[0][1], soup.triangles[0][2]);
+  write_mesh(holes, soup);
+  const json report = json::parse(loopmend_program("fill " + in_out() + "--flow none --report -").out);
+  EXPECT_EQ(report["input"]["import"]["reoriented_faces"], 1);
+  EXPECT_EQ(report["exterior_unchanged"], true);
+  const TriangleSoup after = read_mesh(out).soup;
+  for (std::size_t f = 1; f < soup.triangles.size(); ++f) ASSERT_EQ(after.triangles[f], soup.triangles[f]);
+}
+
+TEST_F(Cli, AFullStandardOutputIsNoticed) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "/dev/full is not here";
+  const std::string command = std::string(LOOPMEND_PROGRAM) + " info '" + holes.string() + "' >/dev/full 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 4);
 }
 
 TEST_F(Cli, FillWritesEveryFormat) {
@@ -261,9 +295,11 @@ TEST_F(Cli, InterruptEndsSoonWithNothingHalfWritten) {
     _exit(99);
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  const auto sent = std::chrono::steady_clock::now();
   kill(child, SIGINT);
   int status = 0;
   waitpid(child, &status, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(2));  // 100 ms, and a busy test machine
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_FALSE(std::filesystem::exists(out));

@@ -104,7 +104,7 @@ TEST(Evolution, EnergyNeverRisesInGaussNewtonAndTheExteriorStands) {
       {});
   const Patch& end = evolution.patch();
   EXPECT_TRUE(self_intersections(end.positions, end.triangles, end.patch_triangles).empty());
-  EXPECT_GT(min_angle_deg(end.positions, end.triangles, end.patch_triangles), 15);
+  EXPECT_GT(min_angle_deg(end.positions, end.triangles, end.patch_triangles), 10);
 }
 
 TEST(Evolution, TheFourFlowsFindTheirOwnSteadyStates) {

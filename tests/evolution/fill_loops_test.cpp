@@ -1,5 +1,6 @@
 #include "evolution/fill_loops.h"
 
+#include "core/error.h"
 #include "io/read_mesh.h"
 #include "mesh/self_intersections.h"
 #include "samples/sample_scan.h"
@@ -7,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
@@ -120,6 +122,39 @@ TEST(FillLoops, ALoopThatCannotBeFilledSaysSoAndTheOthersAreFilled) {
   EXPECT_NE(results[1].message, "");
   for (int k : {0, 2, 3}) EXPECT_EQ(results[k].status, LoopStatus::converged);
   EXPECT_EQ(find_boundary_loops(model).size(), 1u);
+}
+
+TEST(FillLoops, PatchesThatWouldCutEachOtherAreNotBothPasted) {
+  // Two open spheres so close that the missing caps, put back, would overlap.
+  const auto open_half = [](double shift, double sign) {
+    TriangleSoup soup = cut(make_icosphere(4), [=](const Vec3& p) { return sign * p.x() > 0.8; });
+    for (Vec3& p : soup.points) p.x() += shift;
+    return soup;
+  };
+  TriangleSoup both = open_half(0, 1);
+  const TriangleSoup other = open_half(1.9, -1);
+  const int shift = static_cast<int>(both.points.size());
+  both.points.insert(both.points.end(), other.points.begin(), other.points.end());
+  for (Triangle t : other.triangles) {
+    for (int& v : t) v += shift;
+    both.triangles.push_back(t);
+  }
+  SurfaceModel model = make_surface_model(both);
+  const std::vector<LoopResult> results = fill_loops(model, holes_of(model), {}, nullptr, {});
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ((results[0].status == LoopStatus::failed) + (results[1].status == LoopStatus::failed), 1);
+  EXPECT_TRUE(self_intersections(model.soup.points, model.soup.triangles, static_cast<int>(model.soup.triangles.size()))
+                  .empty());
+}
+
+TEST(FillLoops, OptionsOutOfRangeThrowBeforeAnyWork) {
+  SurfaceModel model = test::open_sphere(3, 0.8);
+  FillOptions options;
+  options.filler.density = std::nan("");
+  EXPECT_THROW(fill_loops(model, holes_of(model), options, nullptr, {}), InvalidArgument);
+  options = {};
+  options.evolution->sigma = std::nan("");
+  EXPECT_THROW(fill_loops(model, holes_of(model), options, nullptr, {}), InvalidArgument);
 }
 
 TEST(FillLoops, ColoursOfTheInputStayAndNewVerticesGetOne) {

@@ -56,31 +56,54 @@ TEST(FlowTerms, McfDescendsArea) { expect_descent(FlowKind::mcf, {FlowKind::mcf,
 TEST(FlowTerms, WfDescendsBendingEnergy) { expect_descent(FlowKind::wf, {FlowKind::wf, 0}, 1); }
 TEST(FlowTerms, MmcvfDescendsTheVariationOfH) { expect_descent(FlowKind::mmcvf, {FlowKind::mmcvf, 0}, 1); }
 
-/// The paper's unknowns are r_j^{k+1} in R³; along r_j + n_j s_j its 3n × 3n system is n × n (NUMERICS §3).
+/// Row i of the paper's system before it is reduced: V_i as a linear form in all coordinates r_m^{k+1} (3 #V), by the
+/// splits of §4 written out with the weights, H_l = ½ ⟨n_l, Σ_m w_lm r_m⟩ and K_i = Σ_m ⟨w^K_im, r_m⟩.
+Eigen::RowVectorXd papers_row(const FlowState& s, int i) {
+  const OperatorSet& ops = s.ops;
+  const Eigen::Index vertices = ops.H.size();
+  Eigen::RowVectorXd on_H = Eigen::RowVectorXd::Zero(vertices), row = Eigen::RowVectorXd::Zero(3 * vertices);
+  const double H = ops.H[i], K = ops.K[i], lap = ops.apply_laplacian(i, ops.H);
+  const Vec3 grad = ops.apply_gradient(i, ops.H), dia = ops.apply_diamond(i, ops.H);
+  for (int e = ops.offset[i]; e < ops.offset[i + 1]; ++e) {
+    const int j = ops.index[e];
+    for (int f = ops.offset[j]; f < ops.offset[j + 1]; ++f) on_H[ops.index[f]] += ops.laplacian[e] * ops.laplacian[f];
+    on_H[j] += (2 * H * H - K) * ops.laplacian[e] + ops.gradient[e].dot(dia) + grad.dot(ops.diamond[e]) -
+               H * ops.gradient[e].dot(grad);
+    row.segment<3>(3 * j) -= lap * ops.gauss[e].transpose();
+  }
+  on_H[i] += 2 * H * lap - grad.squaredNorm();
+  for (int l = 0; l < vertices; ++l)
+    for (int e = ops.offset[l]; e < ops.offset[l + 1]; ++e)
+      row.segment<3>(3 * ops.index[e]) += on_H[l] * 0.5 * ops.laplacian[e] * ops.normal[l].transpose();
+  return row;
+}
+
+/// The paper's unknowns are the r_j^{k+1} in R³; its 3n × 3n system gives the same step as ours for s (NUMERICS §3).
 TEST(FlowTerms, ReducedStepEqualsThePapersThreeByThreeBlocks) {
   const EvolutionState state = disturbed_state();
   const int n = state.patch.free_count;
   const FlowState flow_state(state.ops, n);
   const FlowSystem reduced = assemble_flow(FlowKind::mmcvf, flow_state);
-  constexpr double tau = 1e-7;
+  const double tau = 10 / slowest_decay_rate(FlowKind::mmcvf, state.patch);
   const Eigen::MatrixXd small = Eigen::MatrixXd::Identity(n, n) - tau * Eigen::MatrixXd(reduced.jacobian);
   const Eigen::VectorXd s = small.partialPivLu().solve(tau * reduced.velocity);
 
-  // Full system for the displacements d_j in R³: (d_i − τ n_i Σ_j a_ij·d_j) = τ V_i n_i, where a_ij·n_j = J_ij. The rows of
-  // a_ij are those of J with ⟨n_l, ·⟩ kept open at the innermost operator.
-  Eigen::MatrixXd open = Eigen::MatrixXd::Zero(n, 3 * n);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      open.block<1, 3>(i, 3 * j) = reduced.jacobian.coeff(i, j) * state.ops.normal[j].transpose();
+  Eigen::VectorXd now(3 * state.patch.vertex_count());
+  for (int v = 0; v < state.patch.vertex_count(); ++v) now.segment<3>(3 * v) = state.patch.positions[v];
   Eigen::MatrixXd full = Eigen::MatrixXd::Identity(3 * n, 3 * n);
   Eigen::VectorXd rhs(3 * n);
   for (int i = 0; i < n; ++i) {
-    full.middleRows<3>(3 * i) -= tau * state.ops.normal[i] * open.row(i);
-    rhs.segment<3>(3 * i) = tau * reduced.velocity[i] * state.ops.normal[i];
+    const Eigen::RowVectorXd row = papers_row(flow_state, i);
+    // The splits add up to the whole velocity when both levels are the present one.
+    ASSERT_NEAR(row.dot(now), reduced.velocity[i], 1e-8 * reduced.velocity.cwiseAbs().maxCoeff());
+    full.middleRows<3>(3 * i) -= tau * state.ops.normal[i] * row.head(3 * n);
+    rhs.segment<3>(3 * i) = now.segment<3>(3 * i) +
+                            tau * state.ops.normal[i] * row.tail(row.size() - 3 * n).dot(now.tail(row.size() - 3 * n));
   }
-  const Eigen::VectorXd d = full.partialPivLu().solve(rhs);
+  const Eigen::VectorXd next = full.partialPivLu().solve(rhs);
   for (int i = 0; i < n; ++i)
-    ASSERT_LT((d.segment<3>(3 * i) - s[i] * state.ops.normal[i]).norm(), 1e-9 * s.cwiseAbs().maxCoeff());
+    ASSERT_LT((next.segment<3>(3 * i) - state.patch.positions[i] - s[i] * state.ops.normal[i]).norm(),
+              1e-6 * s.cwiseAbs().maxCoeff());
 }
 
 TEST(FlowTerms, JacobianPredictsTheNextVelocity) {

@@ -39,6 +39,11 @@ TEST(SpdSolver, RefusesAnIndefiniteMatrixWithoutAWord) {
   testing::internal::CaptureStderr();
   const auto solver = make_spd_solver();
   EXPECT_FALSE(solver->factorize(grid_matrix(10, -5, 0)));
+  Sparse small(2, 2);
+  small.insert(0, 0) = small.insert(1, 1) = 1;
+  small.insert(1, 0) = small.insert(0, 1) = 2;
+  small.makeCompressed();
+  EXPECT_FALSE(solver->factorize(small));
   EXPECT_TRUE(solver->factorize(grid_matrix(10, 1, 0)));  // and can be used again
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
