@@ -60,9 +60,7 @@ class Runner {
     auto next = std::make_shared<PatchState>(*state_);
     next->patch = evolution.patch();
     next->shape = std::make_shared<SurfaceShape>(shape_of(next->patch, curvature_field(next->patch), origin_));
-    next->seam.clear();
-    for (std::size_t k = 0; k < next->patch.loops.size(); ++k)
-      next->seam.push_back(seam_report(next->patch, static_cast<int>(k)));
+    next->seam = seam_reports(next->patch);
     next->flow = evolution.options().flow;
     next->steps = state_->steps + 1;
     next->last_step = record;

@@ -14,7 +14,7 @@ namespace {
 PatchStatePtr first_state(Patch patch, const std::string& message, const Vec3& origin) {
   auto state = std::make_shared<PatchState>();
   state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
-  for (std::size_t k = 0; k < patch.loops.size(); ++k) state->seam.push_back(seam_report(patch, static_cast<int>(k)));
+  state->seam = seam_reports(patch);
   state->seam_before = state->seam;
   state->message = message;
   state->patch = std::move(patch);

@@ -1,5 +1,6 @@
 #include "analysis/curvature_field.h"
 
+#include "mesh/mesh_arrays.h"
 #include "operators/local_fit.h"
 
 #include <omp.h>
@@ -40,17 +41,7 @@ CurvatureField field_of(const Points& points, const Triangles& triangles, int th
 }  // namespace
 
 CurvatureField curvature_field(const TriMesh& mesh, int threads) {
-  Points points;
-  points.reserve(mesh.n_vertices());
-  for (const auto v : mesh.vertices()) points.push_back(mesh.point(v));
-  Triangles triangles;
-  triangles.reserve(mesh.n_faces());
-  for (const auto f : mesh.faces()) {
-    const auto h = mesh.halfedge_handle(f);
-    triangles.push_back({mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(),
-                         mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx()});
-  }
-  return field_of(points, triangles, threads);
+  return field_of(points_of(mesh), triangles_of(mesh), threads);
 }
 
 CurvatureField curvature_field(const Patch& patch) {

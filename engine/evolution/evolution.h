@@ -45,6 +45,7 @@ enum class EvolutionStatus {
 const char* to_string(EvolutionStatus status);
 
 /// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
+/// With bending blended in, what falls is the blend; the energy shown is still ∫‖∇H‖² dA alone, and may rise a little.
 struct StepRecord {
   int step = 0;         ///< from 1
   double energy = 0;    ///< after the step

@@ -1,5 +1,6 @@
 #include "evolution/patch_verdict.h"
 
+#include "mesh/mesh_arrays.h"
 #include "mesh/quality.h"
 
 #include <Eigen/Geometry>
@@ -10,24 +11,6 @@
 namespace loopmend {
 
 namespace {
-
-Triangles view_triangles(const TriMesh& mesh) {
-  Triangles triangles;
-  triangles.reserve(mesh.n_faces());
-  for (const auto f : mesh.faces()) {
-    const auto h = mesh.halfedge_handle(f);
-    triangles.push_back({mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(),
-                         mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx()});
-  }
-  return triangles;
-}
-
-Points view_points(const TriMesh& mesh) {
-  Points points;
-  points.reserve(mesh.n_vertices());
-  for (const auto v : mesh.vertices()) points.push_back(mesh.point(v));
-  return points;
-}
 
 /// For each triangle of the patch, how many others it cuts, of the patch or of the model.
 std::vector<int> intersections_of(const FillSite& site, const PatchGeometry& patch) {
@@ -62,8 +45,8 @@ std::vector<int> intersections_of(const FillSite& site, const PatchGeometry& pat
 
 FillSite::FillSite(const SurfaceModel& surface)
     : model(surface),
-      points(view_points(surface.mesh)),
-      triangles(view_triangles(surface.mesh)),
+      points(points_of(surface.mesh)),
+      triangles(triangles_of(surface.mesh)),
       index(points, triangles) {}
 
 int PatchVerdict::total() const { return std::accumulate(intersections.begin(), intersections.end(), 0); }
