@@ -191,12 +191,17 @@ void GuardedMesh::collapse_short_edges() {
 }
 
 bool GuardedMesh::opposite_angles_exceed_pi(EH e) const {
-  const auto angle = [&](HH h) {
+  // sin(α + β) < 0, without the angles themselves; α and β up to the same positive factor.
+  double sine[2], cosine_of[2];
+  for (int side : {0, 1}) {
+    const HH h = mesh_.halfedge_handle(e, side);
     const Vec3 apex = mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)));
     const Vec3 a = mesh_.point(mesh_.from_vertex_handle(h)) - apex, b = mesh_.point(mesh_.to_vertex_handle(h)) - apex;
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-  };
-  return angle(mesh_.halfedge_handle(e, 0)) + angle(mesh_.halfedge_handle(e, 1)) > std::numbers::pi + 1e-6;
+    const double lengths = a.norm() * b.norm();
+    sine[side] = a.cross(b).norm() / lengths;
+    cosine_of[side] = a.dot(b) / lengths;
+  }
+  return sine[0] * cosine_of[1] + cosine_of[0] * sine[1] < -1e-6;
 }
 
 bool GuardedMesh::flip_guarded(EH e) {
@@ -212,11 +217,25 @@ bool GuardedMesh::flip_guarded(EH e) {
 }
 
 void GuardedMesh::flip_to_delaunay() {
-  for (int pass = 0; pass < 10; ++pass) {
-    int flips = 0;
-    for (const auto e : mesh_.edges())
-      if (!mesh_.is_boundary(e) && opposite_angles_exceed_pi(e) && flip_guarded(e)) ++flips;
-    if (flips == 0) return;
+  std::vector<EH> queue;
+  for (const auto e : mesh_.edges())
+    if (!mesh_.is_boundary(e)) queue.push_back(e);
+  std::vector<char> queued(mesh_.n_edges(), 1);
+  // Flips under guard need not end: ten looks at each edge are enough.
+  const std::size_t most = 10 * queue.size();
+  for (std::size_t k = 0; k < queue.size() && k < most; ++k) {
+    const EH e = queue[k];
+    queued[e.idx()] = 0;
+    if (!opposite_angles_exceed_pi(e) || !flip_guarded(e)) continue;
+    for (int side : {0, 1}) {
+      const HH h = mesh_.halfedge_handle(e, side);
+      for (const HH beside : {mesh_.next_halfedge_handle(h), mesh_.prev_halfedge_handle(h)}) {
+        const EH around = mesh_.edge_handle(beside);
+        if (mesh_.is_boundary(around) || queued[around.idx()]) continue;
+        queued[around.idx()] = 1;
+        queue.push_back(around);
+      }
+    }
   }
 }
 

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int longest_for_cubic = 350;  // FILLING.md, step 1
 constexpr int longest_for_all_methods = 5000;
-constexpr double most_vertices = 2e6;  // some 20 GB of solver memory
+constexpr std::size_t large_patch = 20000;  // vertices
+constexpr double most_vertices = 2e6;       // some 20 GB of solver memory
 
 /// Everything the filler needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
 struct LoopSite {
@@ -169,7 +170,10 @@ Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, co
     };
   };
   if (!try_phase(site, size, best, rounds(5, remesh_once))) try_phase(site, size, best, rounds(1, remesh_once));
-  if (!try_phase(site, size, best, rounds(8, relax_once))) try_phase(site, size, best, rounds(1, relax_once));
+  // Each round is a sparse solve; on large patches two bring most of what eight do.
+  const int relax_rounds = best.points.size() > large_patch ? 2 : 8;
+  if (!try_phase(site, size, best, rounds(relax_rounds, relax_once)))
+    try_phase(site, size, best, rounds(1, relax_once));
   for (int attempt = 0; attempt < 3 && best.badness() > 0 && !cancel.cancelled(); ++attempt) {
     const int before = best.badness();
     try_phase(site, size, best, [](GuardedMesh& mesh) {
