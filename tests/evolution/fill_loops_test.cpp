@@ -171,15 +171,16 @@ TEST(FillLoops, TheSampleIsFilledCloseToTheTruth) {
   const std::vector<LoopResult> results = fill_loops(model, holes_of(model), {}, nullptr, {});
   EXPECT_EQ(results.size(), 5u);
   for (const LoopResult& r : results) EXPECT_EQ(r.status, LoopStatus::converged) << r.loop.number << r.message;
-  // Three of the five holes lie where the relief is smooth: there the patch meets it to a tenth of the edge length.
+  // The chin, a third of the new vertices, lost its whole bump: no method can know it. The other four holes must be met
+  // to a tenth of the edge length of 1.2 mm.
   std::vector<double> errors;
   for (std::size_t i = first_new; i < model.soup.points.size(); ++i) {
     const Vec3& p = model.soup.points[i];
     errors.push_back(std::abs(p.z() - sample_relief_height(p.x(), p.y())));
   }
   std::sort(errors.begin(), errors.end());
-  EXPECT_LT(errors[errors.size() / 4], 0.05);
-  EXPECT_LT(errors.back(), 5);
+  EXPECT_LT(errors[errors.size() * 6 / 10], 0.12) << errors.back();
+  EXPECT_LT(errors.back(), 4);  // measured 3.4 mm, at the top of the lost chin
 }
 
 struct Scan {
