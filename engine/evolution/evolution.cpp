@@ -1,9 +1,12 @@
 #include "evolution/evolution.h"
 
 #include "core/error.h"
+#include "energy/curvature_energy.h"
+#include "evolution/linear_start.h"
 #include "evolution/mesh_care.h"
 #include "evolution/rim_roughness.h"
 #include "evolution/state.h"
+#include "evolution/stopwatch.h"
 #include "flows/decay_rate.h"
 #include "flows/gauss_newton.h"
 #include "mesh/quality.h"
@@ -12,8 +15,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <numbers>
 
 namespace loopmend {
 
@@ -21,25 +24,16 @@ namespace {
 
 constexpr double steady_sigma = 1e4;  ///< a step that jumps to the steady state of the linear part
 constexpr double first_gauss_newton_sigma = 500;
-constexpr int most_trials = 12;  ///< before the step is given up
+constexpr int most_fairings = 6;  ///< linear steps before the first Gauss-Newton step
+constexpr int most_trials = 12;   ///< before the step is given up
 constexpr int steps_with_mesh_care = 15;
 constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
+constexpr double longest_move = 0.3;     ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
+constexpr double near_move = 1;          ///< in mean edge lengths
+constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below
 constexpr double newton_tolerance = 1 + 1e-9;
 constexpr double small_move = 1e-3;     ///< in mean edge lengths: no eye sees it
 constexpr double smallest_step = 1e-6;  ///< relative to the step that was asked for: below, the flow has stalled
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
 int order_of(FlowKind flow) { return flow == FlowKind::mcf ? 2 : flow == FlowKind::mmcvf ? 6 : 4; }
@@ -94,14 +88,19 @@ struct Evolution::Impl {
   std::vector<StepRecord> history;
   double initial_energy = 0;
 
-  Eigen::AlignedBox3d room;   ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
-  double blend = 0;           ///< αR² of the order blend in force
-  double decay_rate = 0;      ///< patch frame
-  double sigma = 0;           ///< of the next semi-implicit step; falls on rejection, recovers
-  double mu = 0;              ///< of the next Gauss-Newton step
-  int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
-  double start_measure = 0;   ///< at the last set_options
-  double lowest_measure = 0;  ///< since then
+  Eigen::AlignedBox3d room;  ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
+  int start_folds = 0;
+  int allowed_folds = 0;             ///< in between; whoever takes the result looks at what is left
+  double start_edge_length = 0;      ///< mean, of the patch
+  bool smooth_surroundings = false;  ///< fits of all widths agree on the curvature: it can be trusted to high order
+  double blend = 0;                  ///< αR² of the order blend in force
+  double decay_rate = 0;             ///< patch frame
+  double sigma = 0;                  ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;                     ///< of the next Gauss-Newton step
+  int fairings_left = 0;             ///< linear fairing steps that may still be tried before Gauss-Newton
+  int small_moves = 0;               ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double start_measure = 0;          ///< at the last set_options
+  double lowest_measure = 0;         ///< since then
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
 
@@ -112,11 +111,17 @@ struct Evolution::Impl {
   void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma);
   void care_for_mesh(double limit);
   bool replace_if_good(Patch patch, double limit);
+  bool fairing_step(const CancelToken& cancel);
+  bool go_over_to_cubic_fits();
+  void finish();
   void gauss_newton_step(const CancelToken& cancel);
   GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
   void semi_implicit_step(const CancelToken& cancel);
   double edge_length() const {
     return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);
+  }
+  double radius() const {
+    return std::sqrt(patch_area(state.patch) / (std::numbers::pi * static_cast<double>(state.patch.loops.size())));
   }
   void stop(EvolutionStatus why, std::string words) {
     status = why;
@@ -131,16 +136,22 @@ void Evolution::Impl::prepare(Patch start) {
   for (int i = 0; i < start.free_count; ++i) room.extend(start.positions[i]);
   for (const auto& loop : start.loops)
     for (int v : loop) room.extend(start.positions[v]);
-  const Vec3 margin = Vec3::Constant(0.5 * room.diagonal().norm());
+  const Vec3 margin = Vec3::Constant(room.diagonal().norm());
   room = Eigen::AlignedBox3d(room.min() - margin, room.max() + margin);
   state = make_state(std::move(start), objective, stencil);
+  start_folds = state.folds;
+  allowed_folds = start_folds + std::max(2, state.patch.free_count / 200);
+  start_edge_length = edge_length();
 }
 
 Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   blend = 0;
+  smooth_surroundings = false;
+  stencil = Stencil::two_ring;
   if (new_options.flow != FlowKind::mmcvf || new_options.mode != EvolutionMode::steady) return {new_options.flow, 0};
   const RimRoughness rim = rim_roughness(state.patch);
   blend = new_options.bending.value_or(rim.bending);
+  smooth_surroundings = blend == 0 && rim.unevenness < smooth_unevenness;
   return {new_options.flow, blend / (rim.radius * rim.radius)};
 }
 
@@ -148,14 +159,15 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   check(new_options);
   options = new_options;
   const Objective wanted = objective_for(options);
-  const bool other = wanted.flow != objective.flow || wanted.bending != objective.bending;
   objective = wanted;
-  if (other) state = make_state(std::move(state.patch), objective, stencil, state.topology);
+  if (!history.empty() || wanted.flow != FlowKind::mmcvf || wanted.bending > 0)
+    state = make_state(std::move(state.patch), objective, stencil, state.topology);
   decay_rate = slowest_decay_rate(options.flow, state.patch);
   if (!(decay_rate > 0)) decay_rate = 1;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   mu = decay_rate / (2 * first_gauss_newton_sigma);
   small_moves = 0;
+  fairings_left = history.empty() ? most_fairings : 0;
   start_measure = lowest_measure = state.measure;
   general = make_general_solver(options.solver);
   spd = make_spd_solver();
@@ -163,7 +175,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
 }
 
 bool Evolution::Impl::acceptable(const EvolutionState& next, double limit) const {
-  if (!std::isfinite(next.measure) || next.folds > state.folds) return false;
+  if (!std::isfinite(next.measure) || next.folds > std::max(state.folds, allowed_folds)) return false;
   for (int i = 0; i < next.patch.free_count; ++i)
     if (!room.contains(next.patch.positions[i])) return false;
   return next.measure <= limit;
@@ -198,6 +210,41 @@ void Evolution::Impl::care_for_mesh(double limit) {
   history.back().energy = shown_energy(options.flow, state);
 }
 
+/// A linear fairing instead of a Gauss-Newton step, while it pays: from its result large openings are reached too.
+/// @returns false if that does not lower the energy any more; then the state is as it was.
+bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
+  const bool worn = state.folds > 0 || edge_length() > 1.05 * start_edge_length ||
+                    min_angle_deg(state.patch.positions, state.patch.triangles, state.patch.patch_triangles) < 30;
+  FairedState faired = linearly_faired(state, objective, stencil,
+                                       worn && !history.empty() ? FairingMesh::remeshed : FairingMesh::kept, cancel);
+  if (!acceptable(faired.state, state.measure)) return false;
+  if (faired.state.measure > 0.5 * state.measure && faired.state.folds == 0) fairings_left = 0;
+  StepRecord record;
+  record.step = static_cast<int>(history.size()) + 1;
+  record.assemble_seconds = faired.assemble_seconds;
+  record.solve_seconds = faired.solve_seconds;
+  state = std::move(faired.state);
+  record.max_move = faired.move / edge_length();
+  record.energy = shown_energy(options.flow, state);
+  history.push_back(record);
+  return true;
+}
+
+/// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order.
+bool Evolution::Impl::go_over_to_cubic_fits() {
+  if (stencil == Stencil::two_ring_cubic || !smooth_surroundings || state.folds > start_folds) return false;
+  stencil = Stencil::two_ring_cubic;
+  state = make_state(std::move(state.patch), objective, stencil, state.topology);
+  small_moves = 0;
+  history.back().energy = shown_energy(options.flow, state);
+  return true;
+}
+
+/// At the minimum: done, unless more accurate fits can still refine it.
+void Evolution::Impl::finish() {
+  if (!go_over_to_cubic_fits()) stop(EvolutionStatus::converged, "");
+}
+
 /// One trial with the present mu: the whole step, a half, a quarter.
 GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record,
                                                    const CancelToken& cancel) {
@@ -212,9 +259,10 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
   if (!solved) return trial;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
   trial.promised = -system.half_gradient.dot(s.col(0));
+  const double bold = std::min(1.0, longest_move * radius() / (trial.move * edge_length()));
   for (double share : {1.0, 0.5, 0.25}) {
     if (cancel.cancelled()) return trial;
-    const Eigen::VectorXd move = share * s.col(0);
+    const Eigen::VectorXd move = bold * share * s.col(0);
     EvolutionState next = displaced(state, objective, stencil, move);
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();
@@ -241,7 +289,8 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
       small_moves = small ? small_moves + 1 : 0;
       const bool bold = mu <= decay_rate;
       mu = std::max(0.2 * mu, 1e-8 * decay_rate);
-      if (small && (bold || small_moves >= 3)) return stop(EvolutionStatus::converged, "");
+      if (small && (bold || small_moves >= 3)) return finish();
+      if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
       return care_for_mesh(1.2 * state.measure);
     }
     if (k == 0) promised = trial.promised;
@@ -249,7 +298,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     if (trial.move > 0 && trial.move < small_move) {
       // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
       const bool at_minimum = k == 0 || promised < 1e-2 * energy_before || promised < 1e-6 * start_measure;
-      return at_minimum ? stop(EvolutionStatus::converged, "") : stop(EvolutionStatus::failed, stalled_words);
+      return at_minimum ? finish() : stop(EvolutionStatus::failed, stalled_words);
     }
     mu *= 10;
   }
@@ -314,7 +363,12 @@ void Evolution::step(const CancelToken& cancel) {
   if (impl_->status != EvolutionStatus::ready) return;
   if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
   const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
-  newton ? impl_->gauss_newton_step(cancel) : impl_->semi_implicit_step(cancel);
+  if (!newton) return impl_->semi_implicit_step(cancel);
+  if (impl_->fairings_left-- > 0) {
+    if (impl_->fairing_step(cancel)) return;
+    impl_->fairings_left = 0;
+  }
+  impl_->gauss_newton_step(cancel);
 }
 
 EvolutionStatus Evolution::run(const OnStep& on_step, const CancelToken& cancel) {

@@ -138,7 +138,9 @@ PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop
     loops.push_back(loop);
     fillers.push_back(*start.fillers.back().filler);
   }
-  if (!loops.empty()) start.patch = make_patch(model, loops, fillers);
+  if (loops.empty()) return start;
+  start.patch = make_patch(model, loops, fillers);
+  start.patch->density = options.density;
   return start;
 }
 

@@ -3,6 +3,7 @@
 #include "operators/operator_set.h"
 #include "solvers/linear_solver.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace loopmend {
@@ -34,6 +35,29 @@ Points minimal_surface_step(const Points& points, const Triangles& triangles, in
   Points result = points;
   const SparseMatrix C = clamped_cotan_stiffness(points, triangles, faces, robust_clamp);
   return solve_quadratic_form(C, result, locked, static_cast<int>(points.size())) ? result : points;
+}
+
+Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
+  std::vector<int> all(patch.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, all, clamp);
+  // Rows of ΔL with a full one-ring of data whose value the patch can change or that stand beside such rows.
+  constexpr int reach = 2;
+  Eigen::VectorXd rows = barycentric_areas(patch.positions, patch.triangles).cwiseInverse();
+  for (int i = 0; i < patch.vertex_count(); ++i)
+    if (patch.ring[i] > reach) rows[i] = 0;
+  std::vector<int> active;  // triangles with a Laplacian at each corner
+  for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
+    const Triangle& t = patch.triangles[f];
+    const auto [nearest, farthest] = std::minmax({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]});
+    if (farthest <= reach && nearest <= 1) active.push_back(static_cast<int>(f));
+  }
+  const SparseMatrix active_C = clamped_cotan_stiffness(patch.positions, patch.triangles, active, clamp);
+  const SparseMatrix L = rows.asDiagonal() * C;
+  SparseMatrix Q = SparseMatrix(L.transpose()) * active_C * L;
+  if (bending > 0) Q += bending * (SparseMatrix(C.transpose()) * L);  // Lᵀ M L, as L = M⁻¹ C on its rows
+  Points result = patch.positions;
+  return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
 }
 
 }  // namespace loopmend

@@ -1,12 +1,18 @@
-// Relaxation of a filler by one sparse solve.
+// Surfaces from one sparse solve: as fillers, and as starts of the flow.
 #pragma once
 
-#include "core/types.h"
+#include "mesh/patch.h"
+#include "operators/operator_set.h"
 
 namespace loopmend {
 
 /// Minimises the area to second order about the given shape (cotan Laplace equation, weights clamped), with vertices
 /// 0..locked−1 fixed: one step of Pinkall and Polthier. Returns the new positions, or the old ones if the solve fails.
 Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked);
+
+/// Minimises ∫‖∇Δr‖² + bending ∫‖Δr‖² over the patch for the metric of its present shape (triharmonic, cotan weights clamped), with the
+/// fixed rings as data: to first order, curvature runs through the seam.
+/// @returns positions of all vertices, fixed ones bit-identical; the present positions if the solve fails.
+Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp);
 
 }  // namespace loopmend

@@ -27,6 +27,7 @@ struct Patch {
   std::vector<int> loop_numbers;        ///< BoundaryLoop::number of each
   Vec3 center = Vec3::Zero();           ///< of the frame, mesh units
   double scale = 1;                     ///< of the frame, mesh units
+  double density = 1;                   ///< edges of the patch aim at those of the rim divided by this
 
   int vertex_count() const { return static_cast<int>(positions.size()); }
   Vec3 to_mesh(const Vec3& p) const { return p * scale + center; }

@@ -13,17 +13,19 @@ namespace loopmend {
 
 namespace {
 
-using Matrix5 = Eigen::Matrix<double, 5, 5>;
 using Matrix5X = Eigen::Matrix<double, 5, Eigen::Dynamic>;
 
 /// Smallest ratio of singular values of the weighted design matrix that a stencil may have (NUMERICS §2).
 double least_condition(int rings) { return rings == 1 ? 1e-2 : rings == 2 ? 1e-4 : 1e-8; }
 
-/// P (5 by m): derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i). Empty when the stencil does not determine them.
+/// P (5 by m): derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i), by a polynomial with `terms` terms: 5 quadratic, 9 cubic.
+/// False when the stencil does not determine it.
+template <int terms>
 bool derivative_weights(const Points& points, int i, const std::vector<int>& neighbors, const Vec3& normal, int rings,
                         Matrix5X& P) {
+  using Square = Eigen::Matrix<double, terms, terms>;
   const Eigen::Index m = static_cast<Eigen::Index>(neighbors.size());
-  if (m < 5) return false;
+  if (m < terms) return false;
   const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
   Eigen::Matrix2Xd q(2, m);
   double mean = 0;
@@ -39,20 +41,21 @@ bool derivative_weights(const Points& points, int i, const std::vector<int>& nei
   mean /= static_cast<double>(m);
   q /= mean;
 
-  Matrix5X weighted_rows(5, m);  // Aᵀ W
-  Matrix5 normal_matrix = Matrix5::Zero();
+  Eigen::Matrix<double, terms, Eigen::Dynamic> weighted_rows(terms, m);  // Aᵀ W
+  Square normal_matrix = Square::Zero();
   for (Eigen::Index k = 0; k < m; ++k) {
     const double u = q(0, k), v = q(1, k);
-    Eigen::Matrix<double, 5, 1> row;
-    row << u, v, u * u / 2, u * v, v * v / 2;
+    Eigen::Matrix<double, terms, 1> row;
+    row.template head<5>() << u, v, u * u / 2, u * v, v * v / 2;
+    if constexpr (terms == 9) row.template tail<4>() << u * u * u / 6, u * u * v / 2, u * v * v / 2, v * v * v / 6;
     const double weight = rings == 1 ? 1.0 : 1 / (u * u + v * v);
     weighted_rows.col(k) = weight * row;
     normal_matrix.noalias() += weighted_rows.col(k) * row.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix5> eigen(normal_matrix, Eigen::EigenvaluesOnly);
-  const double low = eigen.eigenvalues()[0], high = eigen.eigenvalues()[4];
-  if (!(low > 0) || std::sqrt(low / high) < least_condition(rings)) return false;
-  P.noalias() = normal_matrix.ldlt().solve(weighted_rows);
+  const Eigen::SelfAdjointEigenSolver<Square> eigen(normal_matrix, Eigen::EigenvaluesOnly);
+  const double low = eigen.eigenvalues()[0], high = eigen.eigenvalues()[terms - 1];
+  if (!(low > 0) || std::sqrt(low / high) < (terms == 9 ? 1e-3 : least_condition(rings))) return false;
+  P.noalias() = normal_matrix.ldlt().solve(weighted_rows).template topRows<5>();
   P.topRows<2>() /= mean;
   P.bottomRows<3>() /= mean * mean;
   return true;
@@ -99,7 +102,9 @@ void fit_quadratic(const Points& points, const Topology& topology, int i, const 
   const int first = stencil == Stencil::four_ring ? 4 : narrow ? 1 : 2;
   for (fit.rings = first; fit.rings <= std::max(first, 3) && !fit.valid; ++fit.rings) {
     topology.k_ring(i, fit.rings, fit.neighbors, scratch.mark);
-    if (derivative_weights(points, i, fit.neighbors, reference_normal, fit.rings, P))
+    const bool cubic = stencil == Stencil::two_ring_cubic &&
+                       derivative_weights<9>(points, i, fit.neighbors, reference_normal, fit.rings, P);
+    if (cubic || derivative_weights<5>(points, i, fit.neighbors, reference_normal, fit.rings, P))
       operator_weights(points, i, P, reference_normal, fit);
     if (fit.valid) break;
   }

@@ -11,9 +11,10 @@ namespace loopmend {
 
 /// Over which neighbours the quadratic is fitted.
 enum class Stencil {
-  one_ring,   ///< the paper's N_1(i), unweighted; widened where it does not determine the quadratic
-  two_ring,   ///< N_2(i), weighted by 1/d²: less sensitive to bad triangles and to noise
-  four_ring,  ///< N_4(i), weighted likewise: to tell shape from roughness
+  one_ring,        ///< the paper's N_1(i), unweighted; widened where it does not determine the quadratic
+  two_ring,        ///< N_2(i), weighted by 1/d²: less sensitive to bad triangles and to noise
+  two_ring_cubic,  ///< N_2(i), a cubic where it is determined
+  four_ring,       ///< N_4(i), weighted likewise: to tell shape from roughness
 };
 
 /// Weights such that Θf(r_i) ≈ Σ_j w_ij (f(r_j) − f(r_i)) for j in `neighbors`; the centre's own weight is −Σ w_ij.

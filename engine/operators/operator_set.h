@@ -36,6 +36,8 @@ struct CotanClamp {
   double low, high;  ///< of the half sum of the two cotangents at an edge
 };
 inline constexpr CotanClamp robust_clamp{0.05, 5};
+/// Nearly the weights of equilateral triangles (0.577), whatever the triangles are.
+inline constexpr CotanClamp even_clamp{0.3, 1};
 
 /// Cotangent stiffness matrix over the given triangles: xᵀ C x = ∫‖∇x‖² for piecewise linear x. #V by #V, symmetric,
 /// positive semi-definite.

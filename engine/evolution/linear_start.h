@@ -1,0 +1,25 @@
+// The start of the way to the steady state: linear third-order fairing, which large openings need (NUMERICS §7, §10).
+#pragma once
+
+#include "core/cancel.h"
+#include "evolution/state.h"
+
+namespace loopmend {
+
+enum class FairingMesh {
+  kept,      ///< the triangles stay
+  remeshed,  ///< brought back to the size of the rim's edges first
+};
+
+struct FairedState {
+  EvolutionState state;
+  double move = 0;  ///< longest way of a vertex, patch frame
+  double assemble_seconds = 0, solve_seconds = 0;
+};
+
+/// The patch after one linear fairing of the objective. Where that folds it: the same with even weights, then on the mesh
+/// that remeshing makes of what came out. The caller judges whether it is an improvement.
+FairedState linearly_faired(const EvolutionState& state, const Objective& objective, Stencil stencil, FairingMesh mesh,
+                            const CancelToken& cancel);
+
+}  // namespace loopmend
