@@ -4,23 +4,17 @@
 #include "samples/analytic_surfaces.h"
 
 #include <algorithm>
-#include <array>
-#include <set>
 
 namespace loopmend::bench {
 
 namespace {
 
-using Place = std::array<double, 3>;
-
-Place place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-std::set<Place> boundary_places(const TriangleSoup& soup) {
+Points boundary_points(const TriangleSoup& soup) {
   const Topology topology(static_cast<int>(soup.points.size()), soup.triangles);
-  std::set<Place> places;
+  Points points;
   for (int v = 0; v < topology.vertex_count(); ++v)
-    if (topology.is_boundary(v)) places.insert(place(soup.points[v]));
-  return places;
+    if (topology.is_boundary(v)) points.push_back(soup.points[v]);
+  return points;
 }
 
 }  // namespace
@@ -31,19 +25,19 @@ double HoleProblem::diameter() const {
   return largest;
 }
 
-HoleProblem open_problem(std::string name, const TriangleSoup& whole, TriangleSoup open,
+PlaceSet::PlaceSet(const Points& points) {
+  for (const Vec3& p : points) places_.insert({p.x(), p.y(), p.z()});
+}
+
+HoleProblem open_problem(std::string name, TriangleSoup open, const std::function<bool(const Vec3&)>& on_cut,
                          std::function<double(const Vec3&)> distance) {
   HoleProblem problem;
   problem.name = std::move(name);
-  problem.removed = static_cast<int>(whole.points.size() - open.points.size());
   problem.model = make_surface_model(std::move(open));
   problem.distance = std::move(distance);
-  const std::set<Place> old = boundary_places(whole);
   for (const BoundaryLoop& loop : find_boundary_loops(problem.model)) {
-    const auto was_there = [&](int v) {
-      return old.contains(place(problem.model.mesh.point(TriMesh::VertexHandle(v))));
-    };
-    if (2 * std::count_if(loop.vertices.begin(), loop.vertices.end(), was_there) <= loop.edges())
+    const auto counts = [&](int v) { return on_cut(problem.model.mesh.point(TriMesh::VertexHandle(v))); };
+    if (2 * std::count_if(loop.vertices.begin(), loop.vertices.end(), counts) > loop.edges())
       problem.loops.push_back(loop);
   }
   return problem;
@@ -51,7 +45,13 @@ HoleProblem open_problem(std::string name, const TriangleSoup& whole, TriangleSo
 
 HoleProblem cut_problem(std::string name, const TriangleSoup& whole, const std::function<bool(const Vec3&)>& inside,
                         std::function<double(const Vec3&)> distance) {
-  return open_problem(std::move(name), whole, trim_rims(cut(whole, inside)), std::move(distance));
+  const PlaceSet old(boundary_points(whole));
+  TriangleSoup open = trim_rims(cut(whole, inside));
+  const int removed = static_cast<int>(whole.points.size() - open.points.size());
+  HoleProblem problem = open_problem(
+      std::move(name), std::move(open), [&](const Vec3& p) { return !old.contains(p); }, std::move(distance));
+  problem.removed = removed;
+  return problem;
 }
 
 }  // namespace loopmend::bench

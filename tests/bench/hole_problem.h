@@ -3,7 +3,9 @@
 
 #include "mesh/boundary_loops.h"
 
+#include <array>
 #include <functional>
+#include <set>
 #include <string>
 
 namespace loopmend::bench {
@@ -23,8 +25,18 @@ struct HoleProblem {
 HoleProblem cut_problem(std::string name, const TriangleSoup& whole, const std::function<bool(const Vec3&)>& inside,
                         std::function<double(const Vec3&)> distance);
 
-/// A problem whose holes are already cut; loops that run mostly along the boundary of `whole` are not among them.
-HoleProblem open_problem(std::string name, const TriangleSoup& whole, TriangleSoup open,
+/// A problem whose holes are already cut: the loops that run mostly over vertices for which `on_cut` holds.
+HoleProblem open_problem(std::string name, TriangleSoup open, const std::function<bool(const Vec3&)>& on_cut,
                          std::function<double(const Vec3&)> distance);
+
+/// The exact places of points, to be asked for.
+class PlaceSet {
+ public:
+  explicit PlaceSet(const Points& points);
+  bool contains(const Vec3& p) const { return places_.contains({p.x(), p.y(), p.z()}); }
+
+ private:
+  std::set<std::array<double, 3>> places_;
+};
 
 }  // namespace loopmend::bench
