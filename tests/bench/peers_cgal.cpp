@@ -1,0 +1,75 @@
+#include "peers.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <chrono>
+
+namespace loopmend::bench {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+namespace pmp = CGAL::Polygon_mesh_processing;
+
+Mesh::Vertex_index vertex(int v) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(v)); }
+
+Mesh to_mesh(const Points& points, const Triangles& triangles) {
+  Mesh mesh;
+  for (const Vec3& p : points) mesh.add_vertex({p.x(), p.y(), p.z()});
+  for (const Triangle& t : triangles) mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
+  return mesh;
+}
+
+/// @returns whether the hole was closed and faired.
+bool fill_one(Mesh& mesh, Mesh::Halfedge_index border, unsigned continuity) {
+  std::vector<Mesh::Face_index> faces;
+  std::vector<Mesh::Vertex_index> vertices;
+  const bool faired = std::get<0>(
+      pmp::triangulate_refine_and_fair_hole(mesh, border, std::back_inserter(faces), std::back_inserter(vertices),
+                                            CGAL::parameters::fairing_continuity(continuity)));
+  return faired && !faces.empty();
+}
+
+void take_new(const Mesh& mesh, std::size_t old_points, std::size_t old_faces, Filling& filling) {
+  for (std::size_t v = old_points; v < mesh.number_of_vertices(); ++v) {
+    const auto& p = mesh.point(vertex(static_cast<int>(v)));
+    filling.points.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto face : mesh.faces()) {
+    if (static_cast<std::size_t>(face) < old_faces) continue;
+    Triangle t{};
+    int k = 0;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face))) t[k++] = static_cast<int>(v);
+    filling.triangles.push_back(t);
+  }
+}
+
+}  // namespace
+
+Filling fill_by_cgal(const Points& points, const Triangles& triangles, const std::vector<std::vector<int>>& loops,
+                     unsigned continuity) try {
+  Mesh mesh = to_mesh(points, triangles);
+  const std::size_t old_faces = mesh.number_of_faces();
+  Filling filling;
+  filling.complete = true;
+  const auto start = std::chrono::steady_clock::now();
+  for (const auto& loop : loops) {
+    const Mesh::Halfedge_index border = mesh.halfedge(vertex(loop[0]), vertex(loop[1]));
+    const bool found = border != Mesh::null_halfedge() && mesh.is_border(border);
+    if (!found || !fill_one(mesh, border, continuity)) filling.complete = false;
+  }
+  filling.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  filling.status = filling.complete ? "filled" : "failed";
+  take_new(mesh, points.size(), old_faces, filling);
+  return filling;
+} catch (const std::exception& error) {
+  Filling filling;
+  filling.status = "failed";
+  filling.message = error.what();
+  return filling;
+}
+
+}  // namespace loopmend::bench

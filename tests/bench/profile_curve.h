@@ -1,0 +1,26 @@
+// Profiles of surfaces of revolution, parametrised by arc length.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace loopmend::bench {
+
+/// (radius, z) as a function of arc length s, and its unit tangent.
+struct ProfileCurve {
+  std::function<Eigen::Vector2d(double)> point;
+  std::function<Eigen::Vector2d(double)> tangent;
+};
+
+/// r = √(1 + s²), z = asinh s.
+ProfileCurve catenoid_profile();
+
+/// r = √(1 + b² + 2b sin s), z = ∫ (1 + b sin t)/r dt: Gauss-Legendre quadrature between knots, exact to rounding.
+/// @param length  z is known for |s| ≤ length.
+ProfileCurve unduloid_profile(double bulge, double length);
+
+/// Arc length of the profile's point nearest to `place`, found from the best of samples over [from, to].
+double nearest_arc_length(const ProfileCurve& profile, const Eigen::Vector2d& place, double from, double to);
+
+}  // namespace loopmend::bench
