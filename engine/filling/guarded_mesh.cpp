@@ -2,7 +2,9 @@
 
 #include "mesh/quality.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -31,6 +33,8 @@ GuardedMesh::GuardedMesh(const Points& points, const Triangles& triangles, int l
     const HH h = mesh_.find_halfedge(VH(edge.first), VH(edge.second));
     if (h.is_valid()) rim_normal_[mesh_.edge_handle(h).idx()] = normal;
   }
+  normal_.resize(mesh_.n_faces());
+  for (const auto f : mesh_.faces()) update_normal(f);
 }
 
 double GuardedMesh::length(EH e) const {
@@ -43,10 +47,15 @@ double GuardedMesh::target(EH e) const {
   return (size_[mesh_.to_vertex_handle(h).idx()] + size_[mesh_.from_vertex_handle(h).idx()]) / 2;
 }
 
-Vec3 GuardedMesh::face_normal(TriMesh::FaceHandle f) const {
+void GuardedMesh::update_normal(TriMesh::FaceHandle f) {
   const HH h = mesh_.halfedge_handle(f);
-  return unit_normal(mesh_.point(mesh_.from_vertex_handle(h)), mesh_.point(mesh_.to_vertex_handle(h)),
-                     mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h))));
+  normal_[f.idx()] = unit_normal(mesh_.point(mesh_.from_vertex_handle(h)), mesh_.point(mesh_.to_vertex_handle(h)),
+                                 mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h))));
+}
+
+void GuardedMesh::update_normals_around(VH v) {
+  normal_.resize(mesh_.n_faces());
+  for (const auto f : mesh_.vf_range(v)) update_normal(f);
 }
 
 /// Normal on the other side of h; on the rim that of the surroundings, or this face's own where there are none.
@@ -63,22 +72,45 @@ double GuardedMesh::edge_cosine(EH e) const {
   return cosine(face_normal(mesh_.face_handle(h)), normal_across(h));
 }
 
-/// Worst cosine over the spokes and the link of v, were v at `position`.
-double GuardedMesh::fan_worst(VH v, const Vec3& position) const {
-  std::vector<Vec3> normals;
+/// Worst cosine over the spokes and the link of v.
+double GuardedMesh::fan_worst(VH v) const {
   double worst = 1;
   for (const auto h : mesh_.voh_range(v)) {
     if (mesh_.is_boundary(h)) continue;
-    const HH link = mesh_.next_halfedge_handle(h);
-    normals.push_back(
-        unit_normal(position, mesh_.point(mesh_.from_vertex_handle(link)), mesh_.point(mesh_.to_vertex_handle(link))));
+    const Vec3& normal = face_normal(mesh_.face_handle(h));
+    const HH link = mesh_.next_halfedge_handle(h), spoke = mesh_.opposite_halfedge_handle(h);
+    if (!mesh_.is_boundary(spoke)) worst = std::min(worst, cosine(normal, face_normal(mesh_.face_handle(spoke))));
     const HH across = mesh_.opposite_halfedge_handle(link);
-    if (!mesh_.is_boundary(across) || !rim_normal_[mesh_.edge_handle(link).idx()].isZero())
-      worst = std::min(worst, cosine(normals.back(), normal_across(link)));
+    if (!mesh_.is_boundary(across))
+      worst = std::min(worst, cosine(normal, face_normal(mesh_.face_handle(across))));
+    else if (const Vec3& rim = rim_normal_[mesh_.edge_handle(link).idx()]; !rim.isZero())
+      worst = std::min(worst, cosine(normal, rim));
   }
-  for (std::size_t k = 0; k < normals.size(); ++k)
-    worst = std::min(worst, cosine(normals[k], normals[(k + 1) % normals.size()]));
   return worst;
+}
+
+/// The same, were v, which is not on the rim, at `position`.
+double GuardedMesh::fan_worst(VH v, const Vec3& position) const {
+  double worst = 1;
+  Vec3 first = Vec3::Zero(), last = Vec3::Zero();
+  bool any = false;
+  for (const auto h : mesh_.voh_range(v)) {
+    const HH link = mesh_.next_halfedge_handle(h);
+    const Vec3 normal =
+        unit_normal(position, mesh_.point(mesh_.from_vertex_handle(link)), mesh_.point(mesh_.to_vertex_handle(link)));
+    const HH across = mesh_.opposite_halfedge_handle(link);
+    if (!mesh_.is_boundary(across))
+      worst = std::min(worst, cosine(normal, face_normal(mesh_.face_handle(across))));
+    else if (const Vec3& rim = rim_normal_[mesh_.edge_handle(link).idx()]; !rim.isZero())
+      worst = std::min(worst, cosine(normal, rim));
+    if (any)
+      worst = std::min(worst, cosine(last, normal));
+    else
+      first = normal;
+    last = normal;
+    any = true;
+  }
+  return std::min(worst, cosine(last, first));
 }
 
 /// Worst cosine over all edges of a set of triangles that is to stand where the mesh now has others with the same border.
@@ -112,12 +144,19 @@ double GuardedMesh::worst_cosine(const Triangles& faces, const std::map<int, Vec
 }
 
 bool GuardedMesh::guarded_move(VH v, const Vec3& position) {
-  if (!allowed(fan_worst(v, position), fan_worst(v, mesh_.point(v)))) return false;
+  const double after = fan_worst(v, position);
+  if (after < guard_cosine && after < fan_worst(v)) return false;
   mesh_.set_point(v, position);
+  update_normals_around(v);
   return true;
 }
 
-void GuardedMesh::split_long_edges() {
+void GuardedMesh::scale_sizes(double factor) {
+  for (double& size : size_) size *= factor;
+}
+
+int GuardedMesh::split_long_edges() {
+  int count = 0;
   for (int pass = 0; pass < 10; ++pass) {
     std::vector<std::pair<double, int>> queue;
     for (const auto e : mesh_.edges()) {
@@ -127,7 +166,8 @@ void GuardedMesh::split_long_edges() {
       const double ratio = length(e) / target(e);
       if (ratio > (chord ? 0.5 : 4.0 / 3)) queue.emplace_back(-ratio, e.idx());
     }
-    if (queue.empty()) return;
+    if (queue.empty()) break;
+    count += static_cast<int>(queue.size());
     std::sort(queue.begin(), queue.end());
     for (const auto& [ratio, index] : queue) {
       const EH e(index);
@@ -139,8 +179,10 @@ void GuardedMesh::split_long_edges() {
       size_[v.idx()] = size;
       mesh_.split(e, v);
       rim_normal_.resize(mesh_.n_edges(), Vec3::Zero());
+      update_normals_around(v);
     }
   }
+  return count;
 }
 
 bool GuardedMesh::collapse_guarded(HH h) {
@@ -172,10 +214,12 @@ bool GuardedMesh::collapse_guarded(HH h) {
   if (after.empty() || !allowed(worst_cosine(after, {{u.idx(), place}}), worst_cosine(before, {}))) return false;
   mesh_.collapse(h);
   mesh_.set_point(u, place);
+  update_normals_around(u);
   return true;
 }
 
-void GuardedMesh::collapse_short_edges() {
+int GuardedMesh::collapse_short_edges() {
+  int count = 0;
   std::vector<std::pair<double, int>> queue;
   for (const auto e : mesh_.edges()) {
     const double ratio = length(e) / target(e);
@@ -185,9 +229,10 @@ void GuardedMesh::collapse_short_edges() {
   for (const auto& [ratio, index] : queue) {
     const EH e(index);
     if (mesh_.status(e).deleted() || length(e) >= 0.75 * target(e)) continue;
-    if (!collapse_guarded(mesh_.halfedge_handle(e, 0))) collapse_guarded(mesh_.halfedge_handle(e, 1));
+    if (collapse_guarded(mesh_.halfedge_handle(e, 0)) || collapse_guarded(mesh_.halfedge_handle(e, 1))) ++count;
   }
   // Faces, edges and vertices keep their numbers until points() and triangles() are asked for: no garbage collection.
+  return count;
 }
 
 bool GuardedMesh::opposite_angles_exceed_pi(EH e) const {
@@ -207,12 +252,28 @@ bool GuardedMesh::opposite_angles_exceed_pi(EH e) const {
 bool GuardedMesh::flip_guarded(EH e) {
   if (mesh_.is_boundary(e) || !mesh_.is_flip_ok(e)) return false;
   const HH h = mesh_.halfedge_handle(e, 0), o = mesh_.halfedge_handle(e, 1);
-  const int a = mesh_.from_vertex_handle(h).idx(), b = mesh_.to_vertex_handle(h).idx();
-  const int c = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)).idx();
-  const int d = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(o)).idx();
-  if (is_locked(VH(c)) && is_locked(VH(d))) return false;
-  if (!allowed(worst_cosine({{a, d, c}, {d, b, c}}, {}), worst_cosine({{a, b, c}, {b, a, d}}, {}))) return false;
+  const HH sides[4] = {mesh_.next_halfedge_handle(h), mesh_.prev_halfedge_handle(h), mesh_.next_halfedge_handle(o),
+                       mesh_.prev_halfedge_handle(o)};  // b→c, c→a, a→d, d→b
+  const VH c = mesh_.to_vertex_handle(sides[0]), d = mesh_.to_vertex_handle(sides[2]);
+  if (is_locked(c) && is_locked(d)) return false;
+  const Vec3 &pa = mesh_.point(mesh_.from_vertex_handle(h)), &pb = mesh_.point(mesh_.to_vertex_handle(h));
+  const Vec3 &pc = mesh_.point(c), &pd = mesh_.point(d);
+  const Vec3 left = unit_normal(pa, pd, pc), right = unit_normal(pd, pb, pc);  // the triangles after the flip
+  const Vec3* after_of[4] = {&right, &left, &left, &right};
+  double before = cosine(face_normal(mesh_.face_handle(h)), face_normal(mesh_.face_handle(o)));
+  double after = cosine(left, right);
+  for (int k = 0; k < 4; ++k) {
+    const HH across = mesh_.opposite_halfedge_handle(sides[k]);
+    const bool rim = mesh_.is_boundary(across);
+    const Vec3& beyond = rim ? rim_normal_[mesh_.edge_handle(across).idx()] : face_normal(mesh_.face_handle(across));
+    if (rim && beyond.isZero()) continue;
+    before = std::min(before, cosine(face_normal(mesh_.face_handle(sides[k])), beyond));
+    after = std::min(after, cosine(*after_of[k], beyond));
+  }
+  if (!allowed(after, before)) return false;
   mesh_.flip(e);
+  update_normal(mesh_.face_handle(h));
+  update_normal(mesh_.face_handle(o));
   return true;
 }
 
@@ -262,15 +323,18 @@ void GuardedMesh::smooth_tangentially() {
   }
 }
 
-void GuardedMesh::move_towards(const Points& goal) {
+double GuardedMesh::move_towards(const Points& goal) {
+  double longest = 0;
   std::size_t k = 0;
   for (const auto v : mesh_.vertices()) {
     const Vec3& to = goal[k++];
     if (is_locked(v)) continue;
     const Vec3 from = mesh_.point(v);
+    longest = std::max(longest, (to - from).norm() / size_[v.idx()]);
     for (double share : {1.0, 0.5, 0.25})
       if (guarded_move(v, from + share * (to - from))) break;
   }
+  return longest;
 }
 
 std::vector<GuardedMesh::EH> GuardedMesh::edges_beyond(double limit) const {
@@ -299,6 +363,8 @@ void GuardedMesh::relax_around(const std::vector<EH>& edges, int rings) {
       for (const auto w : mesh_.vv_range(VH(v))) mean += mesh_.point(w);
       mesh_.set_point(VH(v), mean / static_cast<double>(mesh_.valence(VH(v))));
     }
+  for (int v : region)
+    if (!is_locked(VH(v))) update_normals_around(VH(v));
 }
 
 void GuardedMesh::untangle() {
@@ -308,13 +374,22 @@ void GuardedMesh::untangle() {
     bad = edges_beyond(guard_cosine);
     if (bad.empty()) return;
     const TriMesh before = mesh_;
+    const std::vector<Vec3> normals_before = normal_;
     relax_around(bad, ring);
     std::vector<EH> left = edges_beyond(guard_cosine);
     if (left.size() < bad.size())
       bad = std::move(left);
-    else
+    else {
       mesh_ = before;
+      normal_ = normals_before;
+    }
   }
+}
+
+int GuardedMesh::free_count() const {
+  int count = 0;
+  for (const auto v : mesh_.vertices()) count += is_locked(v) ? 0 : 1;
+  return count;
 }
 
 Points GuardedMesh::points() const {

@@ -21,14 +21,17 @@ class GuardedMesh {
   GuardedMesh(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
               std::vector<double> size);
 
+  void scale_sizes(double factor);
   /// Splits edges above 4/3 of the target (chords between rim vertices above 1/2); the midpoints stay on the edges.
-  void split_long_edges();
-  void collapse_short_edges();  ///< below 3/4 of the target
-  void flip_to_delaunay();      ///< where the two angles opposite an edge sum to more than π
-  void smooth_tangentially();   ///< towards the area-weighted centroid of the one-ring, within the tangent plane
+  /// @returns how many.
+  int split_long_edges();
+  int collapse_short_edges();  ///< below 3/4 of the target. @returns how many.
+  void flip_to_delaunay();     ///< where the two angles opposite an edge sum to more than π
+  void smooth_tangentially();  ///< towards the area-weighted centroid of the one-ring, within the tangent plane
   /// Moves free vertices towards `goal` (in the numbering of points()) as far as the guard allows: all the way, half, a
   /// quarter.
-  void move_towards(const Points& goal);
+  /// @returns the longest way still wanted at the start, in target lengths.
+  double move_towards(const Points& goal);
   /// Flips and local uniform relaxation around bad edges, kept only where their number falls.
   void untangle();
 
@@ -36,6 +39,7 @@ class GuardedMesh {
   Points points() const;
   Triangles triangles() const;
   int locked() const { return locked_; }
+  int free_count() const;  ///< vertices that may move
 
  private:
   using VH = TriMesh::VertexHandle;
@@ -45,9 +49,12 @@ class GuardedMesh {
   bool is_locked(VH v) const { return v.idx() < locked_; }
   double target(EH e) const;
   double length(EH e) const;
-  Vec3 face_normal(TriMesh::FaceHandle f) const;
+  const Vec3& face_normal(TriMesh::FaceHandle f) const { return normal_[f.idx()]; }
+  void update_normal(TriMesh::FaceHandle f);
+  void update_normals_around(VH v);
   Vec3 normal_across(HH h) const;
   double edge_cosine(EH e) const;
+  double fan_worst(VH v) const;
   double fan_worst(VH v, const Vec3& position) const;
   double worst_cosine(const Triangles& faces, const std::map<int, Vec3>& moved) const;
   bool guarded_move(VH v, const Vec3& position);
@@ -61,6 +68,7 @@ class GuardedMesh {
   int locked_;
   std::vector<Vec3> rim_normal_;  ///< by edge; zero where the edge is not on the rim or nothing lies across
   std::vector<double> size_;      ///< by vertex
+  std::vector<Vec3> normal_;      ///< by face, unit or zero; kept up to date with every change
 };
 
 }  // namespace loopmend

@@ -136,18 +136,40 @@ Candidate harvest(const LoopSite& site, const GuardedMesh& mesh) {
   return c;
 }
 
-void remesh_once(GuardedMesh& mesh) {
-  mesh.split_long_edges();
+constexpr int remesh_rounds = 5;
+constexpr int relax_rounds = 8;
+constexpr double still = 0.05;  ///< relaxation that wants no vertex further, in target lengths, is done
+
+/// @returns false when another round would change next to nothing.
+bool remesh_once(GuardedMesh& mesh) {
+  int changes = mesh.split_long_edges();
   mesh.flip_to_delaunay();
-  mesh.collapse_short_edges();
+  changes += mesh.collapse_short_edges();
   mesh.flip_to_delaunay();
   for (int sweep = 0; sweep < 3; ++sweep) mesh.smooth_tangentially();
+  return changes > mesh.free_count() / 200;
 }
 
-void relax_once(GuardedMesh& mesh) {
-  mesh.move_towards(minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked()));
+bool relax_once(GuardedMesh& mesh) {
+  const double wanted = mesh.move_towards(minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked()));
   mesh.flip_to_delaunay();
   mesh.smooth_tangentially();
+  return wanted > still;
+}
+
+/// The same for large patches: the shape is found on coarse meshes, where a round costs little.
+void coarse_to_fine(GuardedMesh& mesh, const CancelToken& cancel) {
+  for (double coarser : {8.0, 4.0, 2.0}) {
+    mesh.scale_sizes(coarser);
+    remesh_once(mesh);
+    remesh_once(mesh);
+    if (cancel.cancelled()) return;
+    relax_once(mesh);
+    mesh.scale_sizes(1 / coarser);
+    if (cancel.cancelled()) return;
+  }
+  if (remesh_once(mesh) && !cancel.cancelled()) remesh_once(mesh);
+  if (!cancel.cancelled()) relax_once(mesh);
 }
 
 /// Runs a phase on a copy; keeps its result unless it is worse than what was.
@@ -163,17 +185,18 @@ bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, con
 
 /// Refinement, remeshing and relaxation (FILLING.md, steps 3 to 5). A phase that makes the patch worse is tried again in
 /// its first round only, then left out.
-Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, const CancelToken& cancel) {
-  const auto rounds = [&](int count, void (*round)(GuardedMesh&)) {
+Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, bool large, const CancelToken& cancel) {
+  const auto rounds = [&](int count, bool (*round)(GuardedMesh&)) {
     return [=, &cancel](GuardedMesh& mesh) {
-      for (int k = 0; k < count && !cancel.cancelled(); ++k) round(mesh);
+      for (int k = 0; k < count && !cancel.cancelled(); ++k)
+        if (!round(mesh)) break;
     };
   };
-  if (!try_phase(site, size, best, rounds(5, remesh_once))) try_phase(site, size, best, rounds(1, remesh_once));
-  // Each round is a sparse solve; on large patches two bring most of what eight do.
-  const int relax_rounds = best.points.size() > large_patch ? 2 : 8;
-  if (!try_phase(site, size, best, rounds(relax_rounds, relax_once)))
-    try_phase(site, size, best, rounds(1, relax_once));
+  if (large && try_phase(site, size, best, [&](GuardedMesh& mesh) { coarse_to_fine(mesh, cancel); })) return best;
+  if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)))
+    try_phase(site, size, best, rounds(1, remesh_once));
+  const int most = large ? 2 : relax_rounds;
+  if (!try_phase(site, size, best, rounds(most, relax_once))) try_phase(site, size, best, rounds(1, relax_once));
   for (int attempt = 0; attempt < 3 && best.badness() > 0 && !cancel.cancelled(); ++attempt) {
     const int before = best.badness();
     try_phase(site, size, best, [](GuardedMesh& mesh) {
@@ -266,7 +289,7 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
   const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), sizes);
   Candidate best;
   for (const Candidate& candidate : candidates) {
-    Candidate refined = refine(site, size, candidate, cancel);
+    Candidate refined = refine(site, size, candidate, vertices > large_patch, cancel);
     if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
     if (!best.wants_another(site.n) || cancel.cancelled()) break;
   }

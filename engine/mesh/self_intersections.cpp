@@ -9,6 +9,7 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace loopmend {
@@ -54,6 +55,8 @@ class PairTest {
         }
     // Neighbours at less than a right angle: the common case, and no need for exact arithmetic.
     if (shared == 2 && plain_normal(a).dot(plain_normal(b)) > 0) return false;
+    // One triangle on one side of the other's plane, up to what they share and far beyond rounding: common too.
+    if (shared < 2 && (aside(a, b, in_b, shared) || aside(b, a, in_a, shared))) return false;
     const Kernel::Triangle_3 s = triangle(a), t = triangle(b);
     if (s.is_degenerate() || t.is_degenerate()) return false;
     if (shared == 3) return true;  // one triangle on top of the other
@@ -71,6 +74,21 @@ class PairTest {
   Vec3 plain_normal(const Triangle& t) const {
     return (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);
   }
+  /// True if the corners of t, but for the shared one, lie clearly on one side of the plane of `of`.
+  bool aside(const Triangle& of, const Triangle& t, const std::array<int, 3>& shared_corner, int shared) const {
+    const Vec3 normal = plain_normal(of);
+    double low = std::numeric_limits<double>::max(), high = -low, size = 0;
+    for (int k = 0; k < 3; ++k) {
+      if (shared == 1 && k == shared_corner[0]) continue;
+      const Vec3 d = points_[t[k]] - points_[of[0]];
+      const double height = normal.dot(d);
+      low = std::min(low, height);
+      high = std::max(high, height);
+      size = std::max(size, d.norm());
+    }
+    const double margin = 1e-10 * normal.norm() * size;
+    return low > margin || high < -margin;
+  }
   Kernel::Triangle_3 triangle(const Triangle& t) const { return {point(t[0]), point(t[1]), point(t[2])}; }
   Kernel::Segment_3 opposite_edge(const Triangle& t, int corner) const {
     return {point(t[(corner + 1) % 3]), point(t[(corner + 2) % 3])};
@@ -83,20 +101,28 @@ class PairTest {
 }  // namespace
 
 std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count) {
-  std::vector<Box> first, all;
+  // CGAL scans along the first axis and builds trees over the others: on a nearly flat patch the first must be the thin one.
+  Eigen::AlignedBox3d extent;
+  for (const Vec3& p : points) extent.extend(p);
+  std::array<int, 3> axis{0, 1, 2};
+  std::sort(axis.begin(), axis.end(), [&](int a, int b) { return extent.sizes()[a] < extent.sizes()[b]; });
+  std::vector<Box> first, others;
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     CGAL::Bbox_3 box;
-    for (int v : triangles[f]) box += to_cgal(points[v]).bbox();
-    all.emplace_back(box, static_cast<int>(f));
-    if (static_cast<int>(f) < count) first.emplace_back(box, static_cast<int>(f));
+    for (int v : triangles[f]) {
+      const Vec3& p = points[v];
+      box += to_cgal({p[axis[0]], p[axis[1]], p[axis[2]]}).bbox();
+    }
+    (static_cast<int>(f) < count ? first : others).emplace_back(box, static_cast<int>(f));
   }
   std::vector<std::pair<int, int>> pairs;
   const PairTest test(points, triangles);
-  CGAL::box_intersection_d(first.begin(), first.end(), all.begin(), all.end(), [&](const Box& a, const Box& b) {
-    const int f = a.info(), g = b.info();
-    if (f == g || (g < count && g < f)) return;
+  const auto look = [&](const Box& a, const Box& b) {
+    const int f = std::min(a.info(), b.info()), g = std::max(a.info(), b.info());
     if (test.cut(f, g)) pairs.emplace_back(f, g);
-  });
+  };
+  CGAL::box_self_intersection_d(first.begin(), first.end(), look);
+  CGAL::box_intersection_d(first.begin(), first.end(), others.begin(), others.end(), look);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
