@@ -11,14 +11,16 @@ namespace {
 /// H on rings 0..2 can depend on the patch (two-ring fits, and one-ring fits that had to be widened).
 constexpr int active_rings = 2;
 
+bool is_active(const Patch& patch, const Triangle& t) {
+  return std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= active_rings;
+}
+
 }  // namespace
 
 CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weights) {
   CurvatureEnergy energy;
   for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
-    const Triangle& t = patch.triangles[f];
-    if (std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= active_rings)
-      energy.faces.push_back(static_cast<int>(f));
+    if (is_active(patch, patch.triangles[f])) energy.faces.push_back(static_cast<int>(f));
   }
   energy.mass = barycentric_areas(patch.positions, patch.triangles);
   energy.Q = weights.variation * cotan_stiffness(patch.positions, patch.triangles, energy.faces);
@@ -32,22 +34,43 @@ CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weight
   return energy;
 }
 
-double energy_value(const CurvatureEnergy& energy, const Eigen::VectorXd& H) { return H.dot(energy.Q * H); }
+double energy_value(const Patch& patch, const EnergyWeights& weights, const Eigen::VectorXd& H) {
+  double variation = 0, bending = 0;
+  for (const Triangle& t : patch.triangles) {
+    if (!is_active(patch, t)) continue;
+    const auto weight = half_cotangents(patch.positions, t);
+    for (int k = 0; k < 3; ++k) {
+      const double difference = H[t[(k + 1) % 3]] - H[t[(k + 2) % 3]];
+      variation += weight[k] * difference * difference;
+    }
+  }
+  if (weights.bending > 0) {
+    const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
+    for (int i = 0; i < patch.vertex_count(); ++i)
+      if (patch.ring[i] <= active_rings) bending += mass[i] * H[i] * H[i];
+  }
+  return weights.variation * variation + weights.bending * bending;
+}
 
 RowSparseMatrix curvature_jacobian(const OperatorSet& ops, int free_count) {
-  std::vector<Eigen::Triplet<double>> triplets;
   const int vertices = static_cast<int>(ops.H.size());
-  for (int i = 0; i < vertices; ++i)
+  RowSparseMatrix B(vertices, free_count);
+  B.reserve(static_cast<Eigen::Index>(ops.index.size()));
+  std::vector<std::pair<int, double>> row;
+  for (int i = 0; i < vertices; ++i) {
+    row.clear();
     for (int e = ops.offset[i]; e < ops.offset[i + 1]; ++e) {
       const int j = ops.index[e];
       if (j >= free_count) continue;
       const Vec3& n = ops.normal[j];
-      triplets.emplace_back(
-          i, j,
-          0.5 * ops.laplacian[e] * ops.normal[i].dot(n) - (2 * ops.H[i] * ops.gradient[e] - ops.diamond[e]).dot(n));
+      row.emplace_back(
+          j, 0.5 * ops.laplacian[e] * ops.normal[i].dot(n) - (2 * ops.H[i] * ops.gradient[e] - ops.diamond[e]).dot(n));
     }
-  RowSparseMatrix B(vertices, free_count);
-  B.setFromTriplets(triplets.begin(), triplets.end());
+    std::sort(row.begin(), row.end());
+    B.startVec(i);
+    for (const auto& [j, value] : row) B.insertBack(i, j) = value;
+  }
+  B.finalize();
   return B;
 }
 

@@ -21,8 +21,8 @@ struct CurvatureEnergy {
 
 CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weights);
 
-/// E alone, for the curvatures given.
-double energy_value(const CurvatureEnergy& energy, const Eigen::VectorXd& H);
+/// E alone, for the curvatures given (#V), without the matrix.
+double energy_value(const Patch& patch, const EnergyWeights& weights, const Eigen::VectorXd& H);
 
 /// B = ∂H/∂s, #V by n, for displacements s along the normals of the free vertices (NUMERICS §4, exact for frozen fit
 /// coordinates): B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩ − ⟨2H_i w^∇_ij − w^◇_ij, n_j⟩.

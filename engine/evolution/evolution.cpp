@@ -80,6 +80,7 @@ const char* to_string(EvolutionStatus status) {
 
 struct Evolution::Impl {
   EvolutionOptions options;
+  Patch start;
   EvolutionState state;
   Stencil stencil = Stencil::two_ring;
   Objective objective;
@@ -98,13 +99,14 @@ struct Evolution::Impl {
   double sigma = 0;                  ///< of the next semi-implicit step; falls on rejection, recovers
   double mu = 0;                     ///< of the next Gauss-Newton step
   int fairings_left = 0;             ///< linear fairing steps that may still be tried before Gauss-Newton
-  int small_moves = 0;               ///< Gauss-Newton steps in a row that moved nothing to speak of
-  double start_measure = 0;          ///< at the last set_options
-  double lowest_measure = 0;         ///< since then
+  double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
+  int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double start_measure = 0;   ///< at the last set_options
+  double lowest_measure = 0;  ///< since then
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
 
-  void prepare(Patch start);
+  void prepare(Patch first);
   void take_options(const EvolutionOptions& new_options);
   Objective objective_for(const EvolutionOptions& new_options);
   bool acceptable(const EvolutionState& next, double limit) const;
@@ -129,7 +131,8 @@ struct Evolution::Impl {
   }
 };
 
-void Evolution::Impl::prepare(Patch start) {
+void Evolution::Impl::prepare(Patch first) {
+  start = std::move(first);
   if (start.free_count == 0) throw InvalidArgument("the patch has no free vertex to evolve");
   for (const Vec3& p : start.positions)
     if (!p.allFinite()) throw InvalidArgument("the patch has a vertex that is not finite");
@@ -138,7 +141,7 @@ void Evolution::Impl::prepare(Patch start) {
     for (int v : loop) room.extend(start.positions[v]);
   const Vec3 margin = Vec3::Constant(room.diagonal().norm());
   room = Eigen::AlignedBox3d(room.min() - margin, room.max() + margin);
-  state = make_state(std::move(start), objective, stencil);
+  state = make_state(start, objective, stencil);
   start_folds = state.folds;
   allowed_folds = start_folds + std::max(2, state.patch.free_count / 200);
   start_edge_length = edge_length();
@@ -167,6 +170,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   mu = decay_rate / (2 * first_gauss_newton_sigma);
   small_moves = 0;
+  last_bold_move = 0;
   fairings_left = history.empty() ? most_fairings : 0;
   start_measure = lowest_measure = state.measure;
   general = make_general_solver(options.solver);
@@ -230,12 +234,20 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   return true;
 }
 
-/// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order.
+/// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order. Not
+/// where these find the start better than what came of it: then the mesh is too coarse for them.
 bool Evolution::Impl::go_over_to_cubic_fits() {
   if (stencil == Stencil::two_ring_cubic || !smooth_surroundings || state.folds > start_folds) return false;
+  const EvolutionState cubic_start = make_state(start, objective, Stencil::two_ring_cubic);
+  EvolutionState cubic = make_state(state.patch, objective, Stencil::two_ring_cubic, state.topology);
+  if (!(cubic.measure < cubic_start.measure)) {
+    smooth_surroundings = false;
+    return false;
+  }
   stencil = Stencil::two_ring_cubic;
-  state = make_state(std::move(state.patch), objective, stencil, state.topology);
+  state = std::move(cubic);
   small_moves = 0;
+  initial_energy = shown_energy(options.flow, cubic_start);
   history.back().energy = shown_energy(options.flow, state);
   return true;
 }
@@ -285,7 +297,12 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     const double energy_before = state.measure;
     const GaussNewtonTrial trial = try_gauss_newton(system, record, cancel);
     if (trial.accepted) {
-      const bool small = history.back().max_move < 0.1 * small_move;
+      const double move = history.back().max_move;
+      // Gauss-Newton steps shrink ever faster: two bold ones tell how far the next would go.
+      const bool next_small = mu <= decay_rate && record.rejections == 0 && move < 0.1 * last_bold_move &&
+                              move * move / last_bold_move < 0.1 * small_move;
+      last_bold_move = mu <= decay_rate && record.rejections == 0 ? move : 0;
+      const bool small = move < 0.1 * small_move || next_small;
       small_moves = small ? small_moves + 1 : 0;
       const bool bold = mu <= decay_rate;
       mu = std::max(0.2 * mu, 1e-8 * decay_rate);

@@ -46,6 +46,8 @@ const char* to_string(EvolutionStatus status);
 
 /// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
 /// With bending blended in, what falls is the blend; the energy shown is still ∫‖∇H‖² dA alone, and may rise a little.
+/// Near a smooth steady state the fits go over from quadratics to cubics, and the energy is measured anew by these.
+/// Linear fairing steps at the beginning of the way to the steady state have sigma = tau = 0.
 struct StepRecord {
   int step = 0;         ///< from 1
   double energy = 0;    ///< after the step
@@ -83,7 +85,7 @@ class Evolution {
   /// In words, for a person: why it stopped, what was left out. Empty while ready.
   const std::string& message() const;
   const std::vector<StepRecord>& history() const;
-  double initial_energy() const;  ///< of the start, units as in StepRecord
+  double initial_energy() const;  ///< of the start, units as in StepRecord; by the same fits as energy()
   double energy() const;          ///< of the present state
   double bending() const;         ///< β in force, see EvolutionOptions::bending; 0 for the pure flow
 

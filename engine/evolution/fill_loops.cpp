@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <omp.h>
+
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -20,8 +22,13 @@ namespace {
 /// Runs job(k) for k = 0..count−1 on several threads, in order of k. The job must not throw.
 void run_parallel(int count, int threads, const std::function<void(int)>& job) {
   std::atomic<int> next{0};
+  // Where loops run side by side, each keeps to one thread of its own.
+  const int inner = std::max(1, threads / std::max(1, count));
   const auto work = [&] {
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(inner);
     for (int k = next++; k < count; k = next++) job(k);
+    omp_set_num_threads(before);
   };
   std::vector<std::jthread> workers;
   for (int t = 1; t < std::min(threads, count); ++t) workers.emplace_back(work);

@@ -3,7 +3,6 @@
 #include "mesh/quality.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -17,6 +16,8 @@ using Matrix5X = Eigen::Matrix<double, 5, Eigen::Dynamic>;
 
 /// Smallest ratio of singular values of the weighted design matrix that a stencil may have (NUMERICS §2).
 double least_condition(int rings) { return rings == 1 ? 1e-2 : rings == 2 ? 1e-4 : 1e-8; }
+
+constexpr double least_cubic_condition = 1e-3;
 
 /// P (5 by m): derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i), by a polynomial with `terms` terms: 5 quadratic, 9 cubic.
 /// False when the stencil does not determine it.
@@ -52,10 +53,10 @@ bool derivative_weights(const Points& points, int i, const std::vector<int>& nei
     weighted_rows.col(k) = weight * row;
     normal_matrix.noalias() += weighted_rows.col(k) * row.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(normal_matrix, Eigen::EigenvaluesOnly);
-  const double low = eigen.eigenvalues()[0], high = eigen.eigenvalues()[terms - 1];
-  if (!(low > 0) || std::sqrt(low / high) < (terms == 9 ? 1e-3 : least_condition(rings))) return false;
-  P.noalias() = normal_matrix.ldlt().solve(weighted_rows).template topRows<5>();
+  const Eigen::LDLT<Square> factors(normal_matrix);
+  const double condition = terms == 9 ? least_cubic_condition : least_condition(rings);
+  if (!factors.isPositive() || !(factors.rcond() >= condition * condition)) return false;
+  P.noalias() = factors.solve(weighted_rows).template topRows<5>();
   P.topRows<2>() /= mean;
   P.bottomRows<3>() /= mean * mean;
   return true;

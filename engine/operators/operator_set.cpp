@@ -25,6 +25,40 @@ Vec3 OperatorSet::apply_diamond(int i, const Eigen::VectorXd& f) const {
   return sum;
 }
 
+namespace {
+
+/// The rows of a run of vertices, made by one thread.
+struct Rows {
+  std::vector<int> length;  ///< entries per vertex of the run
+  std::vector<int> index;
+  std::vector<double> laplacian;
+  Points gradient, diamond, gauss;
+
+  void append(int i, const LocalFit& fit) {
+    index.push_back(i);
+    laplacian.push_back(-fit.laplacian.sum());
+    gradient.push_back(-fit.gradient.rowwise().sum());
+    diamond.push_back(-fit.diamond.rowwise().sum());
+    gauss.push_back(-fit.gauss.rowwise().sum());
+    for (std::size_t k = 0; k < fit.neighbors.size(); ++k) {
+      const Eigen::Index c = static_cast<Eigen::Index>(k);
+      index.push_back(fit.neighbors[k]);
+      laplacian.push_back(fit.laplacian[c]);
+      gradient.push_back(fit.gradient.col(c));
+      diamond.push_back(fit.diamond.col(c));
+      gauss.push_back(fit.gauss.col(c));
+    }
+    length.back() = static_cast<int>(fit.neighbors.size()) + 1;
+  }
+};
+
+template <class T>
+void append_all(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
                               Stencil stencil, const std::vector<char>& wanted) {
   const int n = static_cast<int>(points.size());
@@ -34,40 +68,43 @@ OperatorSet compute_operators(const Points& points, const Triangles& triangles, 
   set.K.setZero(n);
   set.valid.assign(n, 0);
   set.second_form.assign(n, Eigen::Matrix3d::Zero());
-  set.offset.assign(n + 1, 0);
-  FitScratch scratch(n);
-  LocalFit fit;
-  for (int i = 0; i < n; ++i) {
-    set.offset[i + 1] = static_cast<int>(set.index.size());
-    if (!wanted[i]) continue;
-    fit_quadratic(points, topology, i, set.normal[i], stencil, scratch, fit);
-    if (!fit.valid) continue;
-    set.valid[i] = 1;
-    set.H[i] = fit.H;
-    set.K[i] = fit.K;
-    set.normal[i] = fit.normal;
-    set.second_form[i] = fit.second_form;
-    set.index.push_back(i);
-    set.laplacian.push_back(-fit.laplacian.sum());
-    set.gradient.push_back(-fit.gradient.rowwise().sum());
-    set.diamond.push_back(-fit.diamond.rowwise().sum());
-    set.gauss.push_back(-fit.gauss.rowwise().sum());
-    for (std::size_t k = 0; k < fit.neighbors.size(); ++k) {
-      const Eigen::Index c = static_cast<Eigen::Index>(k);
-      set.index.push_back(fit.neighbors[k]);
-      set.laplacian.push_back(fit.laplacian[c]);
-      set.gradient.push_back(fit.gradient.col(c));
-      set.diamond.push_back(fit.diamond.col(c));
-      set.gauss.push_back(fit.gauss.col(c));
+  // Runs of fixed length, joined in order: the same bits for any number of threads.
+  constexpr int run_length = 256;
+  std::vector<Rows> runs((n + run_length - 1) / run_length);
+#pragma omp parallel
+  {
+    FitScratch scratch(n);
+    LocalFit fit;
+#pragma omp for schedule(dynamic)
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      const int begin = static_cast<int>(run) * run_length, end = std::min(n, begin + run_length);
+      for (int i = begin; i < end; ++i) {
+        runs[run].length.push_back(0);
+        if (!wanted[i]) continue;
+        fit_quadratic(points, topology, i, set.normal[i], stencil, scratch, fit);
+        if (!fit.valid) continue;
+        set.valid[i] = 1;
+        set.H[i] = fit.H;
+        set.K[i] = fit.K;
+        set.normal[i] = fit.normal;
+        set.second_form[i] = fit.second_form;
+        runs[run].append(i, fit);
+      }
     }
-    set.offset[i + 1] = static_cast<int>(set.index.size());
+  }
+  set.offset.reserve(n + 1);
+  set.offset.push_back(0);
+  for (const Rows& rows : runs) {
+    for (int length : rows.length) set.offset.push_back(set.offset.back() + length);
+    append_all(set.index, rows.index);
+    append_all(set.laplacian, rows.laplacian);
+    append_all(set.gradient, rows.gradient);
+    append_all(set.diamond, rows.diamond);
+    append_all(set.gauss, rows.gauss);
   }
   return set;
 }
 
-namespace {
-
-/// Half cotangents of the angles at the three corners; corner k is opposite the edge (k+1, k+2).
 std::array<double, 3> half_cotangents(const Points& points, const Triangle& t) {
   std::array<double, 3> result;
   for (int k = 0; k < 3; ++k) {
@@ -77,6 +114,8 @@ std::array<double, 3> half_cotangents(const Points& points, const Triangle& t) {
   }
   return result;
 }
+
+namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 

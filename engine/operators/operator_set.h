@@ -5,6 +5,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
+
 namespace loopmend {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
@@ -27,7 +29,7 @@ struct OperatorSet {
   Vec3 apply_diamond(int i, const Eigen::VectorXd& f) const;
 };
 
-/// Fits every vertex i with wanted[i] != 0.
+/// Fits every vertex i with wanted[i] != 0; in parallel (OpenMP), with the same bits for any number of threads.
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
                               Stencil stencil, const std::vector<char>& wanted);
 
@@ -38,6 +40,9 @@ struct CotanClamp {
 inline constexpr CotanClamp robust_clamp{0.05, 5};
 /// Nearly the weights of equilateral triangles (0.577), whatever the triangles are.
 inline constexpr CotanClamp even_clamp{0.3, 1};
+
+/// Half cotangents of the angles at the three corners; corner k is opposite the edge (k+1, k+2).
+std::array<double, 3> half_cotangents(const Points& points, const Triangle& triangle);
 
 /// Cotangent stiffness matrix over the given triangles: xᵀ C x = ∫‖∇x‖² for piecewise linear x. #V by #V, symmetric,
 /// positive semi-definite.

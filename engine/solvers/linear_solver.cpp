@@ -51,6 +51,9 @@ class CholeskySolver : public SpdSolver {
   bool factorize(const SparseMatrix& A) override {
     // Never LDLᵀ, which takes indefinite matrices without a word.
     if (!pattern_.matches(A)) {
+      // METIS pays on the largest matrices only; left to itself CHOLMOD tries it on all.
+      cholesky_.cholmod().nmethods = A.rows() < 60000 ? 1 : 0;
+      cholesky_.cholmod().method[0].ordering = CHOLMOD_AMD;
       cholesky_.setMode(A.rows() < 1500 ? Eigen::CholmodSimplicialLLt : Eigen::CholmodSupernodalLLt);
       cholesky_.analyzePattern(A);
     }
