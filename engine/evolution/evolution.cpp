@@ -31,6 +31,8 @@ constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit f
 constexpr double longest_move = 0.3;     ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
 constexpr double near_move = 1;          ///< in mean edge lengths
 constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below
+constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
+constexpr double room_beyond_fairing = 0.35;
 constexpr double newton_tolerance = 1 + 1e-9;
 constexpr double small_move = 1e-3;     ///< in mean edge lengths: no eye sees it
 constexpr double smallest_step = 1e-6;  ///< relative to the step that was asked for: below, the flow has stalled
@@ -42,6 +44,16 @@ bool has_energy(FlowKind flow) { return flow == FlowKind::mmcvf || flow == FlowK
 
 EnergyWeights energy_of(const Objective& objective) {
   return objective.flow == FlowKind::wf ? EnergyWeights{0, 1} : EnergyWeights{1, objective.bending};
+}
+
+/// The box of the patch, grown by a share of its diagonal.
+Eigen::AlignedBox3d room_around(const Patch& patch, double share) {
+  Eigen::AlignedBox3d box;
+  for (int i = 0; i < patch.free_count; ++i) box.extend(patch.positions[i]);
+  for (const auto& loop : patch.loops)
+    for (int v : loop) box.extend(patch.positions[v]);
+  const Vec3 margin = Vec3::Constant(share * box.diagonal().norm());
+  return {box.min() - margin, box.max() + margin};
 }
 
 /// What came of one Gauss-Newton solve.
@@ -89,7 +101,7 @@ struct Evolution::Impl {
   std::vector<StepRecord> history;
   double initial_energy = 0;
 
-  Eigen::AlignedBox3d room;  ///< no vertex may leave it: the start's box, grown by half its diagonal (NUMERICS §9.2)
+  Eigen::AlignedBox3d room;  ///< no vertex may leave it: inflating a patch lowers the energy (NUMERICS §9.2)
   int start_folds = 0;
   int allowed_folds = 0;             ///< in between; whoever takes the result looks at what is left
   double start_edge_length = 0;      ///< mean, of the patch
@@ -136,11 +148,7 @@ void Evolution::Impl::prepare(Patch first) {
   if (start.free_count == 0) throw InvalidArgument("the patch has no free vertex to evolve");
   for (const Vec3& p : start.positions)
     if (!p.allFinite()) throw InvalidArgument("the patch has a vertex that is not finite");
-  for (int i = 0; i < start.free_count; ++i) room.extend(start.positions[i]);
-  for (const auto& loop : start.loops)
-    for (int v : loop) room.extend(start.positions[v]);
-  const Vec3 margin = Vec3::Constant(room.diagonal().norm());
-  room = Eigen::AlignedBox3d(room.min() - margin, room.max() + margin);
+  room = room_around(start, room_beyond_start);
   state = make_state(start, objective, stencil);
   start_folds = state.folds;
   allowed_folds = start_folds + std::max(2, state.patch.free_count / 200);
@@ -228,6 +236,7 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   record.assemble_seconds = faired.assemble_seconds;
   record.solve_seconds = faired.solve_seconds;
   state = std::move(faired.state);
+  room = room_around(state.patch, room_beyond_fairing);
   record.max_move = faired.move / edge_length();
   record.energy = shown_energy(options.flow, state);
   history.push_back(record);
@@ -271,10 +280,11 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
   if (!solved) return trial;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
   trial.promised = -system.half_gradient.dot(s.col(0));
-  const double bold = std::min(1.0, longest_move * radius() / (trial.move * edge_length()));
+  // So far the linear model is worth nothing: a shorter step first, which smooths what is rough.
+  if (trial.move * edge_length() > longest_move * radius()) return trial;
   for (double share : {1.0, 0.5, 0.25}) {
     if (cancel.cancelled()) return trial;
-    const Eigen::VectorXd move = bold * share * s.col(0);
+    const Eigen::VectorXd move = share * s.col(0);
     EvolutionState next = displaced(state, objective, stencil, move);
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();

@@ -23,10 +23,13 @@ double cosine(const Vec3& a, const Vec3& b) { return a.isZero() || b.isZero() ? 
 }  // namespace
 
 GuardedMesh::GuardedMesh(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
-                         std::vector<double> size)
+                         TargetSize target_size)
     : locked_(locked),
-      size_(std::move(size)) {
-  for (const Vec3& p : points) mesh_.add_vertex(p);
+      target_size_(std::move(target_size)) {
+  for (const Vec3& p : points) {
+    mesh_.add_vertex(p);
+    size_.push_back(target_size_(p));
+  }
   for (const Triangle& t : triangles) mesh_.add_face(VH(t[0]), VH(t[1]), VH(t[2]));
   rim_normal_.assign(mesh_.n_edges(), Vec3::Zero());
   for (const auto& [edge, normal] : rim_normals) {
@@ -152,6 +155,7 @@ bool GuardedMesh::guarded_move(VH v, const Vec3& position) {
 }
 
 void GuardedMesh::scale_sizes(double factor) {
+  coarser_ *= factor;
   for (double& size : size_) size *= factor;
 }
 
@@ -172,11 +176,10 @@ int GuardedMesh::split_long_edges() {
     for (const auto& [ratio, index] : queue) {
       const EH e(index);
       const HH h = mesh_.halfedge_handle(e, 0);
-      const double size = target(e);
       const Vec3 middle = (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
       const VH v = mesh_.add_vertex(middle);
       size_.resize(mesh_.n_vertices());
-      size_[v.idx()] = size;
+      size_[v.idx()] = coarser_ * target_size_(middle);
       mesh_.split(e, v);
       rim_normal_.resize(mesh_.n_edges(), Vec3::Zero());
       update_normals_around(v);

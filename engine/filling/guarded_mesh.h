@@ -3,6 +3,7 @@
 
 #include "mesh/tri_mesh.h"
 
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -17,9 +18,11 @@ using RimNormals = std::map<std::pair<int, int>, Vec3>;
 /// is ever made.
 class GuardedMesh {
  public:
-  /// @param size  target edge length at each vertex.
+  /// Target edge length at a place.
+  using TargetSize = std::function<double(const Vec3&)>;
+
   GuardedMesh(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
-              std::vector<double> size);
+              TargetSize target_size);
 
   void scale_sizes(double factor);
   /// Splits edges above 4/3 of the target (chords between rim vertices above 1/2); the midpoints stay on the edges.
@@ -67,8 +70,10 @@ class GuardedMesh {
   TriMesh mesh_;
   int locked_;
   std::vector<Vec3> rim_normal_;  ///< by edge; zero where the edge is not on the rim or nothing lies across
-  std::vector<double> size_;      ///< by vertex
-  std::vector<Vec3> normal_;      ///< by face, unit or zero; kept up to date with every change
+  TargetSize target_size_;
+  double coarser_ = 1;        ///< factor on all target sizes
+  std::vector<double> size_;  ///< by vertex: target_size_ where it was made, times coarser_
+  std::vector<Vec3> normal_;  ///< by face, unit or zero; kept up to date with every change
 };
 
 }  // namespace loopmend

@@ -123,9 +123,7 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
 }
 
 GuardedMesh guarded(const LoopSite& site, const SizeField& size, const Candidate& c) {
-  std::vector<double> sizes;
-  for (const Vec3& p : c.points) sizes.push_back(size.at(p));
-  return GuardedMesh(c.points, c.triangles, site.n, site.rim_normals, std::move(sizes));
+  return GuardedMesh(c.points, c.triangles, site.n, site.rim_normals, [&size](const Vec3& p) { return size.at(p); });
 }
 
 Candidate harvest(const LoopSite& site, const GuardedMesh& mesh) {
@@ -286,7 +284,7 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
     if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
     return outcome;
   }
-  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), sizes);
+  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, options.density);
   Candidate best;
   for (const Candidate& candidate : candidates) {
     Candidate refined = refine(site, size, candidate, vertices > large_patch, cancel);

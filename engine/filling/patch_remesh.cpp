@@ -15,8 +15,8 @@ int rim_size(const Patch& patch) {
   return rim;
 }
 
-/// Edge length to aim at from each rim vertex: the mean of the surroundings there, by the density.
-std::vector<double> target_lengths(const Patch& patch, int rim) {
+/// Mean length of the edges of the surroundings at each rim vertex.
+std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
   std::vector<double> sum(rim, 0), count(rim, 0);
   for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f)
     for (int k = 0; k < 3; ++k) {
@@ -28,7 +28,7 @@ std::vector<double> target_lengths(const Patch& patch, int rim) {
           count[v - patch.free_count] += 1;
         }
     }
-  for (int i = 0; i < rim; ++i) sum[i] /= std::max(1.0, count[i]) * patch.density;
+  for (int i = 0; i < rim; ++i) sum[i] /= std::max(1.0, count[i]);
   return sum;
 }
 
@@ -57,10 +57,9 @@ GuardedMesh open_for_remeshing(const Patch& patch) {
         normals[edge] = unit_normal(patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]);
     }
   }
-  const SizeField field(Points(points.begin(), points.begin() + rim), target_lengths(patch, rim));
-  std::vector<double> sizes;
-  for (const Vec3& p : points) sizes.push_back(field.at(p));
-  return GuardedMesh(points, triangles, rim, normals, std::move(sizes));
+  const auto field = std::make_shared<SizeField>(Points(points.begin(), points.begin() + rim),
+                                                 rim_edge_lengths(patch, rim), patch.density);
+  return GuardedMesh(points, triangles, rim, normals, [field](const Vec3& p) { return field->at(p); });
 }
 
 Patch with_interior(const Patch& patch, const GuardedMesh& mesh) {

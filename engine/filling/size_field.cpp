@@ -1,8 +1,32 @@
 #include "filling/size_field.h"
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+
 namespace loopmend {
 
-SizeField::SizeField(const Points& places, const std::vector<double>& sizes) {
+namespace {
+
+namespace bg = boost::geometry;
+using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
+
+/// By how much the target may fall per length of way from the rim.
+constexpr double grading = 0.4;
+
+}  // namespace
+
+struct SizeField::Rim {
+  bg::index::rtree<TreePoint, bg::index::quadratic<16>> tree;
+
+  double distance(const Vec3& p) const {
+    const TreePoint place(p.x(), p.y(), p.z());
+    return bg::distance(place, *tree.qbegin(bg::index::nearest(place, 1)));
+  }
+};
+
+SizeField::SizeField(const Points& places, const std::vector<double>& sizes, double density) : density_(density) {
   const std::size_t stride = 1 + places.size() / 256;
   double mean = 0;
   for (std::size_t i = 0; i < places.size(); i += stride) {
@@ -12,7 +36,16 @@ SizeField::SizeField(const Points& places, const std::vector<double>& sizes) {
   }
   mean /= static_cast<double>(place_.size());
   floor_ = 0.01 * mean * mean;
+  if (density <= 1) return;
+  std::vector<TreePoint> points;
+  for (const Vec3& p : places) points.emplace_back(p.x(), p.y(), p.z());
+  rim_ = std::make_unique<Rim>();
+  rim_->tree = decltype(rim_->tree)(points);
 }
+
+SizeField::~SizeField() = default;
+SizeField::SizeField(SizeField&&) noexcept = default;
+SizeField& SizeField::operator=(SizeField&&) noexcept = default;
 
 double SizeField::at(const Vec3& p) const {
   double sum = 0, total = 0;
@@ -22,7 +55,8 @@ double SizeField::at(const Vec3& p) const {
     sum += weight * size_[k];
     total += weight;
   }
-  return sum / total;
+  const double rim = sum / total;
+  return rim_ ? std::max(rim / density_, rim - grading * rim_->distance(p)) : rim / density_;
 }
 
 }  // namespace loopmend

@@ -1,24 +1,34 @@
-// Target edge length over a patch: that of its rim, interpolated by inverse distance.
+// Target edge length over a patch: that of its rim, interpolated by inverse distance, by the density.
 #pragma once
 
 #include "core/types.h"
 
+#include <memory>
 #include <vector>
 
 namespace loopmend {
 
-/// size(p) = Σ w_k size_k / Σ w_k with w_k = (|p − place_k|² + (0.1 h)²)⁻², h the mean size (FILLING.md, step 3).
+/// rim(p) = Σ w_k size_k / Σ w_k with w_k = (|p − place_k|² + (0.1 h)²)⁻², h the mean size (FILLING.md, step 3); the target
+/// is rim(p) / density. Where that is finer than the rim, whose edges stay as they are, it is reached gradually: a long
+/// rim edge with many short ones at its side would make slivers.
 class SizeField {
  public:
-  /// @param places  rim vertices, at least one; long rims are thinned to some 256.
-  /// @param sizes   edge length at each, same unit as the places.
-  SizeField(const Points& places, const std::vector<double>& sizes);
+  /// @param places   rim vertices, at least one; long rims are thinned to some 256 for the interpolation.
+  /// @param sizes    edge length at each, same unit as the places.
+  /// @param density  0.1..10.
+  SizeField(const Points& places, const std::vector<double>& sizes, double density);
+  ~SizeField();
+  SizeField(SizeField&&) noexcept;
+  SizeField& operator=(SizeField&&) noexcept;
   double at(const Vec3& p) const;
 
  private:
+  struct Rim;
   Points place_;
   std::vector<double> size_;
   double floor_ = 0;
+  double density_ = 1;
+  std::unique_ptr<Rim> rim_;
 };
 
 }  // namespace loopmend

@@ -84,7 +84,7 @@ TEST_P(Recovers, SphereOnAnIrregularMesh) {
 TEST(Evolution, HalfASphereComesBack) {
   Evolution evolution(test::start_of(test::open_sphere(4, 0.01)), {});
   EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
-  EXPECT_LT(rms(evolution.patch(), to_sphere), 1e-3 * 2);
+  EXPECT_LT(rms(evolution.patch(), to_sphere), 1e-5 * 2);
 }
 
 TEST(Evolution, EnergyNeverRisesInGaussNewtonAndTheExteriorStands) {

@@ -28,5 +28,47 @@ TEST(PatchRemesh, OutAndBackIsTheIdentity) {
   EXPECT_EQ(count_folds(same.positions, same.triangles, same.patch_triangles), 0);
 }
 
+TEST(LinearFairing, LeavesAPlaneAPlane) {
+  const SurfaceModel model =
+      make_surface_model(cut(make_graph([](double x, double y) { return 0.3 * x - 0.2 * y; }, 1, 20),
+                             [](const Vec3& p) { return p.head<2>().norm() < 0.4; }));
+  for (const BoundaryLoop& loop : find_boundary_loops(model)) {
+    if (loop.kind != LoopKind::hole) continue;
+    Patch patch = *start_patch(model, {loop}, {}, {}).patch;
+    test::disturb(patch, 0.05);
+    const Points faired = linear_fairing(patch, 0, robust_clamp);
+    ASSERT_EQ(faired.size(), patch.positions.size());
+    for (int i = 0; i < patch.free_count; ++i) {
+      const Vec3 p = patch.to_mesh(faired[i]);
+      EXPECT_NEAR(p.z(), 0.3 * p.x() - 0.2 * p.y(), 1e-9);
+    }
+    for (int i = patch.free_count; i < patch.vertex_count(); ++i) EXPECT_EQ(faired[i], patch.positions[i]);
+  }
+}
+
+TEST(LinearFairing, BringsAFlatFillerCloseToTheSphere) {
+  Patch patch = test::start_of(test::open_sphere(4, 0.8));
+  const auto error = [&] {
+    double sum = 0;
+    for (int i = 0; i < patch.free_count; ++i) sum += std::pow(patch.to_mesh(patch.positions[i]).norm() - 1, 2);
+    return std::sqrt(sum / patch.free_count);
+  };
+  const double before = error();
+  patch.positions = linear_fairing(patch, 0, robust_clamp);
+  EXPECT_LT(error(), 0.05 * before);
+}
+
+TEST(LinearFairing, BendingPullsTheOtherWay) {
+  const Patch patch = test::start_of(test::open_sphere(4, 0.8));
+  const auto top = [&](double bending) {
+    double highest = -1;
+    const Points faired = linear_fairing(patch, bending, even_clamp);
+    for (int i = 0; i < patch.free_count; ++i) highest = std::max(highest, patch.to_mesh(faired[i]).z());
+    return highest;
+  };
+  EXPECT_LT(top(1e4), top(10));
+  EXPECT_LT(top(10), top(0));
+}
+
 }  // namespace
 }  // namespace loopmend

@@ -154,7 +154,7 @@ TEST(GuardedMesh, SplitsCollapsesAndFlipsKeepTheRimAndTheDisc) {
   points.push_back(Vec3(0.3, 0.1, 0));
   for (int i = 0; i < rim; ++i) triangles.push_back({i, (i + 1) % rim, rim});
   const double edge = (points[1] - points[0]).norm();
-  GuardedMesh mesh(points, triangles, rim, {}, std::vector<double>(points.size(), edge));
+  GuardedMesh mesh(points, triangles, rim, {}, [=](const Vec3&) { return edge; });
   for (int round = 0; round < 5; ++round) {
     mesh.split_long_edges();
     mesh.flip_to_delaunay();

@@ -166,6 +166,24 @@ TEST_P(OperatorConvergence, FirstOrderOnIrregularCatenoid) {
   EXPECT_LT(fine.H, 0.02);
 }
 
+/// Cubic fits win an order for H and Δ, the two that the energy stands on.
+TEST(CubicFits, SecondOrderOnIrregularMeshesToo) {
+  const auto project = [](const Vec3& p) {
+    const double radius = std::hypot(p.x(), p.y());
+    const Vec3 center(2 * p.x() / radius, 2 * p.y() / radius, 0);
+    return Vec3(center + 0.7 * (p - center).normalized());
+  };
+  const auto mesh = [&](int around) {
+    return roughen(make_torus(2, 0.7, around, around * 7 / 20), 0.2, 0.25, 7, project);
+  };
+  const Errors coarse = errors_on(mesh(80), torus(), Stencil::two_ring_cubic);
+  const Errors fine = errors_on(mesh(160), torus(), Stencil::two_ring_cubic);
+  EXPECT_GT(order(coarse.H, fine.H), 1.7) << coarse.H << " " << fine.H;
+  EXPECT_GT(order(coarse.K, fine.K), 1.7) << coarse.K << " " << fine.K;
+  EXPECT_GT(order(coarse.laplacian, fine.laplacian), 1.7) << coarse.laplacian << " " << fine.laplacian;
+  EXPECT_LT(fine.H, 0.25 * errors_on(mesh(160), torus(), Stencil::two_ring).H);
+}
+
 TEST(Operators, InvariantUnderRotationTranslationScaling) {
   // Paper, Theorem 3.2.
   const TriangleSoup soup = roughen(make_torus(2, 0.7, 40, 14), 0.15, 0.2, 5, [](const Vec3& p) {
