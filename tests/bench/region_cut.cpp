@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <unordered_map>
@@ -251,6 +252,13 @@ std::optional<RegionCut> cut_region(const TriangleSoup& given, const RegionPlan&
   const std::vector<int> parts = components(result.open.points.size(), result.open.triangles);
   if (std::any_of(parts.begin(), parts.end(), [&](int c) { return c != parts.front(); })) return std::nullopt;
   return result;
+}
+
+double expected_vertices(const TriangleSoup& whole, const RegionPlan& plan) {
+  const Vec3 center = whole.points[plan.center];
+  const auto near = std::count_if(whole.points.begin(), whole.points.end(),
+                                  [&](const Vec3& p) { return (p - center).norm() < plan.radius; });
+  return static_cast<double>(near) * plan.shape.area() / std::numbers::pi;
 }
 
 HoleProblem problem_of(std::string name, RegionCut cut, std::function<double(const Vec3&)> distance) {

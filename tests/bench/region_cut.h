@@ -32,6 +32,9 @@ inline constexpr std::size_t most_kept_whole = 50000;
 /// @returns nothing when the region is not a disc, comes too close to a boundary, severs a part or holds no vertex.
 std::optional<RegionCut> cut_region(const TriangleSoup& whole, const RegionPlan& plan);
 
+/// Vertices that the planned cut will take away, roughly and fast.
+double expected_vertices(const TriangleSoup& whole, const RegionPlan& plan);
+
 /// Keeps triangles within `rings` edges of the cut: huge scans are slow to carry along.
 void crop_around_cut(RegionCut& cut, int rings);
 

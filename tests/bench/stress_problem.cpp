@@ -71,14 +71,6 @@ KnownSurface analytic_surface(const Wish& wish) {
   }
 }
 
-/// Vertices that the shape will hold, roughly and fast.
-double expected_vertices(const TriangleSoup& whole, const RegionPlan& plan) {
-  const Vec3 center = whole.points[plan.center];
-  const auto near = std::count_if(whole.points.begin(), whole.points.end(),
-                                  [&](const Vec3& p) { return (p - center).norm() < plan.radius; });
-  return static_cast<double>(near) * plan.shape.area() / pi;
-}
-
 /// A few places for the hole; the first that gives a clean cut of the right size.
 std::optional<RegionCut> find_cut(const TriangleSoup& whole, const Wish& wish, double scale, Random& random) {
   RegionPlan plan;
