@@ -1,6 +1,7 @@
 #include "peers.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -70,6 +71,16 @@ Filling fill_by_cgal(const Points& points, const Triangles& triangles, const std
   filling.status = "failed";
   filling.message = error.what();
   return filling;
+}
+
+double seconds_of_cgal_fairing(const Points& points, const Triangles& triangles, int free, unsigned continuity) {
+  Mesh mesh = to_mesh(points, triangles);
+  std::vector<Mesh::Vertex_index> inner;
+  for (int v = 0; v < free; ++v) inner.push_back(vertex(v));
+  const auto start = std::chrono::steady_clock::now();
+  const bool faired = pmp::fair(mesh, inner, CGAL::parameters::fairing_continuity(continuity));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return faired ? seconds : -1;
 }
 
 }  // namespace loopmend::bench
