@@ -1,6 +1,8 @@
 #include "region_cut.h"
 
 #include "mesh/boundary_loops.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
 #include "operators/local_fit.h"
 #include "operators/topology.h"
 #include "samples/analytic_surfaces.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -268,6 +271,26 @@ HoleProblem problem_of(std::string name, RegionCut cut, std::function<double(con
       std::move(name), std::move(cut.open), [&](const Vec3& p) { return removed.contains(p); }, std::move(distance));
   problem.removed = cut.removed_vertices;
   return problem;
+}
+
+OriginalFaults faults_of_original(const TriangleSoup& removed, const TriangleSoup& open) {
+  TriangleSoup both = removed;
+  std::map<std::array<double, 3>, int> index;
+  for (std::size_t v = 0; v < removed.points.size(); ++v) {
+    const Vec3& p = removed.points[v];
+    index.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(v));
+  }
+  std::vector<int> number(open.points.size());
+  for (std::size_t v = 0; v < open.points.size(); ++v) {
+    const Vec3& p = open.points[v];
+    const auto found = index.find({p.x(), p.y(), p.z()});
+    number[v] = found != index.end() ? found->second : static_cast<int>(both.points.size());
+    if (found == index.end()) both.points.push_back(p);
+  }
+  for (const auto& [a, b, c] : open.triangles) both.triangles.push_back({number[a], number[b], number[c]});
+  const int own = static_cast<int>(removed.triangles.size());
+  return {static_cast<int>(self_intersections(both.points, both.triangles, own).size()),
+          count_folds(both.points, both.triangles, own)};
 }
 
 void crop_around_cut(RegionCut& cut, int rings) {

@@ -41,6 +41,13 @@ void crop_around_cut(RegionCut& cut, int rings);
 /// The hole that the cut made, as a problem. @param distance  from the truth; by default from what was removed.
 HoleProblem problem_of(std::string name, RegionCut cut, std::function<double(const Vec3&)> distance = nullptr);
 
+/// What was removed, put back: pairs of triangles that cut each other and edges folded by more than 90° there. Scans have
+/// such places of their own, where no program can do better.
+struct OriginalFaults {
+  int cuts = 0, folds = 0;
+};
+OriginalFaults faults_of_original(const TriangleSoup& removed, const TriangleSoup& open);
+
 /// The component with the most triangles, without unused points.
 TriangleSoup largest_component(const TriangleSoup& soup);
 

@@ -32,9 +32,11 @@ std::string method_name(std::size_t m) { return m == 0 ? "Loopmend" : to_string(
 struct Row {
   int number = 0;
   RoughProblem made;
-  Filling ours;
-  PatchFigures figures;
+  std::array<Filling, methods> fillings;
+  std::array<PatchFigures, methods> figures;
   std::array<double, methods> d{};
+
+  const Filling& ours() const { return fillings[0]; }
 
   bool tuning() const { return number % 2 == 0; }
   double best_peer() const {
@@ -45,19 +47,17 @@ struct Row {
   double score(std::size_t m) const { return d[m] / best_peer(); }
 };
 
-double distance_of(const HoleProblem& problem, const Filling& filling) {
-  return filling.complete ? measure(problem, filling).d_faces : std::numeric_limits<double>::quiet_NaN();
-}
-
 Row run_problem(int number, RoughProblem made) {
   Row row;
   row.number = number;
-  row.ours = fill_by_engine(made.problem);
-  row.figures = measure(made.problem, row.ours);
-  row.d[0] = row.ours.complete ? row.figures.d_faces : std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t m = 1; m < methods; ++m)
-    row.d[m] = distance_of(made.problem, fill_by_peer(made.problem, all_peers[m - 1]));
+  row.fillings[0] = fill_by_engine(made.problem);
+  for (std::size_t m = 1; m < methods; ++m) row.fillings[m] = fill_by_peer(made.problem, all_peers[m - 1]);
+  for (std::size_t m = 0; m < methods; ++m) {
+    row.figures[m] = measure(made.problem, row.fillings[m]);
+    row.d[m] = row.fillings[m].complete ? row.figures[m].d_faces : std::numeric_limits<double>::quiet_NaN();
+  }
   row.made = std::move(made);
+  row.made.problem.model = {};  // memory
   return row;
 }
 
@@ -66,9 +66,9 @@ void print(const Row& row) {
               row.made.scan.c_str(), row.made.shape.c_str(), 100 * row.made.size, row.made.problem.removed);
   for (std::size_t m = 0; m < methods; ++m) std::printf(" %s %-6s", method_name(m).c_str(), number(row.d[m]).c_str());
   std::printf(" score %-5s bending %-5s cuts %d folds %d%s %6.2f s %s %s\n", number(row.score(0)).c_str(),
-              number(row.ours.bending).c_str(), row.figures.cuts, row.figures.folds,
-              row.ours.exterior_unchanged ? "" : " EXTERIOR CHANGED", row.ours.seconds, row.ours.status.c_str(),
-              row.ours.message.c_str());
+              number(row.ours().bending).c_str(), row.figures[0].cuts, row.figures[0].folds,
+              row.ours().exterior_unchanged ? "" : " EXTERIOR CHANGED", row.ours().seconds, row.ours().status.c_str(),
+              row.ours().message.c_str());
   std::fflush(stdout);
 }
 
@@ -76,6 +76,7 @@ void print(const Row& row) {
 struct Summary {
   double mean = 0, worst = 0;
   int missing = 0, within = 0;  ///< within: at most 5 % above the best peer
+  int cut = 0;                  ///< problems where the patch cuts itself or the surface
 };
 
 Summary summarise(const std::vector<const Row*>& rows, std::size_t m) {
@@ -84,6 +85,7 @@ Summary summarise(const std::vector<const Row*>& rows, std::size_t m) {
   int count = 0;
   for (const Row* row : rows) {
     const double score = row->score(m);
+    if (row->figures[m].cuts > 0) ++summary.cut;
     if (!std::isfinite(score)) {
       ++summary.missing;
       continue;
@@ -98,8 +100,8 @@ Summary summarise(const std::vector<const Row*>& rows, std::size_t m) {
 }
 
 Table summary_table(const std::vector<Row>& rows) {
-  Table table(
-      {"problems", "method", "geometric mean of the score", "worst", "within 5 % of the best peer", "not filled"});
+  Table table({"problems", "method", "geometric mean of the score", "worst", "within 5 % of the best peer",
+               "not filled", "self-intersecting"});
   const auto add = [&](const std::string& name, const std::function<bool(const Row&)>& wanted) {
     std::vector<const Row*> chosen;
     for (const Row& row : rows)
@@ -107,7 +109,7 @@ Table summary_table(const std::vector<Row>& rows) {
     for (std::size_t m = 0; m < methods && !chosen.empty(); ++m) {
       const Summary s = summarise(chosen, m);
       table.add({name + " (" + number(static_cast<int>(chosen.size())) + ")", method_name(m), number(s.mean),
-                 number(s.worst), number(s.within), number(s.missing)});
+                 number(s.worst), number(s.within), number(s.missing), number(s.cut)});
     }
   };
   add("tuning", [](const Row& row) { return row.tuning(); });
@@ -124,17 +126,49 @@ Table problem_table(const std::vector<Row>& rows) {
                                    number(100 * row.made.size), number(row.made.problem.removed)};
     for (double d : row.d) cells.push_back(number(d));
     cells.push_back(number(row.score(0)));
-    cells.push_back(number(row.figures.g1));
-    cells.push_back(number(row.figures.g2));
-    cells.push_back(number(row.ours.bending));
-    cells.push_back(number(row.figures.cuts));
-    cells.push_back(number(row.figures.folds));
-    cells.push_back(row.ours.exterior_unchanged ? "unchanged" : "CHANGED");
-    cells.push_back(row.ours.status);
-    cells.push_back(number(row.ours.seconds));
+    cells.push_back(number(row.figures[0].g1));
+    cells.push_back(number(row.figures[0].g2));
+    cells.push_back(number(row.ours().bending));
+    cells.push_back(number(row.figures[0].cuts));
+    cells.push_back(number(row.figures[0].folds));
+    cells.push_back(row.ours().exterior_unchanged ? "unchanged" : "CHANGED");
+    cells.push_back(row.ours().status);
+    cells.push_back(number(row.ours().seconds));
     table.add(cells);
   }
   return table;
+}
+
+/// One row for each problem and method.
+std::string csv(const std::vector<Row>& rows) {
+  Table table({"problem", "set",        "scan",    "shape",  "size",    "removed", "method",
+               "d_faces", "d_vertices", "d_max",   "score",  "g1",      "g2",      "min_angle",
+               "cuts",    "folds",      "bending", "status", "message", "seconds"});
+  for (const Row& row : rows)
+    for (std::size_t m = 0; m < methods; ++m) {
+      const PatchFigures& f = row.figures[m];
+      table.add({row.made.problem.name,
+                 row.tuning() ? "tuning" : "set aside",
+                 row.made.scan,
+                 row.made.shape,
+                 number(row.made.size),
+                 number(row.made.problem.removed),
+                 method_name(m),
+                 number(f.d_faces),
+                 number(f.d_rms),
+                 number(f.d_max),
+                 number(row.score(m)),
+                 number(f.g1),
+                 number(f.g2),
+                 number(f.min_angle),
+                 number(f.cuts),
+                 number(f.folds),
+                 number(row.fillings[m].bending),
+                 row.fillings[m].status,
+                 row.fillings[m].message,
+                 number(row.fillings[m].seconds)});
+    }
+  return table.csv();
 }
 
 /// rms over seeds of the distance of the vertices, for each method; the sixth order without any blending last.
@@ -186,7 +220,6 @@ std::vector<Row> run_scans(const Arguments& arguments) {
     }
     rows.push_back(run_problem(k, std::move(*made)));
     print(rows.back());
-    rows.back().made.problem.model = {};  // memory
   }
   return rows;
 }
@@ -199,7 +232,7 @@ int run(const Arguments& arguments) {
   if (!rows.empty()) {
     text += summary_table(rows).markdown() + '\n' + problem_table(rows).markdown() + '\n';
     std::printf("\n%s\n", summary_table(rows).markdown().c_str());
-    write_text(arguments.csv, problem_table(rows).csv());
+    write_text(arguments.csv, csv(rows));
   }
   if (!arguments.without_noise) {
     text += "White noise along the normals; d of the vertices to the surface without noise, rms over " +

@@ -2,6 +2,7 @@
 #include "filling_result.h"
 #include "io/write_mesh.h"
 #include "isolated_runs.h"
+#include "region_cut.h"
 #include "scans.h"
 #include "stress_problem.h"
 #include "table.h"
@@ -117,6 +118,14 @@ void save(const std::string& folder, std::uint64_t seed, const HoleProblem& prob
   write_mesh(stem + "_filled.ply", soup);
 }
 
+/// Where the scan itself is at fault, a refusal may well be true.
+std::string note_on_original(const StressProblem& made, Ending ending) {
+  if (ending == Ending::converged) return "";
+  const OriginalFaults faults = faults_of_original(made.removed, made.problem.model.soup);
+  if (faults.cuts + faults.folds == 0) return "";
+  return " (the original there: " + number(faults.cuts) + " self-intersections, " + number(faults.folds) + " folds)";
+}
+
 /// Says what the problem is before it is tried, and how it ended after.
 void run_seed(std::uint64_t seed, const Arguments& arguments, const Say& say) {
   Outcome outcome;
@@ -133,6 +142,7 @@ void run_seed(std::uint64_t seed, const Arguments& arguments, const Say& say) {
   outcome.seconds = filling.seconds;
   outcome.added = static_cast<int>(filling.points.size());
   judge(made->problem, filling, outcome);
+  outcome.reason += note_on_original(*made, outcome.ending);
   if (arguments.one || outcome.ending != Ending::converged) save(arguments.save, seed, made->problem, filling);
   say(to_line(outcome));
 }

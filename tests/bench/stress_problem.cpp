@@ -97,6 +97,7 @@ std::optional<StressProblem> realise(const Wish& wish, Random& random) {
   const double scale = analytic ? sizes[wish.surface].extent : extent(whole);
   std::optional<RegionCut> cut = find_cut(whole, wish, scale, random);
   if (!cut) return std::nullopt;
+  result.removed = cut->removed;
   result.problem = problem_of("", std::move(*cut), [](const Vec3&) { return 0.0; });
   if (result.problem.loops.size() != 1) return std::nullopt;
   result.surface = analytic ? surface.name : "scan " + name;

@@ -12,10 +12,11 @@ namespace loopmend::bench {
 
 struct StressProblem {
   HoleProblem problem;
-  std::string surface;  ///< "sphere", ..., "scan dragon"
-  std::string shape;    ///< to_string(ShapeKind)
-  std::string mesh;     ///< "regular", "jittered", "irregular"; "scan"
-  double size = 0;      ///< diameter of the hole in parts of the object's extent
+  std::string surface;   ///< "sphere", ..., "scan dragon"
+  std::string shape;     ///< to_string(ShapeKind)
+  std::string mesh;      ///< "regular", "jittered", "irregular"; "scan"
+  double size = 0;       ///< diameter of the hole in parts of the object's extent
+  TriangleSoup removed;  ///< the original of what was cut away
 };
 
 /// Surfaces: sphere, cylinder, torus, catenoid, unduloid, graph, ellipsoid (three of four problems) and the shared scans.
