@@ -2,6 +2,7 @@
 // the paper's Table 5.1 and from 10 thousand free vertices on; beside CGAL's fairing of the same patch and its whole call
 // on the same hole. The arguments are those of Google Benchmark (--benchmark_filter, --benchmark_out), and:
 //   --large          also 100k, 250k and 1M free vertices (needs some 12 GB and many minutes)
+//   --cpu            processor time of all threads instead of time on the wall: for a machine that is not idle
 //   --markdown FILE  tables with ratios and growth exponents
 #include "evolution/evolution.h"
 #include "flows/decay_rate.h"
@@ -13,10 +14,10 @@
 #include "ringed_cap.h"
 #include "solvers/linear_solver.h"
 #include "speed_report.h"
+#include "stopwatch.h"
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <cstring>
 #include <memory>
 
@@ -51,9 +52,9 @@ template <class Work>
 void measure_once(benchmark::State& state, double& most_memory, const Work& work) {
   const double before = memory_now();
   start_memory_peak();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   work();
-  state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  state.SetIterationTime(watch.seconds());
   most_memory = std::max(most_memory, memory_peak() - before);
 }
 
@@ -225,13 +226,15 @@ std::string take_option(int& argc, char** argv, const char* name, bool with_valu
 
 int main(int argc, char** argv) try {
   const bool large = !take_option(argc, argv, "--large", false).empty();
+  const bool cpu = !take_option(argc, argv, "--cpu", false).empty();
+  if (cpu) measure_by(TimeSource::processor);
   const std::string markdown = take_option(argc, argv, "--markdown", true);
   register_all(large);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   SpeedReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  reporter.write(markdown);
+  reporter.write(markdown, cpu ? "Processor seconds of all threads" : "Seconds");
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "loopmend_speed: %s\n", error.what());

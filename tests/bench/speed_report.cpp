@@ -80,7 +80,7 @@ std::string SpeedReporter::growth() const {
   return table.empty() ? "" : "\nGrowth exponents:\n\n" + table.markdown();
 }
 
-void SpeedReporter::write(const std::filesystem::path& path) const {
+void SpeedReporter::write(const std::filesystem::path& path, const std::string& unit) const {
   Table table({"free vertices", "form", "factor", "solve", "step", "flow step", "steady", "steps", "fill", "fill MB",
                "kB a vertex", "steady / CGAL C1 fairing", "steady / CGAL C2 fairing", "fill / CGAL C1 call",
                "fill / CGAL C2 call"});
@@ -89,9 +89,10 @@ void SpeedReporter::write(const std::filesystem::path& path) const {
   for (const auto& [free, runs] : runs_)
     if (free >= 10000) table.add(row(free));
   write_text(path,
-             "Seconds. form: fits, operators and the matrix; factor: symbolic and numeric Cholesky; step: one whole "
-             "Gauss-Newton step with checks and care for the mesh; flow step: one semi-implicit step of the paper; "
-             "steady: to the steady state from a bump; fill: one call on the open surface.\n\n" +
+             unit +
+                 ". form: fits, operators and the matrix; factor: symbolic and numeric Cholesky; step: one whole "
+                 "Gauss-Newton step with checks and care for the mesh; flow step: one semi-implicit step of the paper; "
+                 "steady: to the steady state from a bump; fill: one call on the open surface.\n\n" +
                  table.markdown() + growth());
 }
 

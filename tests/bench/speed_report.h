@@ -17,8 +17,8 @@ const std::vector<int>& table_sizes();
 class SpeedReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override;
-  /// The tables as Markdown. Does nothing for an empty path.
-  void write(const std::filesystem::path& path) const;
+  /// The tables as Markdown. Does nothing for an empty path. @param unit  of the times, in words.
+  void write(const std::filesystem::path& path, const std::string& unit) const;
 
  private:
   struct Measured {
