@@ -50,8 +50,8 @@ const Sized& sized(int free) {
 /// Times work() alone, and notes its memory beyond what was there before.
 template <class Work>
 void measure_once(benchmark::State& state, double& most_memory, const Work& work) {
-  const double before = memory_now();
   start_memory_peak();
+  const double before = memory_now();
   const Stopwatch watch;
   work();
   state.SetIterationTime(watch.seconds());

@@ -50,11 +50,14 @@ std::vector<std::string> SpeedReporter::row(int free) const {
     cells.push_back(number(seconds(name, free)));
   const auto& runs = runs_.at(free);
   const auto steady = runs.find("steady");
-  cells.push_back(steady == runs.end() ? "-" : number(steady->second.steps) + " " + steady->second.label);
+  cells.push_back(steady == runs.end() ? "-"
+                                       : number(static_cast<int>(steady->second.steps)) + " " + steady->second.label);
   cells.push_back(number(seconds("fill", free)));
   const auto memory = runs.find(runs.contains("fill") ? "fill" : "step");
-  cells.push_back(memory == runs.end() ? "-" : number(memory->second.bytes / 1e6));
-  cells.push_back(memory == runs.end() ? "-" : number(memory->second.bytes / 1e3 / free));
+  // Less than that is lost in what the process holds anyway.
+  const bool known = memory != runs.end() && memory->second.bytes > 4e6;
+  cells.push_back(known ? number(memory->second.bytes / 1e6) : "-");
+  cells.push_back(known ? number(memory->second.bytes / 1e3 / free) : "-");
   for (int k : {1, 2})
     cells.push_back(number(seconds("steady", free) / seconds("cgal_c" + std::to_string(k) + "_fair", free)));
   for (int k : {1, 2})
