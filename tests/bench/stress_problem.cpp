@@ -98,7 +98,10 @@ std::optional<StressProblem> realise(const Wish& wish, Random& random) {
   std::optional<RegionCut> cut = find_cut(whole, wish, scale, random);
   if (!cut) return std::nullopt;
   result.removed = cut->removed;
-  result.problem = problem_of("", std::move(*cut), [](const Vec3&) { return 0.0; });
+  result.problem = problem_of("", std::move(*cut),
+                              analytic ? [project = surface.project](const Vec3& p) { return (p - project(p)).norm(); }
+                                       : std::function<double(const Vec3&)>([](const Vec3&) { return 0.0; }));
+  result.has_answer = analytic && surface.name != "torus" && surface.name != "graph" && surface.name != "ellipsoid";
   if (result.problem.loops.size() != 1) return std::nullopt;
   result.surface = analytic ? surface.name : "scan " + name;
   result.mesh = analytic ? to_string(wish.mesh) : "scan";

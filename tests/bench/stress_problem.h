@@ -12,10 +12,12 @@ namespace loopmend::bench {
 
 struct StressProblem {
   HoleProblem problem;
-  std::string surface;   ///< "sphere", ..., "scan dragon"
-  std::string shape;     ///< to_string(ShapeKind)
-  std::string mesh;      ///< "regular", "jittered", "irregular"; "scan"
-  double size = 0;       ///< diameter of the hole in parts of the object's extent
+  std::string surface;  ///< "sphere", ..., "scan dragon"
+  std::string shape;    ///< to_string(ShapeKind)
+  std::string mesh;     ///< "regular", "jittered", "irregular"; "scan"
+  double size = 0;      ///< diameter of the hole in parts of the object's extent
+  /// H is constant on it, so that the truth is the answer; HoleProblem::distance is from it.
+  bool has_answer = false;
   TriangleSoup removed;  ///< the original of what was cut away
 };
 
