@@ -2,6 +2,7 @@
 #include "filling_result.h"
 #include "io/write_mesh.h"
 #include "isolated_runs.h"
+#include "region_cut.h"
 #include "scans.h"
 #include "stress_problem.h"
 #include "table.h"
@@ -46,6 +47,7 @@ struct Outcome {
   double size = 0, seconds = 0;
   int removed = 0, added = 0;
   Ending ending = Ending::invalid;
+  double d = 0;  ///< rms distance from the answer, 1e-3 diameters; 0 where the equation has another one
   std::string reason;
 };
 
@@ -73,7 +75,9 @@ void judge(const HoleProblem& problem, const Filling& filling, Outcome& outcome)
     outcome.reason = changed ? "refused, but the model was changed: " + filling.message : filling.message;
     return;
   }
-  const std::string trouble = what_is_invalid(problem, filling, measure(problem, filling));
+  const PatchFigures figures = measure(problem, filling);
+  outcome.d = figures.d_rms;
+  const std::string trouble = what_is_invalid(problem, filling, figures);
   // Without a free vertex there is nothing that could converge.
   const bool converged = filling.status == "converged" || filling.points.empty();
   outcome.ending = !trouble.empty() ? Ending::invalid : converged ? Ending::converged : Ending::not_converged;
@@ -84,7 +88,8 @@ void judge(const HoleProblem& problem, const Filling& filling, Outcome& outcome)
 std::string to_line(const Outcome& o) {
   std::ostringstream line;
   line << o.seed << '\t' << o.surface << '\t' << o.shape << '\t' << o.mesh << '\t' << o.size << '\t' << o.seconds
-       << '\t' << o.removed << '\t' << o.added << '\t' << static_cast<int>(o.ending) << '\t' << o.reason << '\n';
+       << '\t' << o.removed << '\t' << o.added << '\t' << static_cast<int>(o.ending) << '\t' << o.d << '\t' << o.reason
+       << '\n';
   return line.str();
 }
 
@@ -92,7 +97,7 @@ Outcome from_line(const std::string& text) {
   std::vector<std::string> f;
   std::istringstream line(text);
   for (std::string field; std::getline(line, field, '\t');) f.push_back(field.substr(0, field.find('\n')));
-  f.resize(10);
+  f.resize(11);
   return {std::stoull(f[0]),
           f[1],
           f[2],
@@ -102,7 +107,8 @@ Outcome from_line(const std::string& text) {
           std::stoi(f[6]),
           std::stoi(f[7]),
           static_cast<Ending>(std::stoi(f[8])),
-          f[9]};
+          std::stod(f[9]),
+          f[10]};
 }
 
 void save(const std::string& folder, std::uint64_t seed, const HoleProblem& problem, const Filling& filling) {
@@ -115,6 +121,14 @@ void save(const std::string& folder, std::uint64_t seed, const HoleProblem& prob
   soup.points.insert(soup.points.end(), filling.points.begin(), filling.points.end());
   soup.triangles.insert(soup.triangles.end(), filling.triangles.begin(), filling.triangles.end());
   write_mesh(stem + "_filled.ply", soup);
+}
+
+/// Where the scan itself is at fault, a refusal may well be true.
+std::string note_on_original(const StressProblem& made, Ending ending) {
+  if (ending == Ending::converged) return "";
+  const OriginalFaults faults = faults_of_original(made.removed, made.problem.model.soup);
+  if (faults.cuts + faults.folds == 0) return "";
+  return " (the original there: " + number(faults.cuts) + " self-intersections, " + number(faults.folds) + " folds)";
 }
 
 /// Says what the problem is before it is tried, and how it ended after.
@@ -133,6 +147,8 @@ void run_seed(std::uint64_t seed, const Arguments& arguments, const Say& say) {
   outcome.seconds = filling.seconds;
   outcome.added = static_cast<int>(filling.points.size());
   judge(made->problem, filling, outcome);
+  if (!made->has_answer || !(outcome.d >= 0)) outcome.d = 0;
+  outcome.reason += note_on_original(*made, outcome.ending);
   if (arguments.one || outcome.ending != Ending::converged) save(arguments.save, seed, made->problem, filling);
   say(to_line(outcome));
 }
@@ -182,6 +198,19 @@ std::string count_class(const Outcome& o) {
   return o.removed < 30 ? "3 to 29" : o.removed < 300 ? "30 to 299" : o.removed < 1500 ? "300 to 1499" : "1500 to 5000";
 }
 
+/// The flow may come to rest in a bubble: bounded, smooth, and wrong.
+std::string far_ones(const std::vector<Outcome>& outcomes) {
+  constexpr double far = 20;
+  Table table({"seed", "surface", "shape", "mesh", "size %", "cut away", "d"});
+  for (const Outcome& o : outcomes)
+    if (o.ending == Ending::converged && o.d > far)
+      table.add(
+          {std::to_string(o.seed), o.surface, o.shape, o.mesh, number(100 * o.size), number(o.removed), number(o.d)});
+  if (table.empty()) return "";
+  return "\nConverged on surfaces of constant mean curvature, yet more than " + number(far) +
+         " thousandths of the diameter away from them:\n\n" + table.markdown();
+}
+
 std::string report(const std::vector<Outcome>& outcomes) {
   std::string text = shares("surface", outcomes, [](const Outcome& o) { return o.surface; }).markdown() + '\n';
   text += shares("shape", outcomes, [](const Outcome& o) { return o.shape; }).markdown() + '\n';
@@ -193,14 +222,15 @@ std::string report(const std::vector<Outcome>& outcomes) {
     if (o.ending != Ending::converged)
       failures.add({std::to_string(o.seed), o.surface, o.shape, o.mesh, number(100 * o.size), number(o.removed),
                     to_string(o.ending), o.reason});
-  return failures.empty() ? text : text + failures.markdown();
+  if (!failures.empty()) text += failures.markdown();
+  return text + far_ones(outcomes);
 }
 
 std::string csv(const std::vector<Outcome>& outcomes) {
-  Table table({"seed", "surface", "shape", "mesh", "size", "removed", "new", "seconds", "ending", "reason"});
+  Table table({"seed", "surface", "shape", "mesh", "size", "removed", "new", "seconds", "ending", "d", "reason"});
   for (const Outcome& o : outcomes)
     table.add({std::to_string(o.seed), o.surface, o.shape, o.mesh, number(o.size), number(o.removed), number(o.added),
-               number(o.seconds), to_string(o.ending), o.reason});
+               number(o.seconds), to_string(o.ending), number(o.d), o.reason});
   return table.csv();
 }
 

@@ -71,14 +71,6 @@ KnownSurface analytic_surface(const Wish& wish) {
   }
 }
 
-/// Vertices that the shape will hold, roughly and fast.
-double expected_vertices(const TriangleSoup& whole, const RegionPlan& plan) {
-  const Vec3 center = whole.points[plan.center];
-  const auto near = std::count_if(whole.points.begin(), whole.points.end(),
-                                  [&](const Vec3& p) { return (p - center).norm() < plan.radius; });
-  return static_cast<double>(near) * plan.shape.area() / pi;
-}
-
 /// A few places for the hole; the first that gives a clean cut of the right size.
 std::optional<RegionCut> find_cut(const TriangleSoup& whole, const Wish& wish, double scale, Random& random) {
   RegionPlan plan;
@@ -105,7 +97,11 @@ std::optional<StressProblem> realise(const Wish& wish, Random& random) {
   const double scale = analytic ? sizes[wish.surface].extent : extent(whole);
   std::optional<RegionCut> cut = find_cut(whole, wish, scale, random);
   if (!cut) return std::nullopt;
-  result.problem = problem_of("", std::move(*cut), [](const Vec3&) { return 0.0; });
+  result.removed = cut->removed;
+  result.problem = problem_of("", std::move(*cut),
+                              analytic ? [project = surface.project](const Vec3& p) { return (p - project(p)).norm(); }
+                                       : std::function<double(const Vec3&)>([](const Vec3&) { return 0.0; }));
+  result.has_answer = analytic && surface.name != "torus" && surface.name != "graph" && surface.name != "ellipsoid";
   if (result.problem.loops.size() != 1) return std::nullopt;
   result.surface = analytic ? surface.name : "scan " + name;
   result.mesh = analytic ? to_string(wish.mesh) : "scan";

@@ -16,6 +16,9 @@ struct StressProblem {
   std::string shape;    ///< to_string(ShapeKind)
   std::string mesh;     ///< "regular", "jittered", "irregular"; "scan"
   double size = 0;      ///< diameter of the hole in parts of the object's extent
+  /// H is constant on it, so that the truth is the answer; HoleProblem::distance is from it.
+  bool has_answer = false;
+  TriangleSoup removed;  ///< the original of what was cut away
 };
 
 /// Surfaces: sphere, cylinder, torus, catenoid, unduloid, graph, ellipsoid (three of four problems) and the shared scans.

@@ -32,11 +32,21 @@ inline constexpr std::size_t most_kept_whole = 50000;
 /// @returns nothing when the region is not a disc, comes too close to a boundary, severs a part or holds no vertex.
 std::optional<RegionCut> cut_region(const TriangleSoup& whole, const RegionPlan& plan);
 
+/// Vertices that the planned cut will take away, roughly and fast.
+double expected_vertices(const TriangleSoup& whole, const RegionPlan& plan);
+
 /// Keeps triangles within `rings` edges of the cut: huge scans are slow to carry along.
 void crop_around_cut(RegionCut& cut, int rings);
 
 /// The hole that the cut made, as a problem. @param distance  from the truth; by default from what was removed.
 HoleProblem problem_of(std::string name, RegionCut cut, std::function<double(const Vec3&)> distance = nullptr);
+
+/// What was removed, put back: pairs of triangles that cut each other and edges folded by more than 90° there. Scans have
+/// such places of their own, where no program can do better.
+struct OriginalFaults {
+  int cuts = 0, folds = 0;
+};
+OriginalFaults faults_of_original(const TriangleSoup& removed, const TriangleSoup& open);
 
 /// The component with the most triangles, without unused points.
 TriangleSoup largest_component(const TriangleSoup& soup);

@@ -4,11 +4,11 @@
 #include "operators/operator_set.h"
 #include "operators/topology.h"
 #include "solvers/linear_solver.h"
+#include "stopwatch.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 
 namespace loopmend::bench {
@@ -129,13 +129,13 @@ Filling fill_by_peer(const HoleProblem& problem, Peer peer) {
   filler_only.evolution.reset();
   Filling filling = fill_by_engine(problem, filler_only);
   if (!filling.complete || filling.points.empty()) return filling;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   if (!make_harmonic(points, triangles, filling, peer == Peer::harmonic_2 ? 2 : 3)) {
     filling.complete = false;
     filling.status = "failed";
     filling.message = "the matrix is not positive definite";
   }
-  filling.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  filling.seconds += watch.seconds();
   return filling;
 }
 

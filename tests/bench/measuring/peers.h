@@ -27,6 +27,9 @@ Filling fill_by_peer(const HoleProblem& problem, Peer peer);
 Filling fill_by_cgal(const Points& points, const Triangles& triangles, const std::vector<std::vector<int>>& loops,
                      unsigned continuity);
 
+/// CGAL's fairing of the first `free` points, the others fixed. @returns seconds of that call alone, −1 on failure.
+double seconds_of_cgal_fairing(const Points& points, const Triangles& triangles, int free, unsigned continuity);
+
 /// Moves the filling's own points to the solution of the k-harmonic equation Δᵏx = 0, k = 2 or 3 (cotan weights, Voronoi
 /// masses), with everything else fixed. @returns false if the system could not be solved.
 bool make_harmonic(const Points& points, const Triangles& triangles, Filling& filling, int k);

@@ -1,6 +1,8 @@
 #include "region_cut.h"
 
 #include "mesh/boundary_loops.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
 #include "operators/local_fit.h"
 #include "operators/topology.h"
 #include "samples/analytic_surfaces.h"
@@ -10,39 +12,110 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
+#include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace loopmend::bench {
 
 namespace {
 
-/// `cut` and `trim_rims` carry colours along: as such the vertices' old numbers come through.
-TriangleSoup labelled(TriangleSoup soup) {
-  soup.colors.resize(soup.points.size());
-  for (std::size_t v = 0; v < soup.points.size(); ++v) {
-    const auto number = static_cast<unsigned>(v);
-    std::memcpy(soup.colors[v].data(), &number, sizeof number);
+/// Which triangles stay, as trim_rims of the engine's samples decides it round by round, but looking again only where the
+/// last round changed something: large scans unravel slowly.
+class RimTrimmer {
+ public:
+  RimTrimmer(const TriangleSoup& soup, const Topology& topology, std::vector<char>& keep)
+      : soup_(soup),
+        topology_(topology),
+        keep_(keep),
+        rim_from_(soup.points.size(), 0) {
+    for (std::size_t f = 0; f < keep.size(); ++f)
+      for (int k = 0; keep[f] && k < 3; ++k) edges_.insert(edge(soup.triangles[f][k], soup.triangles[f][(k + 1) % 3]));
+    for (std::size_t v = 0; v < soup.points.size(); ++v) count_rim_edges(static_cast<int>(v));
   }
-  return soup;
+  void trim() {
+    std::vector<int> candidates(keep_.size());
+    std::iota(candidates.begin(), candidates.end(), 0);
+    while (!candidates.empty()) candidates = drop_hanging(candidates);
+  }
+
+ private:
+  static std::uint64_t edge(int from, int to) {
+    return static_cast<std::uint64_t>(from) << 32U | static_cast<std::uint32_t>(to);
+  }
+  bool is_rim(int from, int to) const { return !edges_.contains(edge(to, from)); }
+  void count_rim_edges(int v) {
+    rim_from_[v] = 0;
+    for (int f : topology_.faces(v))
+      for (int k = 0; keep_[f] && k < 3; ++k)
+        if (soup_.triangles[f][k] == v && is_rim(v, soup_.triangles[f][(k + 1) % 3])) ++rim_from_[v];
+  }
+  bool hangs(int f) const {
+    int rim_sides = 0;
+    bool touching = false;
+    for (int k = 0; k < 3; ++k) {
+      rim_sides += is_rim(soup_.triangles[f][k], soup_.triangles[f][(k + 1) % 3]) ? 1 : 0;
+      touching = touching || rim_from_[soup_.triangles[f][k]] > 1;
+    }
+    return rim_sides >= 2 || touching;
+  }
+  /// @returns the triangles whose surroundings changed.
+  std::vector<int> drop_hanging(const std::vector<int>& candidates) {
+    std::vector<int> dropped, changed;
+    for (int f : candidates)
+      if (keep_[f] && hangs(f)) dropped.push_back(f);
+    for (int f : dropped) {
+      keep_[f] = 0;
+      for (int k = 0; k < 3; ++k) edges_.erase(edge(soup_.triangles[f][k], soup_.triangles[f][(k + 1) % 3]));
+    }
+    for (int f : dropped)
+      for (int v : soup_.triangles[f]) {
+        count_rim_edges(v);
+        changed.insert(changed.end(), topology_.faces(v).begin(), topology_.faces(v).end());
+      }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+  }
+
+  const TriangleSoup& soup_;
+  const Topology& topology_;
+  std::vector<char>& keep_;
+  std::vector<int> rim_from_;
+  std::unordered_set<std::uint64_t> edges_;
+};
+
+/// Triangles without a masked corner, trimmed.
+std::vector<char> kept_triangles(const TriangleSoup& soup, const Topology& topology, const std::vector<char>& mask) {
+  std::vector<char> keep(soup.triangles.size());
+  for (std::size_t f = 0; f < keep.size(); ++f) {
+    const auto& [a, b, c] = soup.triangles[f];
+    keep[f] = !mask[a] && !mask[b] && !mask[c];
+  }
+  RimTrimmer(soup, topology, keep).trim();
+  return keep;
 }
 
-std::vector<int> take_labels(TriangleSoup& soup) {
-  std::vector<int> labels(soup.points.size());
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    unsigned number = 0;
-    std::memcpy(&number, soup.colors[v].data(), sizeof number);
-    labels[v] = static_cast<int>(number);
+/// The kept triangles and their points, in their old order.
+TriangleSoup kept_part(const TriangleSoup& soup, const std::vector<char>& keep) {
+  TriangleSoup part;
+  std::vector<int> index(soup.points.size(), -1);
+  for (std::size_t f = 0; f < keep.size(); ++f)
+    if (keep[f]) part.triangles.push_back(soup.triangles[f]);
+  for (const Triangle& t : part.triangles)
+    for (int v : t) index[v] = 0;
+  for (std::size_t v = 0; v < index.size(); ++v) {
+    if (index[v] < 0) continue;
+    index[v] = static_cast<int>(part.points.size());
+    part.points.push_back(soup.points[v]);
   }
-  soup.colors.clear();
-  return labels;
-}
-
-TriangleSoup without(const TriangleSoup& soup, const std::vector<char>& mask) {
-  // `cut` hands over the points themselves, so that their places tell their numbers.
-  return cut(soup, [&](const Vec3& p) { return mask[&p - soup.points.data()] != 0; });
+  for (Triangle& t : part.triangles)
+    for (int& v : t) v = index[v];
+  return part;
 }
 
 /// Component of each vertex, by its lowest vertex; −1 for vertices without a triangle.
@@ -166,13 +239,10 @@ TriangleSoup compacted(const Points& points, const Triangles& triangles) {
 }
 
 /// What a trimmed cut took away round the centre. At the far rims of a neighbourhood trimming takes something, too.
-TriangleSoup removed_part(const TriangleSoup& whole, const TriangleSoup& open, const std::vector<int>& labels,
-                          int center) {
-  std::set<Triangle> kept;
-  for (const Triangle& t : open.triangles) kept.insert({labels[t[0]], labels[t[1]], labels[t[2]]});
+TriangleSoup removed_part(const TriangleSoup& whole, const std::vector<char>& keep, int center) {
   Triangles removed, joined;
-  for (const Triangle& t : whole.triangles)
-    if (!kept.contains(t)) removed.push_back(t);
+  for (std::size_t f = 0; f < keep.size(); ++f)
+    if (!keep[f]) removed.push_back(whole.triangles[f]);
   const std::vector<int> component = components(whole.points.size(), removed);
   for (const Triangle& t : removed)
     if (component[t[0]] == component[center]) joined.push_back(t);
@@ -242,15 +312,22 @@ std::optional<RegionCut> cut_region(const TriangleSoup& given, const RegionPlan&
   if (near_boundary(topology, mask, plan.clearance) || !add_islands(whole, mask)) return std::nullopt;
   if (!is_disc(masked_part(whole, mask))) return std::nullopt;
   RegionCut result;
-  result.open = trim_rims(without(labelled(whole), mask));
+  const std::vector<char> keep = kept_triangles(whole, topology, mask);
+  result.open = kept_part(whole, keep);
   if (result.open.triangles.empty()) return std::nullopt;
-  const std::vector<int> labels = take_labels(result.open);
-  result.removed = removed_part(whole, result.open, labels, plan.center);
+  result.removed = removed_part(whole, keep, plan.center);
   result.removed_vertices = count_missing(result.removed, result.open);
   if (!is_disc(result.removed)) return std::nullopt;
   const std::vector<int> parts = components(result.open.points.size(), result.open.triangles);
   if (std::any_of(parts.begin(), parts.end(), [&](int c) { return c != parts.front(); })) return std::nullopt;
   return result;
+}
+
+double expected_vertices(const TriangleSoup& whole, const RegionPlan& plan) {
+  const Vec3 center = whole.points[plan.center];
+  const auto near = std::count_if(whole.points.begin(), whole.points.end(),
+                                  [&](const Vec3& p) { return (p - center).norm() < plan.radius; });
+  return static_cast<double>(near) * plan.shape.area() / std::numbers::pi;
 }
 
 HoleProblem problem_of(std::string name, RegionCut cut, std::function<double(const Vec3&)> distance) {
@@ -260,6 +337,26 @@ HoleProblem problem_of(std::string name, RegionCut cut, std::function<double(con
       std::move(name), std::move(cut.open), [&](const Vec3& p) { return removed.contains(p); }, std::move(distance));
   problem.removed = cut.removed_vertices;
   return problem;
+}
+
+OriginalFaults faults_of_original(const TriangleSoup& removed, const TriangleSoup& open) {
+  TriangleSoup both = removed;
+  std::map<std::array<double, 3>, int> index;
+  for (std::size_t v = 0; v < removed.points.size(); ++v) {
+    const Vec3& p = removed.points[v];
+    index.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(v));
+  }
+  std::vector<int> number(open.points.size());
+  for (std::size_t v = 0; v < open.points.size(); ++v) {
+    const Vec3& p = open.points[v];
+    const auto found = index.find({p.x(), p.y(), p.z()});
+    number[v] = found != index.end() ? found->second : static_cast<int>(both.points.size());
+    if (found == index.end()) both.points.push_back(p);
+  }
+  for (const auto& [a, b, c] : open.triangles) both.triangles.push_back({number[a], number[b], number[c]});
+  const int own = static_cast<int>(removed.triangles.size());
+  return {static_cast<int>(self_intersections(both.points, both.triangles, own).size()),
+          count_folds(both.points, both.triangles, own)};
 }
 
 void crop_around_cut(RegionCut& cut, int rings) {
@@ -283,7 +380,7 @@ void crop_around_cut(RegionCut& cut, int rings) {
         }
     front = std::move(next);
   }
-  cut.open = trim_rims(without(open, far));
+  cut.open = kept_part(open, kept_triangles(open, topology, far));
 }
 
 TriangleSoup largest_component(const TriangleSoup& soup) {

@@ -4,11 +4,11 @@
 #include "mesh/mesh_arrays.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
+#include "stopwatch.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -170,9 +170,9 @@ bool all_finite(const Points& points) {
 Filling fill_by_engine(const HoleProblem& problem, const FillOptions& options, const CancelToken& cancel) {
   SurfaceModel model = problem.model;
   Filling filling;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::vector<LoopResult> results = fill_loops(model, problem.loops, options, nullptr, cancel);
-  filling.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  filling.seconds = watch.seconds();
   take_results(results, filling);
   filling.exterior_unchanged = starts_with(model.soup, problem.model.soup);
   const Points points = points_of(model.mesh);

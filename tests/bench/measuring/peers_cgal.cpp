@@ -1,10 +1,10 @@
 #include "peers.h"
+#include "stopwatch.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
-
-#include <chrono>
 
 namespace loopmend::bench {
 
@@ -55,13 +55,13 @@ Filling fill_by_cgal(const Points& points, const Triangles& triangles, const std
   const std::size_t old_faces = mesh.number_of_faces();
   Filling filling;
   filling.complete = true;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   for (const auto& loop : loops) {
     const Mesh::Halfedge_index border = mesh.halfedge(vertex(loop[0]), vertex(loop[1]));
     const bool found = border != Mesh::null_halfedge() && mesh.is_border(border);
     if (!found || !fill_one(mesh, border, continuity)) filling.complete = false;
   }
-  filling.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  filling.seconds = watch.seconds();
   filling.status = filling.complete ? "filled" : "failed";
   take_new(mesh, points.size(), old_faces, filling);
   return filling;
@@ -70,6 +70,16 @@ Filling fill_by_cgal(const Points& points, const Triangles& triangles, const std
   filling.status = "failed";
   filling.message = error.what();
   return filling;
+}
+
+double seconds_of_cgal_fairing(const Points& points, const Triangles& triangles, int free, unsigned continuity) {
+  Mesh mesh = to_mesh(points, triangles);
+  std::vector<Mesh::Vertex_index> inner;
+  for (int v = 0; v < free; ++v) inner.push_back(vertex(v));
+  const Stopwatch watch;
+  const bool faired = pmp::fair(mesh, inner, CGAL::parameters::fairing_continuity(continuity));
+  const double seconds = watch.seconds();
+  return faired ? seconds : -1;
 }
 
 }  // namespace loopmend::bench

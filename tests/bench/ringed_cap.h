@@ -1,0 +1,20 @@
+// Patches with an exact number of free vertices, made without any filler: rings of vertices on a cap of the unit sphere.
+#pragma once
+
+#include "hole_problem.h"
+#include "mesh/patch.h"
+
+namespace loopmend::bench {
+
+struct RingedCap {
+  HoleProblem problem;  ///< the surroundings with their one hole; distances are from the sphere
+  LoopFiller
+      filler;  ///< fits the hole; its free vertices lie on a bump over the sphere, zero with its slope at the rim
+};
+
+/// @param free   vertices of the filler, ≥ 7.
+/// @param angle  angular radius of the hole, radians, up to 1.5.
+/// @param rings  of fixed vertices around, the loop included.
+RingedCap make_ringed_cap(int free, double angle, int rings);
+
+}  // namespace loopmend::bench
