@@ -1,5 +1,8 @@
 #include "driver.h"
 
+#include "document/language.h"
+#include "io/write_mesh.h"
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QElapsedTimer>
@@ -7,6 +10,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <cstdio>
 #include <set>
 
 namespace loopmend::testing {
@@ -20,6 +24,53 @@ void prepare_application() {
 void settle_application() {
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setStyle(QStringLiteral("Fusion"));
+  install_language(QStringLiteral("en"));
+}
+
+void use_own_home(const QString& folder) {
+  for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+    qputenv(name, QString(folder + QLatin1Char('/') + QLatin1String(name)).toLocal8Bit());
+}
+
+QString write_sheet_with_holes(const QString& path, int across) {
+  constexpr int pitch = 6, first = 2, last = 3;  // squares first..last of every pitch are missing, both ways
+  const int squares = across * pitch + 1;
+  const auto missing = [&](int i) { return i % pitch >= first && i % pitch <= last && i / pitch < across; };
+  TriangleSoup soup;
+  for (int j = 0; j <= squares; ++j)
+    for (int i = 0; i <= squares; ++i) soup.points.emplace_back(i, j, 1e-2 * ((i * 7 + j * 13) % 5));
+  const auto at = [&](int i, int j) { return j * (squares + 1) + i; };
+  for (int j = 0; j < squares; ++j)
+    for (int i = 0; i < squares; ++i) {
+      if (missing(i) && missing(j)) continue;
+      soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  write_mesh(path.toStdString(), soup);
+  return path;
+}
+
+double share_changed(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 1;
+  int changed = 0, all = 0;
+  for (int y = 0; y < a.height(); y += 2)
+    for (int x = 0; x < a.width(); x += 2, ++all) changed += a.pixel(x, y) != b.pixel(x, y);
+  return static_cast<double>(changed) / std::max(1, all);
+}
+
+GapMeter::GapMeter() {
+  connect(&timer_, &QTimer::timeout, this, [this] { worst_ = std::max(worst_, clock_.restart()); });
+  timer_.start(1);
+  clock_.start();
+}
+
+qint64 GapMeter::report(const char* what) {
+  QCoreApplication::processEvents();
+  const qint64 worst = std::exchange(worst_, 0);
+  std::printf("gap %5lld ms  %s\n", static_cast<long long>(worst), what);
+  std::fflush(stdout);
+  clock_.restart();
+  return worst;
 }
 
 bool wait_until(const std::function<bool()>& holds, double seconds) {

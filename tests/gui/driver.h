@@ -4,7 +4,9 @@
 #include "views/main_window.h"
 #include "views/mesh_view.h"
 
+#include <QElapsedTimer>
 #include <QImage>
+#include <QTimer>
 
 #include <functional>
 
@@ -28,6 +30,28 @@ void press(MainWindow& window, const char* button);
 
 /// A pixel on the loop's line where nothing hides it, in canvas coordinates; by trying its vertices.
 QPoint visible_point(MainWindow& window, int loop);
+
+/// A file with a plane sheet of `across` by `across` square holes, each of eight edges.
+QString write_sheet_with_holes(const QString& path, int across);
+
+/// The share of pixels that differ.
+double share_changed(const QImage& a, const QImage& b);
+
+/// The longest time that the event loop did not come round: what a person feels as a window that hangs.
+class GapMeter : public QObject {
+ public:
+  GapMeter();
+  /// Prints the longest gap since the last report. @returns it, in ms.
+  qint64 report(const char* what);
+
+ private:
+  QTimer timer_;
+  QElapsedTimer clock_;
+  qint64 worst_ = 0;
+};
+
+/// Keeps settings and recovery files of the test out of the user's own. To be called before QApplication is made.
+void use_own_home(const QString& folder);
 
 /// How many different colours a picture has, counted up to `enough`.
 int count_colors(const QImage& image, int enough = 64);
