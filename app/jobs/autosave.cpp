@@ -65,6 +65,7 @@ void Autosave::write() {
       write_session(session, path);
       job->tell([this] {
         failure_told_ = false;
+        for (const Leftover& leftover : std::exchange(taken_over_, {})) discard(leftover);
         Q_EMIT written();
       });
     } catch (const std::exception& error) {
@@ -74,6 +75,12 @@ void Autosave::write() {
       });
     }
   });
+}
+
+void Autosave::take_over(const Leftover& leftover) {
+  taken_over_.push_back(leftover);
+  timer_.stop();
+  write();
 }
 
 void Autosave::finish() {

@@ -31,6 +31,8 @@ class Autosave : public QObject {
   /// Copies whose program is gone; they stay where they are until discard().
   static std::vector<Leftover> leftovers();
   static void discard(const Leftover& leftover);
+  /// What is open now came from this copy: once it is written anew, that one goes.
+  void take_over(const Leftover& leftover);
   /// The window closes as it should: the copy is not needed any more.
   void finish();
   QString path() const { return path_; }
@@ -50,6 +52,7 @@ class Autosave : public QObject {
   QTimer timer_;
   TaskRunner tasks_;
   std::shared_ptr<Job> job_;
+  std::vector<Leftover> taken_over_;
   bool failure_told_ = false;
 };
 

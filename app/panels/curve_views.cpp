@@ -71,6 +71,10 @@ void EnergyView::show_run(const OpenPatch* patch) {
   constexpr double wide = 20;  // from here on a straight scale shows nothing of the end
   plot_->set_name(energy_graph, patch ? energy_unit(patch->state->flow) : tr("Energy"));
   plot_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
+  if (step.size() < 2) {
+    step.clear();
+    energy.clear();
+  }
   plot_->set_data(energy_graph, step, energy);
   plot_->set_data(residual_graph, residual_step, residual);
   if (patch) plot_->set_marker(patch->state->steps);

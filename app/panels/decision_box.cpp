@@ -23,8 +23,7 @@ namespace {
 /// What is known of a state, in one line.
 QString state_words(const PatchState& state) {
   if (state.steps == 0) return DecisionBox::tr("the filler");
-  QString text = DecisionBox::tr("step %1, energy %2").arg(state.steps).arg(words::number(state.last_step.energy));
-  return text;
+  return DecisionBox::tr("step %1").arg(state.steps);
 }
 
 }  // namespace

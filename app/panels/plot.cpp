@@ -114,6 +114,11 @@ void Plot::show_words(const QString& words) {
   item->setText(words);
   item->setVisible(!words.isEmpty());
   plot_->legend->setVisible(words.isEmpty());
+  // Axes without curves are noise.
+  for (QCPAxis* at : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
+    at->setVisible(words.isEmpty() && (at != plot_->yAxis2 || !at->graphs().isEmpty()));
+    at->grid()->setVisible(words.isEmpty() && at != plot_->yAxis2);
+  }
 }
 
 void Plot::fit_axis(Side side) {

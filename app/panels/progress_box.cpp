@@ -45,9 +45,13 @@ void ProgressBox::build() {
   bar_->setSizePolicy(keep);
   cancel_ = make_button("cancel", tr("Ca&ncel"), tr("Stop at once; what was accepted so far is kept (Esc)"));
   figures_ = make_note("figures");
+  figures_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  figures_->setMinimumHeight(4 * fontMetrics().lineSpacing());  // the text changes with every step, the place does not
   layout->addWidget(stage_);
-  layout->addWidget(bar_);
-  layout->addWidget(cancel_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(bar_, 1);
+  row->addWidget(cancel_);
+  layout->addLayout(row);
   layout->addWidget(figures_);
 }
 

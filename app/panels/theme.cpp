@@ -6,8 +6,8 @@
 namespace loopmend {
 
 QPalette dark_palette() {
-  QPalette p(QColor(52, 56, 62), QColor(44, 47, 52));
-  p.setColor(QPalette::Base, QColor(34, 37, 41));
+  QPalette p(QColor(66, 71, 79), QColor(47, 51, 57));
+  p.setColor(QPalette::Base, QColor(29, 32, 36));
   p.setColor(QPalette::AlternateBase, QColor(44, 47, 52));
   p.setColor(QPalette::ToolTipBase, QColor(62, 66, 73));
   p.setColor(QPalette::ToolTipText, QColor(228, 230, 232));
@@ -41,11 +41,12 @@ void apply_theme(Theme theme) {
   static Theme applied = Theme::system;
   if (theme == applied) return;
   applied = theme;
-  switch (theme) {
-    case Theme::system: QApplication::setPalette(system); break;
-    case Theme::light: QApplication::setPalette(light_palette()); break;
-    case Theme::dark: QApplication::setPalette(dark_palette()); break;
-  }
+  const QPalette chosen = theme == Theme::dark ? dark_palette() : theme == Theme::light ? light_palette() : system;
+  QApplication::setPalette(chosen);
+  // The style draws a box in the ground's colour, which on dark ground nobody sees.
+  QPalette boxes = chosen;
+  if (theme == Theme::dark) boxes.setColor(QPalette::Base, QColor(86, 92, 101));
+  QApplication::setPalette(boxes, "QCheckBox");
 }
 
 }  // namespace loopmend

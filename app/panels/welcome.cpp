@@ -23,6 +23,7 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   large.setPointSizeF(large.pointSizeF() * 1.6);
   title->setFont(large);
   auto* formats = new QuietLabel(tr("PLY, STL, OBJ or OFF; or a saved session"));
+  formats->setWordWrap(false);
   auto* open = make_button("welcomeOpen", tr("&Open\u2026"), tr("Choose a file (Ctrl+O)"));
   open->setDefault(true);
   auto* sample = make_button("welcomeSample", tr("&Try the sample"), tr("A small made-up scan with five holes"));

@@ -135,7 +135,8 @@ void add_caption(vtkRenderer* renderer, const char* words, double ratio, int hei
 
 /// The legend's strip at the right edge, so that it covers nothing. @returns how wide it is, device pixels.
 int give_legend_room(MeshScene& scene, vtkRenderWindow* window, double ratio, int width, int height) {
-  const int strip = static_cast<int>(std::lround((Legend::width_px + 24) * ratio));
+  int strip = static_cast<int>(std::lround((Legend::width_px + 12) * ratio));
+  strip += (width - strip) % 2;  // two pictures of the same width fit beside it
   scene.set_size(strip, height);
   scene.set_legend(LegendPlace::beside);
   scene.legend_renderer()->SetViewport(1 - static_cast<double>(strip) / width, 0, 1, 1);

@@ -123,8 +123,7 @@ void FileDesk::offer_recovery() {
                   *done = connect(&workbench_, &Workbench::activity_changed, this, [this, newest, done] {
                     if (workbench_.busy()) return;
                     disconnect(*done);
-                    // Only what is on the screen again may go from the disk; the next autosave takes its place.
-                    if (!document_.patches().empty()) Autosave::discard(newest);
+                    if (!document_.patches().empty()) Q_EMIT recovered(newest);
                   });
                   workbench_.open_session(newest.path, tr("recovered work"));
                 }},

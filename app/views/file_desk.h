@@ -41,6 +41,8 @@ class FileDesk : public QObject {
 
  Q_SIGNALS:
   void recent_changed();
+  /// The work in this copy is on the screen again.
+  void recovered(const Leftover& leftover);
 
  private:
   void act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act);

@@ -156,6 +156,7 @@ void MainWindow::connect_panels() {
   connect(welcome_, &Welcome::open_wanted, this, [this] { files_->ask_open(OpenMode::replace); });
   connect(welcome_, &Welcome::sample_wanted, this, &MainWindow::open_sample);
   connect(welcome_, &Welcome::file_wanted, this, [this](const QString& path) { open(path); });
+  connect(files_, &FileDesk::recovered, &autosave_, &Autosave::take_over);
   connect(files_, &FileDesk::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });
 }
 

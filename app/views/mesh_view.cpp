@@ -8,6 +8,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QElapsedTimer>
 #include <QSurfaceFormat>
 #include <QVBoxLayout>
 
@@ -80,7 +81,12 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
     impl_->scene.update();
     impl_->renderer()->ResetCameraClippingRange();
+    QElapsedTimer clock;
+    clock.start();
     impl_->window->Render();
+    // Where drawing is slow, everything else of the window gets its share of the time before the next picture.
+    constexpr qint64 longest_wait_ms = 60;
+    impl_->redraw_timer.setInterval(static_cast<int>(std::min(longest_wait_ms, clock.elapsed() / 2)));
   });
   impl_->window->AddObserver(vtkCommand::EndEvent, this, &MeshView::after_render);
   follow_document();
@@ -118,7 +124,10 @@ void MeshView::follow_document() {
 
 QWidget* MeshView::canvas() const { return impl_->canvas; }
 
-void MeshView::redraw() { impl_->redraw_timer.start(); }
+void MeshView::redraw() {
+  // Not started anew by each wish: a flow that moves faster than the graphics would never be seen.
+  if (!impl_->redraw_timer.isActive()) impl_->redraw_timer.start();
+}
 
 const Look& MeshView::look() const { return impl_->look; }
 

@@ -167,6 +167,7 @@ void ViewOverlay::paint_axes(QPainter& painter) const {
     painter.drawLine(middle, middle + axis_length * way);
     painter.setPen(QPen(color, 2.2, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(middle, middle + axis_length * way);
+    painter.setPen(palette().color(QPalette::WindowText));
     const QPointF label = middle + (axis_length + 9) * way;
     painter.drawText(QRectF(label - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QLatin1String(names[axis]));
   }

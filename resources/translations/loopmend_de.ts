@@ -75,10 +75,6 @@
             <translation>der Füller</translation>
         </message>
         <message>
-            <source>step %1, energy %2</source>
-            <translation>Schritt %1, Energie %2</translation>
-        </message>
-        <message>
             <source>3  Look back, decide</source>
             <translation>3  Zurückschauen, entscheiden</translation>
         </message>
@@ -141,6 +137,10 @@
         <message>
             <source>Let a flow move this patch again (A)</source>
             <translation>Den Flicken wieder von einem Fluss bewegen lassen (A)</translation>
+        </message>
+        <message>
+            <source>step %1</source>
+            <translation>Schritt %1</translation>
         </message>
     </context>
     <context>

@@ -75,10 +75,6 @@
             <translation>the filler</translation>
         </message>
         <message>
-            <source>step %1, energy %2</source>
-            <translation>step %1, energy %2</translation>
-        </message>
-        <message>
             <source>3  Look back, decide</source>
             <translation>3  Look back, decide</translation>
         </message>
@@ -141,6 +137,10 @@
         <message>
             <source>Let a flow move this patch again (A)</source>
             <translation>Let a flow move this patch again (A)</translation>
+        </message>
+        <message>
+            <source>step %1</source>
+            <translation>step %1</translation>
         </message>
     </context>
     <context>

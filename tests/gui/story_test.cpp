@@ -290,7 +290,9 @@ void StoryTest::crash_and_recover() {
   QVERIFY2(window.isWindowModified(), "recovered work is in no file yet");
   settle(200);
   QVERIFY(count_colors(window.view().picture()) >= 64);
-  QVERIFY2(Autosave::leftovers().empty(), "what was recovered must not be offered again");
+  QVERIFY2(wait_until([] { return Autosave::leftovers().empty(); }, 10),
+           "what was recovered must not be offered again");
+  QVERIFY2(QFile::exists(window.autosave().path()), "recovered work must be safe from the next crash at once");
   // It can be worked on.
   press(window, "steady");
   QVERIFY(wait_idle(window, 240));

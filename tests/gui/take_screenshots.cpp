@@ -2,7 +2,7 @@
 // Twice the size: QT_SCALE_FACTOR=2. See resources/help/make_pictures.sh.
 #include "driver.h"
 
-#include "panels/theme.h"
+#include "document/preferences.h"
 
 #include <QAction>
 #include <QApplication>
@@ -148,7 +148,9 @@ int main(int argc, char** argv) {
   prepare_application();
   QApplication application(argc, argv);
   settle_application();
-  QApplication::setPalette(argc > 3 && std::strcmp(argv[3], "dark") == 0 ? dark_palette() : light_palette());
+  Preferences preferences;
+  preferences.theme = argc > 3 && std::strcmp(argv[3], "dark") == 0 ? Theme::dark : Theme::light;
+  save_preferences(preferences);
   folder = QDir(QString::fromLocal8Bit(argv[2]));
   folder.mkpath(QStringLiteral("."));
   MainWindow window;
