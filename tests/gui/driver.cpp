@@ -1,16 +1,20 @@
 #include "driver.h"
 
 #include "document/language.h"
+#include "document/targets.h"
 #include "io/write_mesh.h"
+#include "samples/sample_scan.h"
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <clocale>
 #include <cstdio>
+#include <ctime>
 #include <set>
 
 namespace loopmend::testing {
@@ -58,8 +62,24 @@ double share_changed(const QImage& a, const QImage& b) {
   return static_cast<double>(changed) / std::max(1, all);
 }
 
+namespace {
+
+double thread_cpu_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
 GapMeter::GapMeter() {
-  connect(&timer_, &QTimer::timeout, this, [this] { worst_ = std::max(worst_, clock_.restart()); });
+  cpu_ = thread_cpu_ms();
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    worst_ = std::max(worst_, clock_.restart());
+    const double now = thread_cpu_ms();
+    worst_cpu_ = std::max(worst_cpu_, now - cpu_);
+    cpu_ = now;
+  });
   timer_.start(1);
   clock_.start();
 }
@@ -67,7 +87,9 @@ GapMeter::GapMeter() {
 qint64 GapMeter::report(const char* what) {
   QCoreApplication::processEvents();
   const qint64 worst = std::exchange(worst_, 0);
-  std::printf("gap %5lld ms  %s\n", static_cast<long long>(worst), what);
+  std::printf("gap %5lld ms, of these %4.0f ms own work  %s\n", static_cast<long long>(worst), worst_cpu_, what);
+  worst_cpu_ = 0;
+  cpu_ = thread_cpu_ms();
   std::fflush(stdout);
   clock_.restart();
   return worst;
@@ -92,6 +114,36 @@ void settle(int milliseconds) { QTest::qWait(milliseconds); }
 
 void press(MainWindow& window, const char* button) {
   QTest::mouseClick(part<QAbstractButton>(window, button), Qt::LeftButton);
+}
+
+void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with) { QTest::keyClick(&window, which, with); }
+
+Shown::Shown(const QStringList& paths) {
+  window.move(0, 0);
+  window.show();
+  exposed = QTest::qWaitForWindowExposed(&window);
+  QApplication::setActiveWindow(&window);  // there is no window manager to do it, and shortcuts need it
+  if (!paths.isEmpty()) window.open(paths);
+  ready = wait_idle(window) && (paths.isEmpty() || window.document().has_scan());
+  settle();
+}
+
+Shown::~Shown() { window.autosave().finish(); }
+
+QString sample_file(const QTemporaryDir& folder) {
+  const QString path = folder.filePath(QStringLiteral("sample.ply"));
+  if (!QFile::exists(path)) write_mesh(path.toStdString(), make_sample_scan());
+  return path;
+}
+
+int first_hole(const Document& document) {
+  int loop = 0;
+  while (loop < document.loop_count() && !document.fillable(loop)) ++loop;
+  return loop;
+}
+
+int open_holes(const Document& document) {
+  return static_cast<int>(loops_up_to(document, SizeMeasure::edges, 1e9).size());
 }
 
 QPoint visible_point(MainWindow& window, int loop) {

@@ -6,6 +6,7 @@
 
 #include <QElapsedTimer>
 #include <QImage>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include <functional>
@@ -28,6 +29,24 @@ T* part(MainWindow& window, const char* name) {
 }
 void press(MainWindow& window, const char* button);
 
+void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with = {});
+
+/// A window on the screen, with these files open.
+class Shown {
+ public:
+  explicit Shown(const QStringList& paths = {});
+  ~Shown();
+  MainWindow window;
+  bool exposed = false, ready = false;
+};
+
+/// The embedded sample as a file in this folder.
+QString sample_file(const QTemporaryDir& folder);
+/// The first loop that is a hole.
+int first_hole(const Document& document);
+/// How many holes have no patch.
+int open_holes(const Document& document);
+
 /// A pixel on the loop's line where nothing hides it, in canvas coordinates; by trying its vertices.
 QPoint visible_point(MainWindow& window, int loop);
 
@@ -48,6 +67,7 @@ class GapMeter : public QObject {
   QTimer timer_;
   QElapsedTimer clock_;
   qint64 worst_ = 0;
+  double cpu_ = 0, worst_cpu_ = 0;  ///< of this thread: what does not depend on how busy the machine is
 };
 
 /// Keeps settings and recovery files of the test out of the user's own. To be called before QApplication is made.

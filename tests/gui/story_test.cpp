@@ -1,14 +1,11 @@
 // Whole stories, told to the real window by mouse and keyboard: fill one hole by eye; fill all small holes of a scan;
-// crash and recover. And what goes with them.
+// crash and recover; the same by a script; another day; several scans.
 #include "driver.h"
 
-#include "dialogs/help_window.h"
-#include "dialogs/picture_dialog.h"
 #include "document/targets.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
-#include "samples/sample_scan.h"
 
 #include <QAction>
 #include <QApplication>
@@ -17,9 +14,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
-#include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
@@ -27,7 +22,6 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTranslator>
 
 #include <csignal>
 #include <cstdio>
@@ -38,47 +32,12 @@ using namespace loopmend::testing;
 
 namespace {
 
-const QString bunny = QStringLiteral(LOOPMEND_SHARED_DIR "/data/bunny.ply");
 const QString plane_holes = QStringLiteral(LOOPMEND_SHARED_DIR "/data/plane_holes.obj");
-
-class Shown {
- public:
-  explicit Shown(const QStringList& paths = {}) {
-    window.move(0, 0);
-    window.show();
-    exposed = QTest::qWaitForWindowExposed(&window);
-    QApplication::setActiveWindow(&window);
-    if (!paths.isEmpty()) window.open(paths);
-    ready = wait_idle(window) && (paths.isEmpty() || window.document().has_scan());
-    settle();
-  }
-  ~Shown() { window.autosave().finish(); }
-  MainWindow window;
-  bool exposed = false, ready = false;
-};
-
-QString sample_file(const QTemporaryDir& folder) {
-  const QString path = folder.filePath(QStringLiteral("sample.ply"));
-  if (!QFile::exists(path)) write_mesh(path.toStdString(), make_sample_scan());
-  return path;
-}
-
-void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with = {}) { QTest::keyClick(&window, which, with); }
 
 int filled(const Document& document) {
   int count = 0;
   for (int loop = 0; loop < document.loop_count(); ++loop) count += document.patch_of(loop) != nullptr;
   return count;
-}
-
-int open_holes(const Document& document) {
-  return static_cast<int>(loops_up_to(document, SizeMeasure::edges, 1e9).size());
-}
-
-int first_hole(const Document& document) {
-  int loop = 0;
-  while (loop < document.loop_count() && !document.fillable(loop)) ++loop;
-  return loop;
 }
 
 /// The program that will be killed: fills one hole, waits for its own autosave, tells, and hangs around.
@@ -110,14 +69,6 @@ class StoryTest : public QObject {
   void command_line_repeats_the_window();
   void session_keeps_everything();
   void several_scans_are_one_scene();
-  void every_look_draws_another_picture();
-  void a_point_tells_its_values();
-  void pictures_of_any_size();
-  void filter_and_groups();
-  void help_is_complete();
-  void every_control_has_a_name_and_words();
-  void german_is_there();
-  void no_long_gaps_on_the_bunny();
 
  private:
   QTemporaryDir folder_;
@@ -425,187 +376,6 @@ void StoryTest::several_scans_are_one_scene() {
   key(window, Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(document.scans().size(), std::size_t(2));
   QCOMPARE(filled(document), 2);
-}
-
-void StoryTest::every_look_draws_another_picture() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  QList<QImage> pictures;
-  const auto shoot = [&] {
-    settle(200);
-    pictures << window.view().picture();
-    QVERIFY(count_colors(pictures.last()) >= 40);
-  };
-  for (Qt::Key digit : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
-    key(window, digit);
-    shoot();
-  }
-  key(window, Qt::Key_W);
-  shoot();
-  key(window, Qt::Key_W);
-  key(window, Qt::Key_M);
-  shoot();
-  key(window, Qt::Key_M);
-  key(window, Qt::Key_1);
-  part<QComboBox>(window, "colorMap")->setCurrentIndex(1);
-  shoot();
-  part<QComboBox>(window, "rangeRule")->setCurrentIndex(1);
-  const double range = window.view().range();
-  part<QDoubleSpinBox>(window, "ownRange")->setValue(range / 4);
-  QCOMPARE(window.view().range(), part<QDoubleSpinBox>(window, "ownRange")->value());
-  shoot();
-  for (int i = 0; i < pictures.size(); ++i)
-    for (int k = i + 1; k < pictures.size(); ++k)
-      QVERIFY2(share_changed(pictures[i], pictures[k]) > 0.001, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
-}
-
-void StoryTest::a_point_tells_its_values() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  window.selection().select({0});
-  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, window.view().canvas()->rect().center());
-  const QString words = part<QLabel>(window, "statusFigures")->text();
-  QVERIFY2(words.contains(QStringLiteral("vertex")) && words.contains(QStringLiteral("H ")), qPrintable(words));
-  QCOMPARE(window.selection().selected(), std::set<int>{0});
-  // Beside everything: the selection goes.
-  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, QPoint(3, 3));
-  QVERIFY(window.selection().selected().empty());
-}
-
-void StoryTest::pictures_of_any_size() {
-  Shown shown({sample_file(folder_)});
-  PictureDialog dialog(shown.window.view(), &shown.window);
-  dialog.show();
-  const auto combo = [&](const char* name) { return dialog.findChild<QComboBox*>(QLatin1String(name)); };
-  combo("pictureSize")->setCurrentIndex(1);
-  const QString path = folder_.filePath(QStringLiteral("twice.png"));
-  QVERIFY(dialog.save(path));
-  const QImage twice(path);
-  QCOMPARE(twice.size(), shown.window.view().size() * 2);
-  QVERIFY(count_colors(twice) >= 64);
-  combo("pictureGround")->setCurrentIndex(1);
-  combo("pictureExtras")->setCurrentIndex(2);
-  QVERIFY(dialog.save(path));
-  const QImage cut_out(path);
-  QCOMPARE(qAlpha(cut_out.pixel(2, 2)), 0);
-  QCOMPARE(qAlpha(cut_out.pixel(cut_out.rect().center())), 255);
-  QVERIFY(!dialog.save(QStringLiteral("/nonexistent-folder/x.png")));
-  QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("pictureTrouble"))->isVisible());
-  settle(200);
-  QVERIFY2(count_colors(shown.window.view().picture()) >= 64, "the window's own picture is spoilt");
-}
-
-void StoryTest::filter_and_groups() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  const auto rows = [&] { return part<QTableView>(window, "holesTable")->model()->rowCount(); };
-  const int all = rows();
-  key(window, Qt::Key_L, Qt::ControlModifier);
-  QTest::keyClicks(part<QLineEdit>(window, "holesFilter"), QStringLiteral("rim"));
-  QVERIFY(rows() >= 1 && rows() < all);
-  part<QLineEdit>(window, "holesFilter")->clear();
-  const int hole = first_hole(window.document());
-  window.selection().select({hole});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
-  part<QComboBox>(window, "holesGroup")->setCurrentIndex(2);
-  QCOMPARE(rows(), 1);
-  QVERIFY2(window.selection().selected() == std::set<int>{hole}, "narrowing the table must not change the selection");
-  part<QComboBox>(window, "holesGroup")->setCurrentIndex(0);
-  // The rule about outer rims can be seen and changed.
-  auto* rims = part<QCheckBox>(window, "includeRims");
-  const int before = open_holes(window.document());
-  QVERIFY(rims->isEnabled());
-  rims->setChecked(true);
-  QVERIFY(open_holes(window.document()) > before);
-}
-
-void StoryTest::help_is_complete() {
-  HelpWindow help;
-  auto* pages = help.findChild<QListWidget*>();
-  QVERIFY(pages->count() >= 6);
-  for (int row = 0; row < pages->count(); ++row) {
-    pages->setCurrentRow(row);
-    QVERIFY2(help.shown_text().size() > 200, qPrintable(pages->item(row)->text()));
-  }
-}
-
-void StoryTest::every_control_has_a_name_and_words() {
-  Shown shown({sample_file(folder_)});
-  QStringList nameless;
-  for (QWidget* widget : shown.window.findChildren<QWidget*>()) {
-    const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox") ||
-                         widget->inherits("QAbstractSpinBox") || widget->inherits("QAbstractSlider") ||
-                         widget->inherits("QTableView");
-    // Qt's own inner parts: dock title buttons, scroll bars, the line edit within a spin box.
-    const bool inner = widget->objectName().startsWith(QStringLiteral("qt_")) || widget->objectName().isEmpty() ||
-                       widget->inherits("QScrollBar") || widget->parentWidget()->inherits("QTabBar");
-    if (!control || inner) continue;
-    const bool named = !widget->accessibleName().isEmpty();
-    const bool explained = !widget->toolTip().isEmpty() || !widget->accessibleDescription().isEmpty();
-    if (!named || !explained) nameless << widget->objectName();
-  }
-  QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QStringLiteral(", "))));
-  for (QAction* action : shown.window.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
-    if (!action->objectName().isEmpty()) QVERIFY2(!action->toolTip().isEmpty(), qPrintable(action->objectName()));
-}
-
-void StoryTest::german_is_there() {
-  QTranslator german;
-  QVERIFY(german.load(QStringLiteral("loopmend_de"), QStringLiteral(":/translations")));
-  QCOMPARE(german.translate("loopmend::WindowActions", "&Undo"), QStringLiteral("&R\u00fcckg\u00e4ngig"));
-}
-
-void StoryTest::no_long_gaps_on_the_bunny() {
-  if (!QFile::exists(bunny)) QSKIP("bunny.ply is not in the shared folder");
-  Shown shown;
-  MainWindow& window = shown.window;
-  GapMeter gaps;
-  QElapsedTimer clock;
-  clock.start();
-  window.open(bunny);
-  wait_until([&] { return !part<QWidget>(window, "welcome")->isVisible(); });
-  std::printf("bunny: first picture after %lld ms\n", static_cast<long long>(clock.elapsed()));
-  wait_idle(window);
-  settle(200);
-  gaps.report("bunny: open");
-  key(window, Qt::Key_N);
-  settle(600);
-  gaps.report("bunny: fly");
-  for (int x = 100; x < 500; x += 20) {
-    QTest::mouseMove(window.view().canvas(), QPoint(x, 200));
-    QCoreApplication::processEvents();
-  }
-  settle(100);
-  gaps.report("bunny: hover");
-  key(window, Qt::Key_Escape);
-  press(window, "fill");
-  wait_idle(window);
-  settle(200);
-  gaps.report("bunny: fill");
-  press(window, "run");
-  settle(1500);
-  gaps.report("bunny: run");
-  key(window, Qt::Key_Escape);
-  settle(100);
-  gaps.report("bunny: cancel");
-  press(window, "steady");
-  wait_idle(window, 300);
-  settle(200);
-  gaps.report("bunny: to steady state");
-  for (Qt::Key digit : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_1}) {
-    key(window, digit);
-    settle(150);
-  }
-  gaps.report("bunny: shadings");
-  key(window, Qt::Key_W);
-  settle(200);
-  key(window, Qt::Key_W);
-  settle(100);
-  gaps.report("bunny: wireframe");
-  for (int i = 0; i < 3; ++i) key(window, Qt::Key_Z, Qt::ControlModifier);
-  settle(200);
-  gaps.report("bunny: undo");
 }
 
 int main(int argc, char** argv) {

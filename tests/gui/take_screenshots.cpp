@@ -1,7 +1,8 @@
-// Takes pictures of the real window, for people to judge and for the help pages: take_screenshots FILE FOLDER [dark]
+// Takes pictures of the real window, for people to judge and for the help pages: take_screenshots FILE FOLDER [light|dark [de]]
 // Twice the size: QT_SCALE_FACTOR=2. See resources/help/make_pictures.sh.
 #include "driver.h"
 
+#include "document/language.h"
 #include "document/preferences.h"
 
 #include <QAction>
@@ -140,7 +141,7 @@ void show_the_rest(MainWindow& window) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fputs("usage: take_screenshots FILE FOLDER [dark]\n", stderr);
+    std::fputs("usage: take_screenshots FILE FOLDER [light|dark [de]]\n", stderr);
     return 2;
   }
   const QTemporaryDir home;
@@ -151,6 +152,7 @@ int main(int argc, char** argv) {
   Preferences preferences;
   preferences.theme = argc > 3 && std::strcmp(argv[3], "dark") == 0 ? Theme::dark : Theme::light;
   save_preferences(preferences);
+  if (argc > 4) install_language(QString::fromLatin1(argv[4]));
   folder = QDir(QString::fromLocal8Bit(argv[2]));
   folder.mkpath(QStringLiteral("."));
   MainWindow window;
