@@ -31,7 +31,9 @@ class Browser : public QTextBrowser {
  public:
   QVariant loadResource(int type, const QUrl& name) override {
     if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
-    return QImage(QStringLiteral(":/help/") + name.path());
+    constexpr int widest = 650;  // fits beside the list of pages
+    const QImage picture(QStringLiteral(":/help/") + name.path());
+    return picture.width() > widest ? picture.scaledToWidth(widest, Qt::SmoothTransformation) : picture;
   }
 };
 

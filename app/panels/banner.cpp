@@ -46,9 +46,8 @@ bool Banner::eventFilter(QObject* watched, QEvent* event) {
 
 void Banner::settle() {
   const int width = parentWidget()->width();
-  layout_->activate();
-  setGeometry(0, 0, width,
-              std::max(sizeHint().height(), layout_->hasHeightForWidth() ? layout_->heightForWidth(width) : 0));
+  layout_->invalidate();
+  setGeometry(0, 0, width, layout_->hasHeightForWidth() ? layout_->totalHeightForWidth(width) : sizeHint().height());
   raise();
 }
 

@@ -739,15 +739,15 @@
         </message>
         <message>
             <source>H jump rms</source>
-            <translation>H-Sprung rms</translation>
+            <translation>H-Spr. rms</translation>
         </message>
         <message>
             <source>H jump max</source>
-            <translation>H-Sprung max</translation>
+            <translation>H-Spr. max</translation>
         </message>
         <message>
             <source>H jump · size</source>
-            <translation>H-Sprung · Größe</translation>
+            <translation>H-Spr. · Größe</translation>
         </message>
     </context>
     <context>

@@ -119,6 +119,7 @@ void show_looks(MainWindow& window) {
   shoot(window, "gaussian");
   trigger(window, "plain");
   trigger(window, "wireframe");
+  settle(1500);  // the graphics take their time over edges, the first time
   shoot(window, "wireframe");
   trigger(window, "wireframe");
   trigger(window, "curvature");
