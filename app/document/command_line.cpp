@@ -76,8 +76,10 @@ class ScanCommands {
     const PatchRecipe& recipe = patch.state->recipe;
     auto& loops = by_options_[options_of(recipe)];
     loops.insert(patch.loops.begin(), patch.loops.end());
-    if (is_exact(recipe)) return;
     const QString name = words::sentence(words::holes(document_, {patch.loops.begin(), patch.loops.end()}));
+    if (patch.state->stage == PatchStage::cutting)
+      remarks << tr("%1: the patch cuts the surface; the command would leave it open.").arg(name);
+    if (is_exact(recipe)) return;
     remarks << tr("%1 took several runs, or was stopped halfway through one; the command repeats the last run only.")
                    .arg(name);
   }

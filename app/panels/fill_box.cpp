@@ -58,7 +58,7 @@ void FillBox::build() {
   density_label->setBuddy(density_);
   preview_ = new QCheckBox(tr("Pre&view"));
   preview_->setObjectName(QStringLiteral("preview"));
-  explain(preview_, tr("Preview"), tr("Show the patch with its edges before it is made"));
+  explain(preview_, tr("Preview"), tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
   fill_ = make_button("fill", tr("&Fill"), tr("Close the selected holes, or all holes when none is selected (Ctrl+F)"));
   grid->addWidget(target_, 0, 0, 1, 3);
   grid->addWidget(density_label, 1, 0);
@@ -128,7 +128,7 @@ void FillBox::update_state() {
   fill_->setEnabled(idle && !loops.empty());
   fill_->setDefault(fill_->isEnabled());
   density_->setEnabled(idle && document_.has_scan());
-  preview_->setEnabled(idle && document_.has_scan());
+  preview_->setEnabled(idle && !loops.empty() && loops.size() <= most_previewed);
 }
 
 }  // namespace loopmend

@@ -288,10 +288,6 @@
             <translation>Vorschau</translation>
         </message>
         <message>
-            <source>Show the patch with its edges before it is made</source>
-            <translation>Den Flicken mit seinen Kanten zeigen, bevor er gemacht wird</translation>
-        </message>
-        <message>
             <source>&amp;Fill</source>
             <translation>&amp;Füllen</translation>
         </message>
@@ -330,6 +326,10 @@
         <message>
             <source>About %1 triangles, edges of %2.</source>
             <translation>Etwa %1 Dreiecke, Kanten von %2.</translation>
+        </message>
+        <message>
+            <source>Show the patch with its edges before it is made; for up to 200 holes at once</source>
+            <translation>Den Flicken mit seinen Kanten zeigen, bevor er gemacht wird; für bis zu 200 Löcher auf einmal</translation>
         </message>
     </context>
     <context>
@@ -1241,6 +1241,10 @@
         <message>
             <source>%1 took several runs, or was stopped halfway through one; the command repeats the last run only.</source>
             <translation>%1: mehrere Läufe, oder mitten in einem angehalten; der Befehl wiederholt nur den letzten Lauf.</translation>
+        </message>
+        <message>
+            <source>%1: the patch cuts the surface; the command would leave it open.</source>
+            <translation>%1: der Flicken schneidet die Fläche; der Befehl ließe das Loch offen.</translation>
         </message>
     </context>
     <context>

@@ -288,10 +288,6 @@
             <translation>Preview</translation>
         </message>
         <message>
-            <source>Show the patch with its edges before it is made</source>
-            <translation>Show the patch with its edges before it is made</translation>
-        </message>
-        <message>
             <source>&amp;Fill</source>
             <translation>&amp;Fill</translation>
         </message>
@@ -330,6 +326,10 @@
         <message>
             <source>About %1 triangles, edges of %2.</source>
             <translation>About %1 triangles, edges of %2.</translation>
+        </message>
+        <message>
+            <source>Show the patch with its edges before it is made; for up to 200 holes at once</source>
+            <translation>Show the patch with its edges before it is made; for up to 200 holes at once</translation>
         </message>
     </context>
     <context>
@@ -1241,6 +1241,10 @@
         <message>
             <source>%1 took several runs, or was stopped halfway through one; the command repeats the last run only.</source>
             <translation>%1 took several runs, or was stopped halfway through one; the command repeats the last run only.</translation>
+        </message>
+        <message>
+            <source>%1: the patch cuts the surface; the command would leave it open.</source>
+            <translation>%1: the patch cuts the surface; the command would leave it open.</translation>
         </message>
     </context>
     <context>

@@ -62,6 +62,14 @@ double share_changed(const QImage& a, const QImage& b) {
   return static_cast<double>(changed) / std::max(1, all);
 }
 
+bool picture_changes(MainWindow& window, const QImage& before, double share) {
+  return wait_until([&] { return share_changed(before, window.view().picture()) > share; }, 15);
+}
+
+bool picture_returns(MainWindow& window, const QImage& before) {
+  return wait_until([&] { return share_changed(before, window.view().picture()) < 0.001; }, 15);
+}
+
 namespace {
 
 double thread_cpu_ms() {

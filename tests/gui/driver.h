@@ -56,6 +56,10 @@ QString write_sheet_with_holes(const QString& path, int across);
 /// The share of pixels that differ.
 double share_changed(const QImage& a, const QImage& b);
 
+/// Waits until the picture differs from `before`, or is like it again: drawing takes its time on a busy machine.
+bool picture_changes(MainWindow& window, const QImage& before, double share);
+bool picture_returns(MainWindow& window, const QImage& before);
+
 /// The longest time that the event loop did not come round: what a person feels as a window that hangs.
 class GapMeter : public QObject {
  public:

@@ -59,7 +59,12 @@ void FeatureTest::every_look_draws_another_picture() {
   MainWindow& window = shown.window;
   QList<QImage> pictures;
   const auto shoot = [&] {
-    settle(200);
+    if (pictures.isEmpty()) {
+      settle(400);
+    } else {
+      QVERIFY(picture_changes(window, pictures.last(), 0.001));
+    }
+    settle(300);
     pictures << window.view().picture();
     QVERIFY(count_colors(pictures.last()) >= 40);
   };

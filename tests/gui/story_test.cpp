@@ -94,11 +94,11 @@ void StoryTest::one_hole_by_eye() {
   QTest::mouseMove(window.view().canvas(), QPoint(3, 3));
 
   // Preview another density: the picture changes, the document does not.
-  settle(200);
+  settle(500);
   const QImage bare = window.view().picture();
   QTest::mouseClick(part<QCheckBox>(window, "preview"), Qt::LeftButton, {}, QPoint(8, 8));
   part<QDoubleSpinBox>(window, "density")->setValue(1.5);
-  QVERIFY(wait_until([&] { return share_changed(bare, window.view().picture()) > 0.003; }, 30));
+  QVERIFY(picture_changes(window, bare, 0.003));
   QVERIFY(document.patches().empty());
 
   // Fill, step twice, run and pause, by keys.
@@ -151,7 +151,7 @@ void StoryTest::all_small_holes_and_undo() {
   const Document& document = window.document();
   const int all = open_holes(document);
   QVERIFY(all >= 20);
-  settle(200);
+  settle(500);
   const QImage before = window.view().picture();
 
   // All but the largest: one edge less than it has.
@@ -166,8 +166,7 @@ void StoryTest::all_small_holes_and_undo() {
   QVERIFY(wait_idle(window, 240));
   QCOMPARE(filled(document), meant);
   QCOMPARE(open_holes(document), all - meant);
-  settle(200);
-  QVERIFY(share_changed(before, window.view().picture()) > 0.003);
+  QVERIFY(picture_changes(window, before, 0.003));
   window.workbench().export_to(folder_.filePath(QStringLiteral("most.ply")));
   QVERIFY(wait_idle(window));
   const SurfaceModel written =
@@ -177,8 +176,7 @@ void StoryTest::all_small_holes_and_undo() {
   key(window, Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(filled(document), 0);
   QCOMPARE(open_holes(document), all);
-  settle(200);
-  QVERIFY2(share_changed(before, window.view().picture()) < 0.001, "the holes are not open again");
+  QVERIFY2(picture_returns(window, before), "the holes are not open again");
   QVERIFY(!part<QAction>(window, "undo")->isEnabled());
 }
 
