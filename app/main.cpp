@@ -1,4 +1,6 @@
 // loopmend-gui: starts the window.
+#include "document/language.h"
+#include "document/preferences.h"
 #include "io/atomic_file.h"
 #include "views/main_window.h"
 #include "views/mesh_view.h"
@@ -19,9 +21,9 @@ constexpr int exit_no_display = 1;
 constexpr const char* help =
     "loopmend-gui - close holes in scanned meshes, in a window\n"
     "\n"
-    "Usage: loopmend-gui [FILE]\n"
+    "Usage: loopmend-gui [FILE...]\n"
     "\n"
-    "  FILE       a scan to open: PLY, STL, OBJ or OFF\n"
+    "  FILE       scans to open in one scene (PLY, STL, OBJ or OFF), or one saved session\n"
     "  --help     print this and exit\n"
     "  --version  print the version and exit\n"
     "\n"
@@ -90,11 +92,13 @@ int main(int argc, char** argv) {
   qInstallMessageHandler(nullptr);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setStyle(QStringLiteral("Fusion"));
+  loopmend::install_language(loopmend::load_preferences().language);
 
   loopmend::MainWindow window;
   window.show();
-  const QStringList words = QApplication::arguments();
-  if (words.size() > 1) window.open(words.last());
+  QStringList files = QApplication::arguments().mid(1);
+  files.removeAll(QStringLiteral("--"));
+  files.isEmpty() ? window.offer_recovery() : window.open(files);
   const int code = QApplication::exec();
   if (!window.shut_down(std::chrono::seconds(5))) {
     // A worker is deep inside one factorisation. Nothing half-written may stay behind.

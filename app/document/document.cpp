@@ -4,10 +4,27 @@
 
 namespace loopmend {
 
-const std::vector<BoundaryLoop>& Document::loops() const {
-  static const std::vector<BoundaryLoop> none;
-  return scan_ ? scan_->loops : none;
+bool Document::has_scan() const {
+  return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scan != nullptr; });
 }
+
+std::vector<int> Document::scans() const {
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < slots_.size(); ++i)
+    if (slots_[i].scan) indices.push_back(static_cast<int>(i));
+  return indices;
+}
+
+std::shared_ptr<const OpenedScan> Document::scan(int index) const {
+  const auto at = static_cast<std::size_t>(index);
+  return at < slots_.size() ? slots_[at].scan : nullptr;
+}
+
+const OpenedScan& Document::first_scan() const {
+  return *std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scan != nullptr; })->scan;
+}
+
+bool Document::present(int loop) const { return slots_[static_cast<std::size_t>(scan_of(loop))].scan != nullptr; }
 
 const OpenPatch* Document::patch(int id) const {
   const auto it = patch_by_id_.find(id);
@@ -35,11 +52,13 @@ HoleState Document::state(int loop) const {
     return fillable(loop) ? HoleState::open : HoleState::left_out;
   }
   if (running_.contains(patch->id)) return HoleState::running;
+  if (patch->acceptance == Acceptance::accepted) return HoleState::accepted;
   switch (patch->state->stage) {
     case PatchStage::filled: return HoleState::filled;
     case PatchStage::stepped: return HoleState::stepped;
     case PatchStage::converged: return HoleState::converged;
-    case PatchStage::failed: return HoleState::failed;
+    case PatchStage::stalled: return HoleState::stalled;
+    case PatchStage::cutting: return HoleState::cutting;
   }
   return HoleState::open;
 }
@@ -51,12 +70,23 @@ QString Document::message(int loop) const {
 }
 
 bool Document::fillable(int loop) const {
-  const LoopKind kind = loops()[static_cast<std::size_t>(loop)].kind;
-  return kind == LoopKind::hole || kind == LoopKind::touching;
+  if (!present(loop)) return false;
+  const LoopKind kind = this->loop(loop).kind;
+  return kind == LoopKind::hole || kind == LoopKind::touching ||
+         (kind == LoopKind::outer_rim && outer_rims_ == OuterRims::include);
 }
 
-void Document::open(OpenedScan scan) {
-  scan_ = std::make_unique<OpenedScan>(std::move(scan));
+void Document::set_outer_rims(OuterRims rule) {
+  if (rule == outer_rims_) return;
+  outer_rims_ = rule;
+  Q_EMIT holes_changed();
+}
+
+void Document::clear() {
+  slots_.clear();
+  loops_.clear();
+  scan_of_loop_.clear();
+  origin_ = Vec3::Zero();
   patches_.clear();
   index_patches();
   running_.clear();
@@ -64,24 +94,57 @@ void Document::open(OpenedScan scan) {
   Q_EMIT opened();
 }
 
-void Document::set_shape(std::shared_ptr<const SurfaceShape> shape) {
-  if (!scan_) return;
-  scan_->shape = std::move(shape);
-  Q_EMIT shape_changed();
+int Document::add_scan(std::shared_ptr<OpenedScan> scan) {
+  const int index = static_cast<int>(slots_.size());
+  const bool first = slots_.empty();
+  if (first) origin_ = scan->origin;
+  slots_.push_back({scan, loop_count()});
+  loops_.insert(loops_.end(), scan->loops.begin(), scan->loops.end());
+  scan_of_loop_.resize(loops_.size(), index);
+  if (first) Q_EMIT opened();
+  Q_EMIT scans_changed();
+  return index;
 }
 
-void Document::add_patches(const std::vector<OpenPatch>& patches) {
-  patches_.insert(patches_.end(), patches.begin(), patches.end());
-  index_patches();
-  Q_EMIT patches_changed();
-  Q_EMIT holes_changed();
+void Document::take_scan(int index) {
+  slots_[static_cast<std::size_t>(index)].scan = nullptr;
+  Q_EMIT scans_changed();
 }
 
-void Document::remove_patches(const std::vector<int>& ids) {
-  std::erase_if(patches_, [&](const OpenPatch& p) { return std::find(ids.begin(), ids.end(), p.id) != ids.end(); });
+void Document::put_scan(int index, std::shared_ptr<OpenedScan> scan) {
+  slots_[static_cast<std::size_t>(index)].scan = std::move(scan);
+  Q_EMIT scans_changed();
+}
+
+void Document::set_shape(int scan, std::shared_ptr<const SurfaceShape> shape) {
+  const auto at = static_cast<std::size_t>(scan);
+  if (at >= slots_.size() || !slots_[at].scan) return;
+  slots_[at].scan->shape = std::move(shape);
+  Q_EMIT shape_changed(scan);
+}
+
+void Document::replace(const std::vector<int>& gone, const std::vector<OpenPatch>& now) {
+  bool other_patches = !gone.empty();
+  const std::set<int> leaving(gone.begin(), gone.end());
+  std::erase_if(patches_, [&](const OpenPatch& p) { return leaving.contains(p.id); });
+  for (int id : gone) running_.erase(id);
   index_patches();
-  for (int id : ids) running_.erase(id);
-  Q_EMIT patches_changed();
+  std::vector<int> moved;
+  for (const OpenPatch& patch : now) {
+    const auto it = patch_by_id_.find(patch.id);
+    if (it == patch_by_id_.end()) {
+      patches_.push_back(patch);
+      other_patches = true;
+      continue;
+    }
+    OpenPatch& old = patches_[it->second];
+    if (old.state != patch.state) moved.push_back(patch.id);
+    old = patch;
+  }
+  index_patches();
+  if (other_patches) Q_EMIT patches_changed();
+  for (int id : moved) Q_EMIT patch_moved(id);
+  for (const OpenPatch& patch : now) Q_EMIT timeline_changed(patch.id);
   Q_EMIT holes_changed();
 }
 
@@ -98,15 +161,28 @@ void Document::set_states(const std::map<int, PatchStatePtr>& states) {
   if (renamed) Q_EMIT holes_changed();
 }
 
+void Document::set_timeline(int id, TimelinePtr timeline) {
+  const auto it = patch_by_id_.find(id);
+  if (it == patch_by_id_.end()) return;
+  patches_[it->second].timeline = std::move(timeline);
+  Q_EMIT timeline_changed(id);
+}
+
 void Document::set_running(const std::set<int>& ids) {
   if (ids == running_) return;
   running_ = ids;
   Q_EMIT holes_changed();
 }
 
-void Document::set_failures(const std::map<int, std::string>& words_by_loop) {
-  failures_ = words_by_loop;
+void Document::add_failures(const std::map<int, std::string>& words_by_loop) {
+  if (words_by_loop.empty()) return;
+  for (const auto& [loop, words] : words_by_loop) failures_[loop] = words;
   Q_EMIT holes_changed();
+}
+
+void Document::forget_failures(const std::set<int>& loops) {
+  if (std::erase_if(failures_, [&](const auto& entry) { return loops.contains(entry.first); }) > 0)
+    Q_EMIT holes_changed();
 }
 
 }  // namespace loopmend

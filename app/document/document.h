@@ -1,9 +1,8 @@
-// What is open: one scan, its loops, the patches made so far. Changes come through the undo commands and the workbench.
+// What is open: scans, their loops, the patches made so far. Changes come through the undo commands and the workbench.
 #pragma once
 
+#include "document/opened_scan.h"
 #include "document/patch_state.h"
-#include "io/read_mesh.h"
-#include "mesh/boundary_loops.h"
 
 #include <QObject>
 #include <QString>
@@ -16,27 +15,36 @@
 
 namespace loopmend {
 
-/// A scan as the worker prepared it. Never changes once it is open; `shape` and `range` come again with H.
-struct OpenedScan {
-  QString path;
-  ImportReport import;
-  std::shared_ptr<const SurfaceModel> model;
-  std::vector<BoundaryLoop> loops;
-  Vec3 origin = Vec3::Zero();
-  std::shared_ptr<const SurfaceShape> shape;
-};
+enum class HoleState { open, left_out, filled, running, stepped, converged, stalled, cutting, accepted, failed };
 
-enum class HoleState { open, left_out, filled, running, stepped, converged, failed };
+/// Whether the rim of an open sheet counts as something to fill.
+enum class OuterRims { leave, include };
 
+/// Scans and loops are named by indices that stay the same as long as the scene lives, also while a scan is taken away.
 class Document : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  bool has_scan() const { return scan_ != nullptr; }
-  const OpenedScan& scan() const { return *scan_; }
-  const std::vector<BoundaryLoop>& loops() const;
+  bool has_scan() const;
+  /// Indices of the scans that are there.
+  std::vector<int> scans() const;
+  /// Null when it was taken away.
+  std::shared_ptr<const OpenedScan> scan(int index) const;
+  /// The first one. There must be one.
+  const OpenedScan& first_scan() const;
+  /// What positions in the scene are relative to: the same for all scans.
+  const Vec3& origin() const { return origin_; }
+
+  const std::vector<BoundaryLoop>& loops() const { return loops_; }
+  int loop_count() const { return static_cast<int>(loops_.size()); }
+  const BoundaryLoop& loop(int index) const { return loops_[static_cast<std::size_t>(index)]; }
+  int scan_of(int loop) const { return scan_of_loop_[static_cast<std::size_t>(loop)]; }
+  int first_loop_of(int scan) const { return slots_[static_cast<std::size_t>(scan)].first_loop; }
+  /// Whether the loop's scan is there.
+  bool present(int loop) const;
+
   const std::vector<OpenPatch>& patches() const { return patches_; }
   const OpenPatch* patch(int id) const;
   const OpenPatch* patch_of(int loop) const;
@@ -44,35 +52,55 @@ class Document : public QObject {
   HoleState state(int loop) const;
   /// Why it failed, or what the engine has to say; may be empty.
   QString message(int loop) const;
-  /// Can be filled at all: a hole, or a loop that touches itself. Rims and cuts are left out unless selected by hand.
+  /// A hole, or a loop that touches itself; the outer rim when it is included. Others are left out unless selected.
   bool fillable(int loop) const;
+  OuterRims outer_rims() const { return outer_rims_; }
+  void set_outer_rims(OuterRims rule);
 
-  /// Replaces everything.
-  void open(OpenedScan scan);
-  void set_shape(std::shared_ptr<const SurfaceShape> shape);
+  /// Takes everything away, for good.
+  void clear();
+  /// @returns its index.
+  int add_scan(std::shared_ptr<OpenedScan> scan);
+  void take_scan(int index);
+  void put_scan(int index, std::shared_ptr<OpenedScan> scan);
+  std::shared_ptr<OpenedScan> held_scan(int index) const { return slots_[static_cast<std::size_t>(index)].scan; }
+  void set_shape(int scan, std::shared_ptr<const SurfaceShape> shape);
+
   int next_patch_id() { return next_id_++; }
-  void add_patches(const std::vector<OpenPatch>& patches);
-  void remove_patches(const std::vector<int>& ids);
+  /// Patches by these ids go, those in `now` come or are shown anew.
+  void replace(const std::vector<int>& gone, const std::vector<OpenPatch>& now);
   /// New states by patch id. Says patch_moved() for each, and holes_changed() once if a state's name or words changed.
   void set_states(const std::map<int, PatchStatePtr>& states);
+  void set_timeline(int id, TimelinePtr timeline);
   void set_running(const std::set<int>& ids);
-  void set_failures(const std::map<int, std::string>& words_by_loop);
+  void add_failures(const std::map<int, std::string>& words_by_loop);
+  void forget_failures(const std::set<int>& loops);
 
  Q_SIGNALS:
-  void opened();
-  void shape_changed();
+  void opened();         ///< another scene: everything is new
+  void scans_changed();  ///< a scan came or went
+  void shape_changed(int scan);
   void patches_changed();
   void patch_moved(int id);
-  void holes_changed();  ///< some hole's state() or message() is another
+  void timeline_changed(int id);
+  void holes_changed();  ///< some hole's state() or message() is another, or what is fillable()
 
  private:
-  std::unique_ptr<OpenedScan> scan_;
+  struct Slot {
+    std::shared_ptr<OpenedScan> scan;
+    int first_loop = 0;
+  };
   void index_patches();
 
+  std::vector<Slot> slots_;
+  std::vector<BoundaryLoop> loops_;
+  std::vector<int> scan_of_loop_;
+  Vec3 origin_ = Vec3::Zero();
   std::vector<OpenPatch> patches_;
   std::map<int, std::size_t> patch_by_id_, patch_by_loop_;
   std::set<int> running_;
   std::map<int, std::string> failures_;
+  OuterRims outer_rims_ = OuterRims::leave;
   int next_id_ = 1;
 };
 

@@ -8,14 +8,17 @@
 namespace loopmend {
 
 HoleTable::HoleTable(const Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
-  connect(&document, &Document::opened, this, [this] {
-    beginResetModel();
-    rows_ = static_cast<int>(document_.loops().size());
-    endResetModel();
-  });
+  connect(&document, &Document::opened, this, &HoleTable::follow_rows);
+  connect(&document, &Document::scans_changed, this, &HoleTable::follow_rows);
   connect(&document, &Document::holes_changed, this, [this] {
     if (rows_ > 0) Q_EMIT dataChanged(index(0, state), index(rows_ - 1, state));
   });
+}
+
+void HoleTable::follow_rows() {
+  beginResetModel();
+  rows_ = document_.loop_count();
+  endResetModel();
 }
 
 int HoleTable::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : rows_; }
@@ -40,51 +43,68 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>(Qt::AlignVCenter | (section < kind ? Qt::AlignRight : Qt::AlignLeft));
   if (role == Qt::ToolTipRole) {
-    if (section == perimeter) return tr("Length of the rim, in the scan's unit");
-    if (section == diameter) return tr("Largest distance between two rim vertices, in the scan's unit");
-    if (section == edges) return tr("Number of edges along the rim");
-    return {};
+    switch (section) {
+      case number: return tr("The loop's number within its scan, by falling perimeter");
+      case edges: return tr("Number of edges along the rim");
+      case diameter: return tr("Largest distance between two rim vertices, in the scan's unit");
+      case perimeter: return tr("Length of the rim, in the scan's unit");
+      case area: return tr("Area of the rim's projection to its best plane, in the scan's unit squared");
+      case planarity: return tr("How far the rim leaves its best plane: rms distance divided by the diameter");
+      case kind: return tr("Hole, outer rim of a sheet, crack, ...");
+      case scan: return tr("The file that the loop belongs to");
+      case state: return tr("What has been done about it");
+      default: return {};
+    }
   }
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case number: return tr("#");
     case edges: return tr("Edges");
-    case perimeter: return tr("Perimeter");
     case diameter: return tr("Diameter");
+    case perimeter: return tr("Perimeter");
+    case area: return tr("Area");
+    case planarity: return tr("Planarity");
     case kind: return tr("Kind");
+    case scan: return tr("Scan");
     case state: return tr("State");
     default: return {};
   }
 }
 
 QVariant HoleTable::text(int loop, int column) const {
-  const BoundaryLoop& l = document_.loops()[static_cast<std::size_t>(loop)];
+  const BoundaryLoop& l = document_.loop(loop);
   switch (column) {
     case number: return QString::number(l.number);
     case edges: return QString::number(l.edges());
     case perimeter: return words::number(l.perimeter);
     case diameter: return words::number(l.diameter);
+    case area: return words::number(l.area);
+    case planarity: return words::number(l.planarity);
     case kind: return words::kind(l.kind);
+    case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
     case state: return words::state(document_.state(loop));
     default: return {};
   }
 }
 
 QVariant HoleTable::sort_key(int loop, int column) const {
-  const BoundaryLoop& l = document_.loops()[static_cast<std::size_t>(loop)];
+  const BoundaryLoop& l = document_.loop(loop);
   switch (column) {
     case number: return l.number;
     case edges: return l.edges();
     case perimeter: return l.perimeter;
     case diameter: return l.diameter;
+    case area: return l.area;
+    case planarity: return l.planarity;
     case kind: return static_cast<int>(l.kind);
+    case scan: return document_.scan_of(loop);
     case state: return static_cast<int>(document_.state(loop));
     default: return {};
   }
 }
 
 QVariant HoleTable::tool_tip(int loop, int column) const {
-  if (column == kind) return words::kind_help(document_.loops()[static_cast<std::size_t>(loop)].kind);
+  if (column == kind) return words::kind_help(document_.loop(loop).kind);
   if (column != state) return {};
   const QString more = document_.message(loop);
   const QString help = words::state_help(document_.state(loop));

@@ -1,4 +1,4 @@
-// The holes as a table: one row per boundary loop of the document.
+// The holes as a table: one row per boundary loop of the document; row and loop index are the same.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -11,7 +11,7 @@ class HoleTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { number, edges, perimeter, diameter, kind, state, column_count };
+  enum Column { number, edges, diameter, perimeter, area, planarity, kind, scan, state, column_count };
   /// For sorting: the bare number behind a cell.
   static constexpr int sort_role = Qt::UserRole + 1;
 
@@ -23,6 +23,7 @@ class HoleTable : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  void follow_rows();
   QVariant text(int loop, int column) const;
   QVariant sort_key(int loop, int column) const;
   QVariant tool_tip(int loop, int column) const;

@@ -1,7 +1,6 @@
 #include "document/words.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
 
@@ -11,15 +10,32 @@
 namespace loopmend::words {
 namespace {
 
-QString tr(const char* text, int n = -1) { return QCoreApplication::translate("loopmend", text, nullptr, n); }
-
-QString count(std::size_t n) { return QLocale(QLocale::English).toString(static_cast<qulonglong>(n)); }
+QString tr(const char* text, int n = -1) { return QCoreApplication::translate("loopmend::words", text, nullptr, n); }
 
 // One sided fits on a triangulated scan differ by about this much even when the surface is smooth.
 constexpr double tangent_seen_deg = 2.0;
 constexpr double curvature_seen = 0.5;  ///< jump of H times the hole's diameter
 
+/// 3.44\u00b710\u2076
+QString with_power(double value) {
+  if (!std::isfinite(value)) return QString::number(value);
+  static const QString raised = QStringLiteral("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079");
+  const QString text = QString::number(value, 'e', 2);
+  const int at = text.indexOf(QLatin1Char('e'));
+  const int power = text.mid(at + 1).toInt();
+  QString exponent = power < 0 ? QStringLiteral("\u207b") : QString();
+  for (QChar digit : QString::number(std::abs(power))) exponent += raised.at(digit.digitValue());
+  return text.left(at) + QStringLiteral("\u00b710") + exponent;
+}
+
 }  // namespace
+
+QString count(std::size_t n) { return QLocale().toString(static_cast<qulonglong>(n)); }
+
+QString sentence(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
 
 QString kind(LoopKind kind) {
   switch (kind) {
@@ -54,7 +70,10 @@ QString state(HoleState state) {
     case HoleState::filled: return tr("filled");
     case HoleState::running: return tr("running");
     case HoleState::stepped: return tr("in progress");
-    case HoleState::converged: return tr("converged");
+    case HoleState::converged: return tr("at rest");
+    case HoleState::stalled: return tr("stopped early");
+    case HoleState::cutting: return tr("cuts surface");
+    case HoleState::accepted: return tr("accepted");
     case HoleState::failed: return tr("failed");
   }
   return {};
@@ -68,7 +87,11 @@ QString state_help(HoleState state) {
     case HoleState::running: return tr("A flow is moving this patch now.");
     case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
     case HoleState::converged: return tr("The flow has come to rest.");
-    case HoleState::failed: return tr("This did not work.");
+    case HoleState::stalled: return tr("The flow stopped before it came to rest; this is its last good state.");
+    case HoleState::cutting:
+      return tr("This patch cuts the surface or itself. It is not exported unless you accept it.");
+    case HoleState::accepted: return tr("Accepted: no flow moves it until you open it again.");
+    case HoleState::failed: return tr("This hole could not be filled.");
   }
   return {};
 }
@@ -102,7 +125,7 @@ QString number(double value) {
   constexpr int digits = 3;
   const double size = std::abs(value);
   if (size == 0) return QStringLiteral("0");
-  if (!(size >= 1e-3 && size < 1e6)) return QString::number(value, 'e', digits - 1);
+  if (!(size >= 1e-3 && size < 1e5)) return with_power(value);
   const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size))));
   return QString::number(value, 'f', decimals);
 }
@@ -124,33 +147,39 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStag
   return sentence;
 }
 
+QString hole_name(const Document& document, int loop) {
+  const QString number = QString::number(document.loop(loop).number);
+  if (document.scans().size() < 2) return number;
+  const auto scan = document.scan(document.scan_of(loop));
+  return scan ? tr("%1 of %2").arg(number, scan->name) : number;
+}
+
 QString holes(const Document& document, const std::set<int>& loops) {
   constexpr std::size_t spelled_out = 4;
-  if (loops.size() == 1) return tr("hole %1").arg(document.loops()[static_cast<std::size_t>(*loops.begin())].number);
-  if (loops.size() > spelled_out) return tr("%1 holes").arg(loops.size());
-  QStringList numbers;
-  for (int loop : loops) numbers << QString::number(document.loops()[static_cast<std::size_t>(loop)].number);
-  const QString last = numbers.isEmpty() ? QString() : numbers.takeLast();
-  return tr("holes %1 and %2").arg(numbers.join(QStringLiteral(", ")), last);
+  if (loops.size() == 1) return tr("hole %1").arg(hole_name(document, *loops.begin()));
+  if (loops.size() > spelled_out || loops.empty()) return tr("%1 holes").arg(loops.size());
+  QStringList names;
+  for (int loop : loops) names << hole_name(document, loop);
+  const QString last = names.takeLast();
+  return tr("holes %1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
 QString import_summary(const OpenedScan& scan) {
   const ImportReport& in = scan.import;
   const ModelRepairs& mended = scan.model->repairs;
-  QString text =
-      tr("%1: %2 triangles, %3 vertices, %4 boundary loops.")
-          .arg(QFileInfo(scan.path).fileName(), count(in.triangles), count(in.vertices), count(scan.loops.size()));
+  QString text = tr("%1: %2 triangles, %3 vertices, %4 boundary loops.")
+                     .arg(scan.name, count(in.triangles), count(in.vertices), count(scan.loops.size()));
   QStringList notes;
   const auto note = [&notes](std::size_t n, const char* words) {
     if (n > 0) notes << tr(words).arg(count(n));
   };
-  note(in.polygons_triangulated, QT_TRANSLATE_NOOP("loopmend", "%1 polygons cut into triangles"));
-  note(mended.reoriented_faces, QT_TRANSLATE_NOOP("loopmend", "%1 faces turned round"));
-  note(mended.degenerate_faces, QT_TRANSLATE_NOOP("loopmend", "%1 degenerate faces left aside"));
-  note(mended.duplicate_faces, QT_TRANSLATE_NOOP("loopmend", "%1 duplicate faces left aside"));
-  note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend", "cut along %1 non-manifold edges"));
-  note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend", "split at %1 non-manifold vertices"));
-  note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend", "%1 vertices that no face uses"));
+  note(in.polygons_triangulated, QT_TRANSLATE_NOOP("loopmend::words", "%1 polygons cut into triangles"));
+  note(mended.reoriented_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 faces turned round"));
+  note(mended.degenerate_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 degenerate faces left aside"));
+  note(mended.duplicate_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 duplicate faces left aside"));
+  note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend::words", "cut along %1 non-manifold edges"));
+  note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend::words", "split at %1 non-manifold vertices"));
+  note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend::words", "%1 vertices that no face uses"));
   if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));
   return text;
 }

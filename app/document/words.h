@@ -15,13 +15,22 @@ QString flow(FlowKind flow);
 QString flow_name(FlowKind flow);
 QString flow_help(FlowKind flow);
 
-/// Three digits: 0.123, 12.3, 1230, 1.20e-05.
+/// 12,345: with a separator that suits the language.
+QString count(std::size_t n);
+
+/// The text with its first letter large.
+QString sentence(QString text);
+
+/// Three digits: 0.123, 12.3, 1230, 1.20·10⁻⁵.
 QString number(double value);
 
 /// One sentence on how the patch meets the scan at a loop.
 QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStage stage);
 
-/// "Hole 3", "Holes 1, 2 and 5", "12 holes".
+/// "3", or "3 of bunny.ply" when several scans are open.
+QString hole_name(const Document& document, int loop);
+
+/// "hole 3", "holes 1, 2 and 5", "12 holes".
 QString holes(const Document& document, const std::set<int>& loops);
 
 /// What the reader met and mended, in one or two sentences; the first gives the counts.

@@ -1,40 +1,50 @@
 #include "jobs/evolve_patches.h"
 
-#include "analysis/curvature_field.h"
+#include "jobs/state_making.h"
+#include "jobs/steady_run.h"
 
+#include <algorithm>
 #include <chrono>
+#include <mutex>
+#include <thread>
 
 namespace loopmend {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int steady_step_limit = 200;
+constexpr const char* no_free_vertex = "too small to hold a free vertex: closed by triangles between its own vertices";
 
 PatchStage stage_of(EvolutionStatus status) {
   switch (status) {
     case EvolutionStatus::converged: return PatchStage::converged;
-    case EvolutionStatus::failed: return PatchStage::failed;
+    case EvolutionStatus::failed: return PatchStage::stalled;
     default: return PatchStage::stepped;
   }
 }
 
-/// One patch under way.
-class Runner {
+bool same(const EvolutionOptions& a, const EvolutionOptions& b) {
+  return a.flow == b.flow && a.mode == b.mode && a.sigma == b.sigma && a.solver == b.solver && a.bending == b.bending;
+}
+
+/// One patch under way, step by step.
+class Stepper {
  public:
-  Runner(const EvolveTask& task, const EvolveTask::Item& item, const std::function<void(int, PatchStatePtr)>& show)
-      : id_(item.patch_id),
-        state_(item.start),
-        show_(show),
+  Stepper(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder)
+      : item_(item),
+        state_(item.patch.state),
+        recorder_(recorder),
         origin_(task.origin),
         started_(Clock::now()) {
     if (item.session) {
       evolution_ = item.session;
-      evolution_->set_options(task.options);
+      // Only other options make another run: the same ones go on as if there had been no pause, as the command would.
+      goes_on_ = same(evolution_->options(), task.options) && evolution_->status() == EvolutionStatus::ready;
+      if (!goes_on_) evolution_->set_options(task.options);
     } else {
-      evolution_ = std::make_shared<Evolution>(item.start->patch, task.options);
+      evolution_ = std::make_shared<Evolution>(state_->patch, task.options);
     }
-    initial_energy_ = evolution_->energy();
+    initial_energy_ = goes_on_ ? state_->initial_energy : evolution_->energy();
   }
 
   bool at_rest() const { return at_rest_; }
@@ -44,99 +54,157 @@ class Runner {
     evolution_->step(cancel);
     if (cancel.cancelled()) return;
     const bool moved = evolution_->history().size() > before;
-    const EvolutionStatus status = evolution_->status();
-    at_rest_ = !moved || status == EvolutionStatus::converged || status == EvolutionStatus::failed;
-    if (moved) {
-      publish(*evolution_, evolution_->history().back());
-    } else {
-      close();
-    }
+    at_rest_ = !moved || evolution_->status() != EvolutionStatus::ready;
+    moved ? publish(evolution_->history().back()) : close();
+  }
+
+  /// At the end of the run: does it cut or fold?
+  void judge() {
+    if (state_ == item_.patch.state) return;
+    PatchStatePtr marked = judged(state_, &item_.patch.timeline->front()->patch, *item_.site);
+    if (marked == state_) return;
+    state_ = std::move(marked);
+    recorder_.amend(item_.patch.id, state_);
   }
 
   EvolutionSession session() const { return {evolution_, state_}; }
 
  private:
-  void publish(const Evolution& evolution, const StepRecord& record) {
-    auto next = std::make_shared<PatchState>(*state_);
-    next->patch = evolution.patch();
-    next->shape = std::make_shared<SurfaceShape>(shape_of(next->patch, curvature_field(next->patch), origin_));
-    next->seam = seam_reports(next->patch);
-    next->flow = evolution.options().flow;
+  void publish(const StepRecord& record) {
+    auto next = with_patch(*state_, evolution_->patch(), origin_);
+    const EvolutionOptions& options = evolution_->options();
+    next->flow = options.flow;
     next->steps = state_->steps + 1;
     next->last_step = record;
-    set_outcome(*next, evolution);
-    put(std::move(next));
+    if (std::exchange(goes_on_, true) && !next->recipe.runs.empty()) {
+      ++next->recipe.runs.back().steps;
+    } else {
+      next->recipe.runs.push_back({options.flow, options.mode, options.sigma, 1, RunRecipe::End::after_steps});
+    }
+    set_outcome(*next);
+    state_ = std::move(next);
+    recorder_.record(item_.patch.id, state_);
   }
 
   /// The run ended without a further step: only stage and words change.
   void close() {
     auto next = std::make_shared<PatchState>(*state_);
-    set_outcome(*next, *evolution_);
-    put(std::move(next));
+    set_outcome(*next);
+    const bool recorded = state_ != item_.patch.state;
+    state_ = std::move(next);
+    recorded ? recorder_.amend(item_.patch.id, state_) : recorder_.record(item_.patch.id, state_);
   }
 
-  void set_outcome(PatchState& next, const Evolution& evolution) const {
-    next.stage = stage_of(evolution.status());
-    next.message = evolution.message();
+  void set_outcome(PatchState& next) const {
+    next.stage = stage_of(evolution_->status());
+    next.message = evolution_->message();
     next.initial_energy = initial_energy_;
     next.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
   }
 
-  void put(PatchStatePtr next) {
-    state_ = std::move(next);
-    show_(id_, state_);
-  }
-
-  int id_;
+  const EvolveTask::Item& item_;
   PatchStatePtr state_;
-  const std::function<void(int, PatchStatePtr)>& show_;
+  RunRecorder& recorder_;
   Vec3 origin_;
   Clock::time_point started_;
   std::shared_ptr<Evolution> evolution_;
   double initial_energy_ = 0;
+  bool goes_on_ = false;
   bool at_rest_ = false;
 };
 
-void drive(std::vector<Runner>& runners, Pace pace, const Job& job) {
-  const CancelToken& cancel = job.token();
-  const auto stop = [&] { return cancel.cancelled() || job.asked_to_pause(); };
-  if (pace == Pace::steady) {
-    for (Runner& runner : runners)
-      for (int i = 0; i < steady_step_limit && !runner.at_rest() && !stop(); ++i) runner.step(cancel);
-    return;
-  }
-  bool moving = true;
-  while (moving && !stop()) {
-    moving = false;
-    for (Runner& runner : runners) {
-      if (stop()) return;
-      if (runner.at_rest()) continue;
-      runner.step(cancel);
-      moving = moving || !runner.at_rest();
-    }
-    if (pace == Pace::one_step) return;
-  }
+/// work(k) for k = 0..count−1, each worker taking every so-manieth: no patch waits for another one's end.
+void in_parallel(std::size_t count, const std::function<void(std::size_t first, std::size_t stride)>& work) {
+  const std::size_t threads = std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), count);
+  std::vector<std::thread> helpers;
+  for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back([&, t] { work(t, threads); });
+  if (count > 0) work(0, threads);
+  for (std::thread& helper : helpers) helper.join();
 }
+
+class Drive {
+ public:
+  Drive(const EvolveTask& task, RunRecorder& recorder, const Job& job) : task_(task), recorder_(recorder), job_(job) {}
+
+  EvolveResult go() {
+    in_parallel(task_.items.size(), [this](std::size_t first, std::size_t stride) {
+      task_.pace == Pace::steady ? settle(first, stride) : step_on(first, stride);
+    });
+    return std::move(result_);
+  }
+
+ private:
+  bool stopped() const { return job_.token().cancelled() || job_.asked_to_pause(); }
+
+  /// @returns whether there is nothing that a flow could move; the state then says so.
+  bool rigid(const EvolveTask::Item& item) {
+    if (item.patch.state->patch.free_count > 0) return false;
+    auto same_state = std::make_shared<PatchState>(*item.patch.state);
+    same_state->message = no_free_vertex;
+    recorder_.record(item.patch.id, same_state);
+    return true;
+  }
+
+  void fail(int id, const char* words) {
+    const std::lock_guard lock(mutex_);
+    result_.failures[id] = words;
+  }
+
+  void settle(std::size_t first, std::size_t stride) {
+    for (std::size_t k = first; k < task_.items.size() && !stopped(); k += stride) {
+      const EvolveTask::Item& item = task_.items[k];
+      if (rigid(item)) continue;
+      try {
+        std::vector<OpenPatch> parts = SteadyRun(task_, item, recorder_, job_).run();
+        const std::lock_guard lock(mutex_);
+        if (!parts.empty()) result_.splits[item.patch.id] = std::move(parts);
+      } catch (const std::exception& error) {
+        fail(item.patch.id, error.what());
+      }
+    }
+  }
+
+  void step_on(std::size_t first, std::size_t stride) {
+    std::vector<std::pair<int, Stepper>> steppers;
+    for (std::size_t k = first; k < task_.items.size() && !stopped(); k += stride) {
+      const EvolveTask::Item& item = task_.items[k];
+      if (rigid(item)) continue;
+      try {
+        steppers.emplace_back(item.patch.id, Stepper(task_, item, recorder_));
+      } catch (const std::exception& error) {
+        fail(item.patch.id, error.what());
+      }
+    }
+    bool moving = !steppers.empty();
+    while (moving && !stopped()) {
+      moving = false;
+      for (auto& [id, stepper] : steppers) {
+        if (stopped()) break;
+        if (stepper.at_rest()) continue;
+        stepper.step(job_.token());
+        moving = moving || !stepper.at_rest();
+      }
+      if (task_.pace == Pace::one_step) break;
+    }
+    for (auto& [id, stepper] : steppers) {
+      if (job_.token().cancelled()) return;
+      stepper.judge();
+      const std::lock_guard lock(mutex_);
+      result_.sessions[id] = stepper.session();
+    }
+  }
+
+  const EvolveTask& task_;
+  RunRecorder& recorder_;
+  const Job& job_;
+  std::mutex mutex_;
+  EvolveResult result_;
+};
 
 }  // namespace
 
-EvolveResult evolve_patches(const EvolveTask& task, const std::function<void(int, PatchStatePtr)>& show,
-                            const Job& job) {
-  EvolveResult result;
-  std::vector<Runner> runners;
-  std::vector<int> ids;
-  for (const EvolveTask::Item& item : task.items) {
-    if (job.token().cancelled()) return result;
-    try {
-      runners.emplace_back(task, item, show);
-      ids.push_back(item.patch_id);
-    } catch (const std::exception& error) {
-      result.failures.emplace_back(item.patch_id, error.what());
-    }
-  }
-  drive(runners, task.pace, job);
-  for (std::size_t i = 0; i < runners.size(); ++i) result.sessions.emplace_back(ids[i], runners[i].session());
-  return result;
+EvolveResult evolve_patches(const EvolveTask& task, RunRecorder& recorder, const Job& job) {
+  return Drive(task, recorder, job).go();
 }
 
 }  // namespace loopmend

@@ -1,10 +1,11 @@
 // Flows on open patches, off the window's thread.
 #pragma once
 
-#include "document/patch_state.h"
+#include "document/document.h"
+#include "jobs/run_recorder.h"
+#include "jobs/scan_site.h"
 #include "jobs/task_runner.h"
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace loopmend {
 
 enum class Pace {
   one_step,  ///< one step of every patch
-  run,       ///< step after step, every patch in turn, until all are at rest or a pause is asked for
-  steady,    ///< every patch straight to its steady state
+  run,       ///< step after step until all are at rest or a pause is asked for
+  steady,    ///< every patch straight to its steady state, with the fallbacks of the command line
 };
 
 /// An evolution that can be taken up again: it belongs to `state`, and to no other.
@@ -24,9 +25,10 @@ struct EvolutionSession {
 
 struct EvolveTask {
   struct Item {
-    int patch_id = 0;
-    PatchStatePtr start;
+    OpenPatch patch;
     std::shared_ptr<Evolution> session;  ///< to go on with, or empty
+    ScanSitePtr site;
+    std::vector<BoundaryLoop> loops;  ///< those of the patch
   };
   std::vector<Item> items;
   EvolutionOptions options;
@@ -35,12 +37,13 @@ struct EvolveTask {
 };
 
 struct EvolveResult {
-  std::vector<std::pair<int, EvolutionSession>> sessions;  ///< by patch id
-  std::vector<std::pair<int, std::string>> failures;       ///< by patch id: it could not even start
+  std::map<int, EvolutionSession> sessions;  ///< by patch id
+  std::map<int, std::string> failures;       ///< by patch id: it could not even start
+  /// By patch id: holes that could only be solved each by itself, as patches of their own (ids not set).
+  std::map<int, std::vector<OpenPatch>> splits;
 };
 
-/// @param show  every accepted state, on the worker's thread.
-EvolveResult evolve_patches(const EvolveTask& task, const std::function<void(int, PatchStatePtr)>& show,
-                            const Job& job);
+/// Every accepted state goes to the recorder.
+EvolveResult evolve_patches(const EvolveTask& task, RunRecorder& recorder, const Job& job);
 
 }  // namespace loopmend

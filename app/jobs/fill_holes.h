@@ -3,18 +3,28 @@
 
 #include "document/document.h"
 #include "evolution/fill_loops.h"
+#include "jobs/scan_site.h"
 
 #include <functional>
 #include <map>
 
 namespace loopmend {
 
+/// The holes of one scan.
 struct FillTask {
-  std::shared_ptr<const SurfaceModel> model;
-  std::vector<BoundaryLoop> loops;  ///< those to fill
-  std::vector<int> loop_indices;    ///< their indices in the document
+  int scan = 0;
+  ScanSitePtr site;
+  std::map<int, BoundaryLoop> wanted;  ///< by index in the document
+  /// Filled before. One whose surroundings overlap those of a wanted loop is filled again, jointly: the two could not
+  /// know of each other otherwise.
+  std::map<int, BoundaryLoop> filled;
   FillerOptions options;
   Vec3 origin = Vec3::Zero();
+};
+
+enum class Judging {
+  cuts,  ///< each patch is tested for cuts with the scan
+  none,  ///< for a preview
 };
 
 struct FillResult {
@@ -24,6 +34,7 @@ struct FillResult {
 };
 
 /// @param progress  holes done; called from several threads, one call at a time.
-FillResult fill_holes(const FillTask& task, const std::function<void(int)>& progress, const CancelToken& cancel);
+FillResult fill_holes(const std::vector<FillTask>& tasks, Judging judging, const std::function<void(int)>& progress,
+                      const CancelToken& cancel);
 
 }  // namespace loopmend

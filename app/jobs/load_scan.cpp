@@ -3,6 +3,7 @@
 #include "samples/sample_scan.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace loopmend {
 namespace {
@@ -29,37 +30,45 @@ bool view_is_file(const SurfaceModel& model) {
          counts_up(model.soup_vertex) && counts_up(model.soup_face);
 }
 
+template <class... T>
+void say(const std::function<void(T...)>& to, const std::type_identity_t<T>&... what) {
+  if (to) to(what...);
+}
+
 }  // namespace
 
-void load_scan(const QString& path, const LoadStages& stages, const CancelToken& cancel) {
-  stages.stage(tr("Reading the file"));
+OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const LoadStages& stages,
+                        const CancelToken& cancel) {
+  say(stages.stage, tr("Reading the file"));
   ImportedMesh imported = read(path);
-  if (cancel.cancelled()) return;
+  if (cancel.cancelled()) return nullptr;
 
-  OpenedScan scan;
-  scan.path = path.isEmpty() ? tr("Sample") : path;
-  scan.import = imported.report;
-  scan.origin = scene_origin(imported.soup);
-  scan.shape = std::make_shared<SurfaceShape>(shape_of(imported.soup, scan.origin));
-  stages.picture(scan.shape);
-  if (cancel.cancelled()) return;
+  auto scan = std::make_shared<OpenedScan>();
+  scan->path = path;
+  scan->name = path.isEmpty() ? tr("Sample") : QFileInfo(path).fileName();
+  scan->import = imported.report;
+  scan->origin = origin.value_or(scene_origin(imported.soup));
+  scan->shape = std::make_shared<SurfaceShape>(shape_of(imported.soup, scan->origin));
+  say(stages.picture, scan->shape);
+  if (cancel.cancelled()) return nullptr;
 
-  stages.stage(tr("Looking for holes"));
-  scan.model = std::make_shared<SurfaceModel>(make_surface_model(std::move(imported.soup)));
-  if (cancel.cancelled()) return;
-  scan.loops = find_boundary_loops(*scan.model);
-  if (cancel.cancelled()) return;
-  if (!view_is_file(*scan.model))
-    scan.shape = std::make_shared<SurfaceShape>(shape_of(scan.model->mesh, CurvatureField{}, scan.origin));
-  if (cancel.cancelled()) return;
-  const auto model = scan.model;
-  const Vec3 origin = scan.origin;
-  stages.opened(std::move(scan));
+  say(stages.stage, tr("Looking for holes"));
+  scan->fingerprint = fingerprint_of(imported.soup);
+  scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(imported.soup)));
+  if (cancel.cancelled()) return nullptr;
+  scan->loops = find_boundary_loops(*scan->model);
+  if (cancel.cancelled()) return nullptr;
+  if (!view_is_file(*scan->model))
+    scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, CurvatureField{}, scan->origin));
+  if (cancel.cancelled()) return nullptr;
+  say(stages.opened, scan);
+  return scan;
+}
 
-  stages.stage(tr("Computing curvature"));
-  const CurvatureField field = curvature_field(model->mesh);
-  if (cancel.cancelled()) return;
-  stages.colored(std::make_shared<SurfaceShape>(shape_of(model->mesh, field, origin)));
+std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel) {
+  const CurvatureField field = curvature_field(scan.model->mesh);
+  if (cancel.cancelled()) return nullptr;
+  return std::make_shared<SurfaceShape>(shape_of(scan.model->mesh, field, scan.origin));
 }
 
 }  // namespace loopmend

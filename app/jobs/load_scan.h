@@ -1,22 +1,30 @@
 // Opening a scan, off the window's thread: read, see, find loops, colour.
 #pragma once
 
-#include "document/document.h"
+#include "core/cancel.h"
+#include "document/opened_scan.h"
 
 #include <functional>
+#include <optional>
 
 namespace loopmend {
 
-/// Called on the worker's thread, in this order.
+using OpenedScanPtr = std::shared_ptr<OpenedScan>;
+
+/// Called on the worker's thread, in this order; each may be empty.
 struct LoadStages {
   std::function<void(std::shared_ptr<const SurfaceShape>)> picture;  ///< first plain picture
-  std::function<void(OpenedScan)> opened;                            ///< model and loops, no H yet
-  std::function<void(std::shared_ptr<const SurfaceShape>)> colored;  ///< the same with H
+  std::function<void(OpenedScanPtr)> opened;                         ///< model and loops, no curvature yet
   std::function<void(QString)> stage;                                ///< what is being done, in words
 };
 
-/// @param path  empty: the embedded sample.
-/// @throws Error; nothing is called after that. Returns early when cancelled.
-void load_scan(const QString& path, const LoadStages& stages, const CancelToken& cancel);
+/// @param path    empty: the embedded sample.
+/// @param origin  what its positions are relative to; empty: the middle of its box.
+/// @returns the scan; null when cancelled. @throws Error; nothing is called after that.
+OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const LoadStages& stages,
+                        const CancelToken& cancel);
+
+/// The scan's shape with curvature. Null when cancelled.
+std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel);
 
 }  // namespace loopmend

@@ -22,16 +22,22 @@ class Job {
 
   const CancelToken& token() const { return token_; }
   /// Asked to stop after the present step, keeping everything.
-  bool asked_to_pause() const { return pause_.load(std::memory_order_relaxed); }
-  void ask_to_pause() { pause_.store(true, std::memory_order_relaxed); }
+  bool asked_to_pause() const { return pause_.cancelled(); }
+  void ask_to_pause() { pause_.cancel(); }
+  /// Set by a pause and by cancelling alike: for work that keeps what it has when it is stopped.
+  const CancelToken& pause_token() const { return pause_; }
+  /// Give it up: what it says from now on is not heard.
+  void cancel() {
+    token_.cancel();
+    pause_.cancel();
+  }
 
   /// From the worker: runs `act` on the window's thread, unless the job has been cancelled by then.
   void tell(std::function<void()> act) const;
 
  private:
   QObject* window_side_;
-  CancelToken token_;
-  std::atomic<bool> pause_{false};
+  CancelToken token_, pause_;
 };
 using JobPtr = std::shared_ptr<Job>;
 

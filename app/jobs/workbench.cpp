@@ -1,12 +1,9 @@
 #include "jobs/workbench.h"
 
-#include "document/undo_commands.h"
+#include "document/timeline.h"
 #include "document/words.h"
-#include "io/write_mesh.h"
-#include "jobs/load_scan.h"
 
-#include <QDir>
-#include <QFileInfo>
+#include <algorithm>
 
 namespace loopmend {
 namespace {
@@ -22,18 +19,28 @@ Activity activity_of(Pace pace) {
   return Activity::idle;
 }
 
+std::set<int> loops_of(const std::vector<OpenPatch>& patches) {
+  std::set<int> loops;
+  for (const OpenPatch& patch : patches) loops.insert(patch.loops.begin(), patch.loops.end());
+  return loops;
+}
+
+std::set<int> loops_of(const OpenPatch& patch) { return {patch.loops.begin(), patch.loops.end()}; }
+
 }  // namespace
 
-Workbench::Workbench(Document& document, QUndoStack& undo, QObject* parent)
+Workbench::Workbench(Document& document, UndoHistory& undo, QObject* parent)
     : QObject(parent),
       document_(document),
       undo_(undo) {}
 
 Workbench::~Workbench() {
-  if (job_) job_->token().cancel();
+  if (job_) job_->cancel();
+  if (preview_job_) preview_job_->cancel();
 }
 
 JobPtr Workbench::begin(Activity activity, const QString& stage) {
+  drop_fill_preview();
   job_ = std::make_shared<Job>(this);
   activity_ = activity;
   clock_.start();
@@ -51,98 +58,139 @@ void Workbench::end() {
   Q_EMIT activity_changed();
 }
 
-void Workbench::open(const QString& path) { load(path, tr("Opening %1").arg(QFileInfo(path).fileName())); }
-
-void Workbench::open_sample() { load({}, tr("Making the sample")); }
-
-void Workbench::load(const QString& path, const QString& stage) {
-  if (busy()) cancel();
-  const JobPtr job = begin(Activity::opening, stage);
-  LoadStages stages;
-  stages.stage = [this, job](const QString& words) { job->tell([this, words] { Q_EMIT stage_changed(words); }); };
-  stages.picture = [this, job](auto shape) { job->tell([this, shape] { Q_EMIT preview_ready(shape); }); };
-  stages.opened = [this, job](OpenedScan scan) {
-    job->tell([this, scan = std::move(scan)]() mutable { on_opened(std::move(scan), clock_.elapsed()); });
-  };
-  stages.colored = [this, job](auto shape) { job->tell([this, shape] { document_.set_shape(shape); }); };
-  tasks_.start([this, job, stages, path] {
-    try {
-      load_scan(path, stages, job->token());
-      job->tell([this] { end(); });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] { on_open_failed(words); });
-    }
-  });
-}
-
-void Workbench::on_opened(OpenedScan scan, qint64 milliseconds) {
-  sessions_.clear();
-  undo_.clear();
-  document_.open(std::move(scan));
-  Q_EMIT said(words::import_summary(document_.scan()) + tr(" Opened in %1 s.").arg(seconds(milliseconds)));
-  if (document_.loops().empty()) Q_EMIT notice(tr("This surface is closed: there is no hole to fill."));
-}
-
-void Workbench::on_open_failed(const QString& words) {
-  Q_EMIT preview_dropped();
-  end();
+void Workbench::tell_failure(const QString& words) {
   Q_EMIT failed(words);
   Q_EMIT said(words);
 }
 
-void Workbench::fill(const std::set<int>& loops, double density) {
-  if (busy() || !document_.has_scan()) return;
-  FillTask task;
-  std::set<int> wanted;
+ScanSitePtr Workbench::site_of(int scan) {
+  ScanSitePtr& site = sites_[scan];
+  if (!site) site = std::make_shared<ScanSite>(document_.scan(scan)->model);
+  return site;
+}
+
+void Workbench::push(std::vector<PatchChange::Pair> pairs, const QString& text) {
+  if (!pairs.empty()) undo_.push(std::make_unique<PatchChange>(document_, std::move(pairs), text));
+}
+
+std::vector<FillTask> Workbench::fill_tasks(const std::set<int>& loops, double density) {
+  std::map<int, FillTask> by_scan;
   for (int loop : loops) {
-    if (document_.patch_of(loop)) continue;
-    wanted.insert(loop);
-    task.loop_indices.push_back(loop);
-    task.loops.push_back(document_.loops()[static_cast<std::size_t>(loop)]);
+    if (document_.patch_of(loop) || !document_.present(loop)) continue;
+    const int scan = document_.scan_of(loop);
+    by_scan[scan].wanted.emplace(loop, document_.loop(loop));
   }
+  std::vector<FillTask> tasks;
+  for (auto& [scan, task] : by_scan) {
+    task.scan = scan;
+    task.site = site_of(scan);
+    task.options.density = density;
+    task.origin = document_.origin();
+    for (const OpenPatch& patch : document_.patches())
+      if (patch.scan == scan && patch.acceptance == Acceptance::pending)
+        for (int loop : patch.loops) task.filled.emplace(loop, document_.loop(loop));
+    tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+void Workbench::fill(const std::set<int>& loops, double density) {
+  if (busy()) return;
+  const std::vector<FillTask> tasks = fill_tasks(loops, density);
+  std::set<int> wanted;
+  for (const FillTask& task : tasks)
+    for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
   if (wanted.empty()) return;
-  task.model = document_.scan().model;
-  task.options.density = density;
-  task.origin = document_.scan().origin;
+  const auto ready = preview_;
   const JobPtr job = begin(Activity::filling, tr("Filling %1").arg(words::holes(document_, wanted)));
+  if (ready && ready->loops == wanted && ready->density == density) {
+    on_filled(ready->result, wanted);
+    return;
+  }
   const int total = static_cast<int>(wanted.size());
-  tasks_.start([this, job, task = std::move(task), wanted, total] {
+  tasks_.start([this, job, tasks, wanted, total] {
     const auto progress = [&](int done) { job->tell([this, done, total] { Q_EMIT progress_changed(done, total); }); };
     try {
-      auto result = std::make_shared<FillResult>(fill_holes(task, progress, job->token()));
-      job->tell([this, result, wanted] { on_filled(std::move(*result), wanted, clock_.elapsed()); });
+      auto result = std::make_shared<FillResult>(fill_holes(tasks, Judging::cuts, progress, job->token()));
+      job->tell([this, result, wanted] { on_filled(std::move(*result), wanted); });
     } catch (const std::exception& error) {
       job->tell([this, words = QString::fromUtf8(error.what())] {
         end();
-        Q_EMIT failed(words);
+        tell_failure(words);
       });
     }
   });
 }
 
-void Workbench::on_filled(FillResult result, const std::set<int>& wanted, qint64 milliseconds) {
+void Workbench::preview_fill(const std::set<int>& loops, double density) {
+  if (busy()) return;
+  drop_fill_preview();
+  const std::vector<FillTask> tasks = fill_tasks(loops, density);
+  std::set<int> wanted;
+  for (const FillTask& task : tasks)
+    for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
+  if (wanted.empty()) return;
+  preview_job_ = std::make_shared<Job>(this);
+  tasks_.start([this, job = preview_job_, tasks, wanted, density] {
+    try {
+      auto made = std::make_shared<FillPreview>(FillPreview{wanted, density,
+                                                            fill_holes(
+                                                                tasks, Judging::cuts, [](int) {}, job->token())});
+      job->tell([this, made] {
+        preview_ = made;
+        std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
+        for (const OpenPatch& patch : made->result.patches) ghosts.push_back(patch.state->shape);
+        Q_EMIT ghosts_changed(ghosts);
+      });
+    } catch (const std::exception&) {
+      // Fill will say it in words.
+    }
+  });
+}
+
+void Workbench::drop_fill_preview() {
+  if (preview_job_) preview_job_->cancel();
+  preview_job_.reset();
+  if (!std::exchange(preview_, nullptr)) return;
+  Q_EMIT ghosts_changed({});
+}
+
+void Workbench::on_filled(FillResult result, const std::set<int>& wanted) {
+  const qint64 milliseconds = clock_.elapsed();
   end();
-  std::set<int> done;
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> refilled;
   std::size_t triangles = 0;
   for (OpenPatch& patch : result.patches) {
+    for (int loop : patch.loops)
+      if (const OpenPatch* old = document_.patch_of(loop); old && refilled.insert(old->id).second)
+        pairs.push_back({*old, std::nullopt});
     patch.id = document_.next_patch_id();
-    done.insert(patch.loops.begin(), patch.loops.end());
     triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
+    pairs.push_back({std::nullopt, patch});
   }
-  document_.set_failures(result.failures);
+  document_.forget_failures(wanted);
+  document_.add_failures(result.failures);
+  const std::set<int> done = loops_of(result.patches);
   if (!done.empty()) {
     const QString name = words::holes(document_, done);
-    undo_.push(new FillCommand(document_, std::move(result.patches), tr("Fill %1").arg(name)));
-    Q_EMIT said(tr("Filled %1 with %2 triangles in %3 s.").arg(name).arg(triangles).arg(seconds(milliseconds)));
+    push(std::move(pairs), tr("Fill %1").arg(name));
+    Q_EMIT said(tr("Filled %1 with %2 triangles in %3 s.").arg(name, words::count(triangles), seconds(milliseconds)));
   }
+  if (!refilled.empty())
+    Q_EMIT said(tr("Some of these holes lie so close to filled ones that both were filled anew, as one."));
+  say_fill_outcome(result, wanted);
+}
+
+void Workbench::say_fill_outcome(const FillResult& result, const std::set<int>& wanted) {
+  constexpr std::size_t most_lines = 20;
+  std::size_t lines = 0;
   for (const auto& [loop, words] : result.remarks)
-    Q_EMIT said(tr("Hole %1: %2")
-                    .arg(document_.loops()[static_cast<std::size_t>(loop)].number)
-                    .arg(QString::fromStdString(words)));
+    if (lines++ < most_lines)
+      Q_EMIT said(tr("Hole %1: %2").arg(words::hole_name(document_, loop), QString::fromStdString(words)));
   for (const auto& [loop, words] : result.failures)
-    Q_EMIT said(tr("Hole %1 stays open: %2")
-                    .arg(document_.loops()[static_cast<std::size_t>(loop)].number)
-                    .arg(QString::fromStdString(words)));
+    if (lines++ < 2 * most_lines)
+      Q_EMIT said(tr("Hole %1 stays open: %2").arg(words::hole_name(document_, loop), QString::fromStdString(words)));
   if (!result.failures.empty())
     Q_EMIT failed(tr("%1 of %2 holes could not be filled. The State column says why.")
                       .arg(result.failures.size())
@@ -150,22 +198,24 @@ void Workbench::on_filled(FillResult result, const std::set<int>& wanted, qint64
 }
 
 void Workbench::evolve(const std::set<int>& patch_ids, FlowKind flow, double sigma, Pace pace) {
-  if (busy() || patch_ids.empty()) return;
+  if (busy()) return;
   EvolveTask task;
   task.options.flow = flow;
   task.options.sigma = sigma;
   task.options.mode = pace == Pace::steady ? EvolutionMode::steady : EvolutionMode::steps;
   task.pace = pace;
-  task.origin = document_.scan().origin;
+  task.origin = document_.origin();
   run_start_.clear();
   std::set<int> loops;
   for (int id : patch_ids) {
     const OpenPatch* patch = document_.patch(id);
-    if (!patch) continue;
+    if (!patch || patch->acceptance == Acceptance::accepted) continue;
     const auto session = sessions_.find(id);
     const bool fits = session != sessions_.end() && session->second.state == patch->state;
-    task.items.push_back({id, patch->state, fits ? session->second.evolution : nullptr});
-    run_start_[id] = patch->state;
+    EvolveTask::Item item{*patch, fits ? session->second.evolution : nullptr, site_of(patch->scan), {}};
+    for (int loop : patch->loops) item.loops.push_back(document_.loop(loop));
+    task.items.push_back(std::move(item));
+    run_start_.emplace(id, *patch);
     loops.insert(patch->loops.begin(), patch->loops.end());
     sessions_.erase(id);  // the worker has it now
   }
@@ -173,56 +223,77 @@ void Workbench::evolve(const std::set<int>& patch_ids, FlowKind flow, double sig
   const QString name = words::flow_name(flow), where = words::holes(document_, loops);
   run_name_ = pace == Pace::one_step ? tr("%1 step on %2").arg(name, where) : tr("%1 on %2").arg(name, where);
   const JobPtr job = begin(activity_of(pace), run_name_);
-  document_.set_running(patch_ids);
-  mailbox_ = std::make_shared<SnapshotMailbox>([this, job] { job->tell([this] { take_snapshots(); }); });
-  tasks_.start([this, job, task = std::move(task), mailbox = mailbox_] {
-    const auto show = [&](int id, PatchStatePtr state) { mailbox->put(id, std::move(state)); };
+  std::set<int> running;
+  for (const auto& [id, patch] : run_start_) running.insert(id);
+  document_.set_running(running);
+  recorder_ = std::make_shared<RunRecorder>([this, job] { job->tell([this] { take_records(); }); });
+  tasks_.start([this, job, task = std::move(task), recorder = recorder_] {
     try {
-      auto result = std::make_shared<EvolveResult>(evolve_patches(task, show, *job));
+      auto result = std::make_shared<EvolveResult>(evolve_patches(task, *recorder, *job));
       job->tell([this, result] { on_evolved(*result); });
     } catch (const std::exception& error) {
       job->tell([this, words = QString::fromUtf8(error.what())] {
         on_evolved({});
-        Q_EMIT failed(words);
+        tell_failure(words);
       });
     }
   });
 }
 
-void Workbench::take_snapshots() {
-  if (!mailbox_) return;
-  document_.set_states(mailbox_->take());
+void Workbench::take_records() {
+  if (!recorder_) return;
+  std::map<int, PatchStatePtr> newest;
+  for (const auto& [id, run] : recorder_->take()) {
+    const auto start = run_start_.find(id);
+    if (run.empty() || start == run_start_.end()) continue;
+    newest[id] = run.back();
+    document_.set_timeline(id, extended(*start->second.timeline, start->second.state, run, timeline_budget_));
+  }
+  document_.set_states(newest);
 }
 
 void Workbench::on_evolved(const EvolveResult& result) {
-  take_snapshots();
-  sessions_.clear();
-  for (const auto& [id, session] : result.sessions) sessions_[id] = session;
-  record_run();
+  take_records();
+  sessions_ = result.sessions;
+  record_run(result);
   end();
-  for (const auto& [id, words] : result.failures) Q_EMIT failed(QString::fromStdString(words));
+  for (const auto& [id, words] : result.failures) tell_failure(QString::fromStdString(words));
 }
 
-void Workbench::record_run() {
-  std::vector<EvolveCommand::Change> changes;
+QString Workbench::run_words(const OpenPatch& before, const OpenPatch& now) const {
+  const PatchState& state = *now.state;
+  QString line = tr("%1, %2: %3 steps, energy %4 \u2192 %5, %6 s.")
+                     .arg(words::sentence(words::holes(document_, loops_of(now))), words::flow_name(state.flow))
+                     .arg(state.steps - before.state->steps)
+                     .arg(words::number(state.initial_energy), words::number(state.last_step.energy))
+                     .arg(state.seconds, 0, 'f', 1);
+  if (!state.message.empty()) line += QLatin1Char(' ') + QString::fromStdString(state.message);
+  return line;
+}
+
+void Workbench::record_run(const EvolveResult& result) {
+  std::vector<PatchChange::Pair> pairs;
   for (const auto& [id, before] : run_start_) {
-    const OpenPatch* patch = document_.patch(id);
-    if (!patch || patch->state == before) continue;
-    changes.push_back({id, before, patch->state});
-    const PatchState& now = *patch->state;
-    const std::set<int> loops(patch->loops.begin(), patch->loops.end());
-    QString line = tr("%1, %2: %3 steps, energy %4 \u2192 %5, %6 s.")
-                       .arg(words::holes(document_, loops), words::flow_name(now.flow))
-                       .arg(now.steps - before->steps)
-                       .arg(words::number(now.initial_energy), words::number(now.steps > 0 ? now.last_step.energy : 0))
-                       .arg(now.seconds, 0, 'f', 1);
-    line[0] = line[0].toUpper();
-    if (!now.message.empty()) line += QLatin1Char(' ') + QString::fromStdString(now.message);
-    Q_EMIT said(line);
+    const OpenPatch* now = document_.patch(id);
+    if (!now) continue;
+    if (const auto split = result.splits.find(id); split != result.splits.end()) {
+      pairs.push_back({before, std::nullopt});
+      for (OpenPatch part : split->second) {
+        part.id = document_.next_patch_id();
+        Q_EMIT said(run_words(part, part));
+        pairs.push_back({std::nullopt, std::move(part)});
+      }
+      Q_EMIT said(tr("%1 could not be solved together; each was solved by itself.")
+                      .arg(words::sentence(words::holes(document_, loops_of(before)))));
+      continue;
+    }
+    if (now->state == before.state) continue;
+    Q_EMIT said(run_words(before, *now));
+    pairs.push_back({before, *now});
   }
   run_start_.clear();
-  mailbox_.reset();
-  if (!changes.empty()) undo_.push(new EvolveCommand(document_, std::move(changes), run_name_));
+  recorder_.reset();
+  push(std::move(pairs), run_name_);
 }
 
 void Workbench::pause() {
@@ -235,51 +306,73 @@ void Workbench::pause() {
 
 void Workbench::cancel() {
   if (!job_) return;
-  take_snapshots();
+  take_records();
   const Activity what = activity_;
-  job_->token().cancel();
+  job_->cancel();
   if (what == Activity::opening) Q_EMIT preview_dropped();
-  record_run();
+  record_run({});
   end();
-  Q_EMIT said(what == Activity::running || what == Activity::solving || what == Activity::stepping ||
-                      what == Activity::pausing
-                  ? tr("Cancelled; the last accepted state is kept.")
-                  : tr("Cancelled."));
+  const bool was_flow =
+      what == Activity::running || what == Activity::solving || what == Activity::stepping || what == Activity::pausing;
+  Q_EMIT said(was_flow ? tr("Cancelled; the last accepted state is kept.") : tr("Cancelled."));
 }
 
-void Workbench::export_to(const QString& path) {
-  if (busy() || !document_.has_scan()) return;
-  std::vector<PatchStatePtr> states;
-  for (const OpenPatch& patch : document_.patches()) states.push_back(patch.state);
-  const auto scan = document_.scan().model;
-  const JobPtr job = begin(Activity::exporting, tr("Writing %1").arg(QFileInfo(path).fileName()));
-  tasks_.start([this, job, scan, states, path] {
-    try {
-      SurfaceModel model = *scan;
-      for (const PatchStatePtr& state : states) {
-        if (job->token().cancelled()) return;
-        append_patch(model, patch_geometry(state->patch));
-      }
-      if (job->token().cancelled()) return;
-      write_mesh(path.toStdString(), model.soup);
-      job->tell([this, path, count = model.soup.triangles.size()] {
-        end();
-        const QString words = tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path)).arg(count);
-        Q_EMIT said(words);
-        Q_EMIT notice(words);
-      });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] {
-        end();
-        Q_EMIT failed(words);
-        Q_EMIT said(words);
-      });
-    }
-  });
+void Workbench::set_acceptance(const std::set<int>& patch_ids, Acceptance acceptance) {
+  if (busy()) return;
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> loops;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!patch || patch->acceptance == acceptance) continue;
+    OpenPatch after = *patch;
+    after.acceptance = acceptance;
+    loops.insert(patch->loops.begin(), patch->loops.end());
+    pairs.push_back({*patch, std::move(after)});
+  }
+  const QString where = words::holes(document_, loops);
+  push(std::move(pairs), acceptance == Acceptance::accepted ? tr("Accept %1").arg(where) : tr("Reopen %1").arg(where));
+}
+
+void Workbench::reject(const std::set<int>& patch_ids) {
+  if (busy()) return;
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> loops;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!patch) continue;
+    loops.insert(patch->loops.begin(), patch->loops.end());
+    pairs.push_back({*patch, std::nullopt});
+  }
+  push(std::move(pairs), tr("Reject %1").arg(words::holes(document_, loops)));
+}
+
+void Workbench::scrub_to(const std::set<int>& patch_ids, std::size_t place) {
+  if (busy()) return;
+  std::map<int, PatchStatePtr> states;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!patch || patch->acceptance == Acceptance::accepted) continue;
+    scrub_start_.emplace(id, *patch);
+    states[id] = (*patch->timeline)[std::min(place, patch->timeline->size() - 1)];
+  }
+  document_.set_states(states);
+}
+
+void Workbench::end_scrub() {
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> loops;
+  for (const auto& [id, before] : std::exchange(scrub_start_, {})) {
+    const OpenPatch* now = document_.patch(id);
+    if (!now || now->state == before.state) continue;
+    loops.insert(now->loops.begin(), now->loops.end());
+    pairs.push_back({before, *now});
+  }
+  push(std::move(pairs), tr("Go back on %1").arg(words::holes(document_, loops)));
 }
 
 bool Workbench::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->token().cancel();
+  if (job_) job_->cancel();
+  if (preview_job_) preview_job_->cancel();
   return tasks_.wait(at_most);
 }
 

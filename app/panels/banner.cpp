@@ -1,9 +1,12 @@
 #include "panels/banner.h"
 
 #include "panels/icons.h"
+#include "panels/parts.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 namespace loopmend {
@@ -22,17 +25,30 @@ Banner::Banner(QWidget* parent) : QFrame(parent), sign_(new QLabel), words_(new 
   words_->setTextFormat(Qt::PlainText);
   close_->setObjectName(QStringLiteral("bannerClose"));
   close_->setAutoRaise(true);
-  close_->setToolTip(tr("Close this message"));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 7, 6, 7);
-  layout->setSpacing(10);
-  layout->addWidget(sign_, 0, Qt::AlignTop);
-  layout->addWidget(words_, 1);
-  layout->addWidget(close_, 0, Qt::AlignTop);
+  explain(close_, tr("Close"), tr("Close this message (Esc)"));
+  layout_ = new QHBoxLayout(this);
+  layout_->setContentsMargins(12, 7, 6, 7);
+  layout_->setSpacing(10);
+  layout_->addWidget(sign_, 0, Qt::AlignVCenter);
+  layout_->addWidget(words_, 1);
+  layout_->addWidget(close_, 0, Qt::AlignVCenter);
+  parent->installEventFilter(this);
   timer_.setSingleShot(true);
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
   connect(&timer_, &QTimer::timeout, this, &QWidget::hide);
   hide();
+}
+
+bool Banner::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parent() && event->type() == QEvent::Resize) settle();
+  return QFrame::eventFilter(watched, event);
+}
+
+void Banner::settle() {
+  const int width = parentWidget()->width();
+  layout_->invalidate();
+  setGeometry(0, 0, width, layout_->hasHeightForWidth() ? layout_->totalHeightForWidth(width) : sizeHint().height());
+  raise();
 }
 
 QString Banner::text() const { return words_->text(); }
@@ -47,10 +63,40 @@ void Banner::show_notice(const QString& words) {
   timer_.start(notice_ms);
 }
 
+void Banner::drop_answers() {
+  for (QPushButton* button : std::exchange(answers_, {})) {
+    button->hide();
+    button->deleteLater();
+  }
+}
+
+void Banner::ask(const QString& words, std::vector<Answer> answers) {
+  show_words(words, Tone::question);
+  timer_.stop();
+  for (Answer& answer : answers) {
+    auto* button = make_button(answer.name, answer.text, {});
+    button->setFocusPolicy(Qt::StrongFocus);
+    connect(button, &QPushButton::clicked, this, [this, act = std::move(answer.act)] {
+      hide();
+      drop_answers();
+      act();
+    });
+    layout_->insertWidget(layout_->count() - 1, button, 0, Qt::AlignVCenter);
+    answers_.push_back(button);
+  }
+  settle();
+  answers_.front()->setFocus();
+}
+
 void Banner::show_words(const QString& words, Tone tone) {
-  const bool problem = tone == Tone::problem;
-  const QColor ink = problem ? QColor(0x6b, 0x1d, 0x12) : QColor(0x14, 0x42, 0x3c);
-  const QColor ground = problem ? QColor(0xfb, 0xe3, 0xdc) : QColor(0xdb, 0xef, 0xea);
+  drop_answers();
+  const bool problem = tone == Tone::problem, question = tone == Tone::question;
+  const QColor ink = problem    ? QColor(0x6b, 0x1d, 0x12)
+                     : question ? QColor(0x4a, 0x38, 0x06)
+                                : QColor(0x14, 0x42, 0x3c);
+  const QColor ground = problem    ? QColor(0xfb, 0xe3, 0xdc)
+                        : question ? QColor(0xfb, 0xf0, 0xcc)
+                                   : QColor(0xdb, 0xef, 0xea);
   setStyleSheet(QStringLiteral("#banner { background: %1; border: 0; border-bottom: 1px solid %2; }"
                                "#bannerText { color: %3; } #bannerClose { border: 0; padding: 1px; }")
                     .arg(ground.name(), ground.darker(115).name(), ink.name()));
@@ -58,6 +104,7 @@ void Banner::show_words(const QString& words, Tone tone) {
   close_->setIcon(icon("close", ink));
   words_->setText(words);
   show();
+  settle();
 }
 
 }  // namespace loopmend

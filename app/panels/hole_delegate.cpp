@@ -5,13 +5,13 @@
 #include "document/hole_table.h"
 
 #include <QPainter>
+#include <QPainterPath>
 #include <QSortFilterProxyModel>
 
 namespace loopmend {
 namespace {
 
 constexpr int dot_column_px = 18;
-constexpr double dot_px = 8;
 
 QColor dot_color(HoleState state) {
   switch (state) {
@@ -21,9 +21,61 @@ QColor dot_color(HoleState state) {
     case HoleState::running: return QColor(232, 170, 20);
     case HoleState::stepped: return QColor(70, 120, 190);
     case HoleState::converged: return QColor(30, 140, 110);
+    case HoleState::stalled: return QColor(200, 120, 20);
+    case HoleState::cutting: return QColor(190, 50, 30);
+    case HoleState::accepted: return QColor(30, 130, 70);
     case HoleState::failed: return QColor(190, 50, 30);
   }
   return {};
+}
+
+QPainterPath polyline(std::initializer_list<QPointF> points) {
+  QPainterPath path(*points.begin());
+  for (const QPointF& p : points) path.lineTo(p);
+  return path;
+}
+
+/// A sign of its own for each state, so that colour is not needed to tell them apart; within ±4.
+void paint_sign(QPainter* painter, HoleState state, const QColor& color) {
+  const QPen pen(color, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  painter->setPen(pen);
+  painter->setBrush(Qt::NoBrush);
+  const QRectF circle(-4, -4, 8, 8);
+  switch (state) {
+    case HoleState::open: painter->drawEllipse(circle); break;
+    case HoleState::left_out: painter->drawLine(QPointF(-4, 0), QPointF(4, 0)); break;
+    case HoleState::filled:
+      painter->drawEllipse(circle);
+      painter->setBrush(color);
+      painter->drawPie(circle, 180 * 16, 180 * 16);
+      break;
+    case HoleState::running:
+      painter->setBrush(color);
+      painter->drawPath(polyline({{-2.5, -4}, {4, 0}, {-2.5, 4}, {-2.5, -4}}));
+      break;
+    case HoleState::stepped:
+      painter->setBrush(color);
+      painter->drawRect(QRectF(-3.5, -3.5, 2, 7));
+      painter->drawRect(QRectF(1.5, -3.5, 2, 7));
+      break;
+    case HoleState::converged:
+      painter->setBrush(color);
+      painter->drawEllipse(circle);
+      break;
+    case HoleState::stalled:
+      painter->setBrush(color);
+      painter->drawRect(QRectF(-3.2, -3.2, 6.4, 6.4));
+      break;
+    case HoleState::cutting:
+      painter->drawPath(polyline({{0, -4}, {4.5, 3.8}, {-4.5, 3.8}, {0, -4}}));
+      painter->drawLine(QPointF(0, -0.8), QPointF(0, 1.6));
+      break;
+    case HoleState::accepted: painter->drawPath(polyline({{-4, 0.4}, {-1.2, 3.4}, {4.2, -3.4}})); break;
+    case HoleState::failed:
+      painter->drawLine(QPointF(-3.4, -3.4), QPointF(3.4, 3.4));
+      painter->drawLine(QPointF(-3.4, 3.4), QPointF(3.4, -3.4));
+      break;
+  }
 }
 
 }  // namespace
@@ -43,21 +95,17 @@ void HoleDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     band.setAlphaF(0.16);
     painter->fillRect(option.rect, band);
   }
-  if (index.column() != HoleTable::state || loop >= static_cast<int>(document_.loops().size())) {
+  if (index.column() != HoleTable::state || loop >= document_.loop_count()) {
     QStyledItemDelegate::paint(painter, cell, index);
     return;
   }
   if (cell.state.testFlag(QStyle::State_Selected)) painter->fillRect(option.rect, option.palette.highlight());
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
-  const QPointF middle(option.rect.left() + dot_column_px / 2.0 + 1, option.rect.center().y() + 0.5);
+  painter->translate(option.rect.left() + dot_column_px / 2.0 + 1, option.rect.center().y() + 0.5);
   const HoleState state = document_.state(loop);
-  const bool hollow = state == HoleState::open || state == HoleState::left_out;
-  const QColor color = dot_color(state);
-  painter->setPen(
-      QPen(cell.state.testFlag(QStyle::State_Selected) ? option.palette.color(QPalette::Base) : color, 1.6));
-  painter->setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(color));
-  painter->drawEllipse(middle, dot_px / 2, dot_px / 2);
+  const bool selected = cell.state.testFlag(QStyle::State_Selected);
+  paint_sign(painter, state, selected ? option.palette.color(QPalette::HighlightedText) : dot_color(state));
   painter->restore();
   cell.rect.setLeft(option.rect.left() + dot_column_px);
   QStyledItemDelegate::paint(painter, cell, index);

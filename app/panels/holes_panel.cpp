@@ -1,48 +1,65 @@
 #include "panels/holes_panel.h"
 
 #include "document/document.h"
+#include "document/hole_filter.h"
 #include "document/hole_selection.h"
 #include "document/hole_table.h"
 #include "panels/hole_delegate.h"
+#include "panels/parts.h"
+#include "panels/small_holes_box.h"
 
+#include <QAction>
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QScopedValueRollback>
-#include <QSortFilterProxyModel>
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace loopmend {
 
-HolesPanel::HolesPanel(const Document& document, HoleSelection& selection, QWidget* parent)
+HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* parent)
     : QWidget(parent),
       document_(document),
       selection_(selection),
       model_(new HoleTable(document, this)),
-      sorted_(new QSortFilterProxyModel(this)),
+      sorted_(new HoleFilter(document, this)),
       table_(new QTableView),
       summary_(new QLabel),
-      all_(new QPushButton(tr("Select all holes"))) {
+      all_(make_button("selectAllHoles", tr("Select &all"),
+                       tr("Select every hole; rims, cracks and cuts are left out"))),
+      small_(new SmallHolesBox(document)) {
   setObjectName(QStringLiteral("holesPanel"));
   summary_->setObjectName(QStringLiteral("holesSummary"));
-  all_->setObjectName(QStringLiteral("selectAllHoles"));
-  all_->setToolTip(tr("Select every hole; outer rims and cuts are left out"));
   build_table();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 8);
   layout->setSpacing(6);
-  auto* top = new QHBoxLayout;
-  top->addWidget(summary_, 1);
-  top->addWidget(all_);
-  layout->addLayout(top);
+  layout->addWidget(build_filter());
   layout->addWidget(table_, 1);
+  auto* below = new QHBoxLayout;
+  below->addWidget(summary_, 1);
+  below->addWidget(all_);
+  layout->addLayout(below);
+  layout->addWidget(small_);
 
-  connect(&document, &Document::opened, this, &HolesPanel::on_opened);
+  connect(&document, &Document::opened, this, &HolesPanel::update_summary);
+  connect(&document, &Document::scans_changed, this, [this] {
+    fit_columns();
+    update_summary();
+    show_selection();
+  });
   connect(&document, &Document::holes_changed, this, &HolesPanel::update_summary);
   connect(all_, &QPushButton::clicked, this, &HolesPanel::select_all_holes);
+  connect(small_, &SmallHolesBox::fill_wanted, this, &HolesPanel::fill_wanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HolesPanel::take_selection);
   connect(table_, &QTableView::entered, this, [this](const QModelIndex& i) { selection_.hover(loop_at(i)); });
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& i) { Q_EMIT fly_to(loop_at(i)); });
@@ -51,10 +68,55 @@ HolesPanel::HolesPanel(const Document& document, HoleSelection& selection, QWidg
   update_summary();
 }
 
+QWidget* HolesPanel::build_filter() {
+  words_ = new QLineEdit;
+  words_->setObjectName(QStringLiteral("holesFilter"));
+  words_->setPlaceholderText(tr("Filter: number, kind, state"));
+  words_->setClearButtonEnabled(true);
+  explain(words_, tr("Filter"), tr("Show only the loops with these words: a number, a kind, a state, a file (Ctrl+L)"));
+  group_ = new QComboBox;
+  group_->setObjectName(QStringLiteral("holesGroup"));
+  for (const auto& [text, group] : {std::pair{tr("All loops"), HoleGroup::all},
+                                    {tr("To do"), HoleGroup::to_do},
+                                    {tr("Filled"), HoleGroup::filled},
+                                    {tr("Accepted"), HoleGroup::accepted},
+                                    {tr("Trouble"), HoleGroup::trouble},
+                                    {tr("Left out"), HoleGroup::left_out}})
+    group_->addItem(text, static_cast<int>(group));
+  explain(group_, tr("Group"), tr("Show only the loops of one group"));
+  // Narrowing the table must not change what is selected: hidden rows stay selected.
+  const auto narrow = [this](const auto& act) {
+    const QScopedValueRollback guard(syncing_, true);
+    act();
+  };
+  connect(words_, &QLineEdit::textChanged, this, [this, narrow](const QString& text) {
+    narrow([&] { sorted_->set_words(text); });
+    show_selection();
+    update_summary();
+  });
+  connect(group_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, narrow] {
+    narrow([&] { sorted_->set_group(static_cast<HoleGroup>(group_->currentData().toInt())); });
+    show_selection();
+    update_summary();
+  });
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(words_, 1);
+  layout->addWidget(group_);
+  return row;
+}
+
+void HolesPanel::focus_filter() {
+  words_->setFocus(Qt::ShortcutFocusReason);
+  words_->selectAll();
+}
+
 void HolesPanel::build_table() {
   sorted_->setSourceModel(model_);
-  sorted_->setSortRole(HoleTable::sort_role);
   table_->setObjectName(QStringLiteral("holesTable"));
+  explain(table_, tr("Boundary loops"), tr("Every boundary loop; double click or Return flies there"));
+  table_->setToolTip({});  // the cells have their own
   table_->setModel(sorted_);
   table_->setItemDelegate(new HoleDelegate(document_, selection_, table_));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -62,8 +124,8 @@ void HolesPanel::build_table() {
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setMouseTracking(true);
   table_->viewport()->installEventFilter(this);
+  table_->installEventFilter(this);
   table_->setShowGrid(false);
-  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
   table_->setSortingEnabled(true);
@@ -77,24 +139,38 @@ void HolesPanel::build_table() {
   header->setStretchLastSection(true);
   header->setMinimumSectionSize(30);
   header->setResizeContentsPrecision(100);
+  header->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(header, &QHeaderView::customContextMenuRequested, this, &HolesPanel::show_column_menu);
+  for (int column : {HoleTable::area, HoleTable::planarity, HoleTable::scan}) table_->setColumnHidden(column, true);
   fit_columns();
+}
+
+void HolesPanel::show_column_menu(const QPoint& at) {
+  QMenu menu(this);
+  for (int column = HoleTable::edges; column < HoleTable::state; ++column) {
+    QAction* action = menu.addAction(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    action->setCheckable(true);
+    action->setChecked(!table_->isColumnHidden(column));
+    connect(action, &QAction::toggled, this, [this, column](bool on) {
+      table_->setColumnHidden(column, !on);
+      fit_columns();
+    });
+  }
+  menu.exec(table_->horizontalHeader()->mapToGlobal(at));
 }
 
 /// The state column takes what is left; it should be enough for its longest word.
 void HolesPanel::fit_columns() {
-  constexpr int margin = 14, arrow = 14;
+  if (document_.scans().size() > 1) table_->setColumnHidden(HoleTable::scan, false);
+  constexpr int margin = 10, arrow = 14;
   const QFontMetrics letters(table_->horizontalHeader()->font());
   for (int column = HoleTable::number; column < HoleTable::state; ++column) {
+    if (table_->isColumnHidden(column)) continue;
     const int title = letters.horizontalAdvance(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
     const int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
     table_->setColumnWidth(column,
                            std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
   }
-}
-
-void HolesPanel::on_opened() {
-  fit_columns();
-  update_summary();
 }
 
 int HolesPanel::loop_at(const QModelIndex& proxy_index) const {
@@ -103,6 +179,13 @@ int HolesPanel::loop_at(const QModelIndex& proxy_index) const {
 
 bool HolesPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == table_->viewport() && event->type() == QEvent::Leave) selection_.hover(no_loop);
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && table_->currentIndex().isValid()) {
+      Q_EMIT fly_to(loop_at(table_->currentIndex()));
+      return true;
+    }
+  }
   return QWidget::eventFilter(watched, event);
 }
 
@@ -114,29 +197,57 @@ void HolesPanel::take_selection() {
   selection_.select(loops);
 }
 
+/// Neighbouring rows as one range: thousands of single ones would take the selection model seconds.
 void HolesPanel::show_selection() {
   if (syncing_) return;
   const QScopedValueRollback guard(syncing_, true);
-  QItemSelection rows;
-  for (int loop : selection_.selected()) {
-    const QModelIndex first = sorted_->mapFromSource(model_->index(loop, 0));
-    rows.select(first, first.siblingAtColumn(HoleTable::column_count - 1));
+  std::vector<int> rows;
+  for (int loop : selection_.selected())
+    if (const QModelIndex at = sorted_->mapFromSource(model_->index(loop, 0)); at.isValid()) rows.push_back(at.row());
+  std::sort(rows.begin(), rows.end());
+  QItemSelection ranges;
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t last = i;
+    while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) ++last;
+    ranges.append(
+        QItemSelectionRange(sorted_->index(rows[i], 0), sorted_->index(rows[last], HoleTable::column_count - 1)));
+    i = last + 1;
   }
-  table_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
-  if (!rows.isEmpty()) table_->scrollTo(rows.indexes().first());
+  table_->selectionModel()->select(ranges, QItemSelectionModel::ClearAndSelect);
+  if (!rows.empty() && rows.size() < 100) table_->scrollTo(sorted_->index(rows.front(), 0));
+}
+
+void HolesPanel::go(Way way) {
+  const int count = sorted_->rowCount();
+  if (count == 0) return;
+  int row = way == Way::next ? -1 : count;
+  if (!selection_.selected().empty()) {
+    const int loop = way == Way::next ? *selection_.selected().rbegin() : *selection_.selected().begin();
+    if (const QModelIndex at = sorted_->mapFromSource(model_->index(loop, 0)); at.isValid()) row = at.row();
+  }
+  // Rims and cracks are passed over, unless there is nothing else.
+  for (int tried = 0; tried < count; ++tried) {
+    row = (row + (way == Way::next ? 1 : count - 1)) % count;
+    if (document_.fillable(loop_at(sorted_->index(row, 0)))) break;
+  }
+  const int loop = loop_at(sorted_->index(std::clamp(row, 0, count - 1), 0));
+  selection_.select({loop});
+  Q_EMIT fly_to(loop);
 }
 
 void HolesPanel::show_hover() {
   table_->viewport()->update();
   const int loop = selection_.hovered();
+  if (loop >= document_.loop_count()) return;
   if (loop != no_loop && !table_->viewport()->underMouse())
     table_->scrollTo(sorted_->mapFromSource(model_->index(loop, 0)));
 }
 
 void HolesPanel::update_summary() {
-  const int count = static_cast<int>(document_.loops().size());
-  int holes = 0, open = 0;
-  for (int loop = 0; loop < count; ++loop) {
+  int count = 0, holes = 0, open = 0;
+  for (int loop = 0; loop < document_.loop_count(); ++loop) {
+    if (!document_.present(loop)) continue;
+    ++count;
     if (!document_.fillable(loop)) continue;
     ++holes;
     if (!document_.patch_of(loop)) ++open;
@@ -147,15 +258,16 @@ void HolesPanel::update_summary() {
   } else if (count == 0) {
     summary_->setText(tr("No holes: closed surface"));
   } else {
-    QString text = holes == 1 ? tr("1 hole, %1 open").arg(open) : tr("%1 holes, %2 open").arg(holes).arg(open);
+    QString text = tr("%n hole(s), %1 open", nullptr, holes).arg(open);
     if (count > holes) text += tr("; %1 left out").arg(count - holes);
+    if (sorted_->narrowed()) text += tr("; %1 shown").arg(sorted_->rowCount());
     summary_->setText(text);
   }
 }
 
 void HolesPanel::select_all_holes() {
   std::set<int> loops;
-  for (int loop = 0; loop < static_cast<int>(document_.loops().size()); ++loop)
+  for (int loop = 0; loop < document_.loop_count(); ++loop)
     if (document_.fillable(loop)) loops.insert(loop);
   selection_.select(loops);
 }

@@ -3,47 +3,63 @@
 
 #include <QWidget>
 
+#include <set>
+
+class QComboBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
-class QSortFilterProxyModel;
 class QTableView;
 
 namespace loopmend {
 
 class Document;
+class HoleFilter;
 class HoleSelection;
 class HoleTable;
+class SmallHolesBox;
 
 class HolesPanel : public QWidget {
   Q_OBJECT
 
  public:
-  HolesPanel(const Document& document, HoleSelection& selection, QWidget* parent = nullptr);
+  HolesPanel(Document& document, HoleSelection& selection, QWidget* parent = nullptr);
+
+  enum class Way { next, previous };
+  /// Selects the next loop of the table, and flies there.
+  void go(Way way);
+  void focus_filter();
+  void select_all_holes();
+  SmallHolesBox& small_holes() { return *small_; }
 
  Q_SIGNALS:
   void fly_to(int loop);
+  void fill_wanted(const std::set<int>& loops);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  QWidget* build_filter();
   void build_table();
   void take_selection();
   void show_selection();
   void show_hover();
   void fit_columns();
-  void on_opened();
   void update_summary();
-  void select_all_holes();
+  void show_column_menu(const QPoint& at);
   int loop_at(const QModelIndex& proxy_index) const;
 
-  const Document& document_;
+  Document& document_;
   HoleSelection& selection_;
   HoleTable* model_;
-  QSortFilterProxyModel* sorted_;
+  HoleFilter* sorted_;
   QTableView* table_;
+  QLineEdit* words_ = nullptr;
+  QComboBox* group_ = nullptr;
   QLabel* summary_;
   QPushButton* all_;
+  SmallHolesBox* small_;
   bool syncing_ = false;
 };
 

@@ -6,7 +6,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 
 namespace loopmend {
 
@@ -31,15 +30,23 @@ StatusLine::StatusLine(const Document& document, const Workbench& workbench, QWi
   connect(&document, &Document::patch_moved, this, &StatusLine::show_figures);
   connect(&document, &Document::patches_changed, figures_, &QLabel::clear);
   connect(&document, &Document::opened, this, &StatusLine::update_scan);
+  connect(&document, &Document::scans_changed, this, &StatusLine::update_scan);
 }
 
 void StatusLine::update_scan() {
-  const QLocale plain(QLocale::English);
   figures_->clear();
-  scan_->setText(tr("%1 triangles \u00b7 %2 vertices")
-                     .arg(plain.toString(static_cast<qulonglong>(document_.scan().model->soup.triangles.size())),
-                          plain.toString(static_cast<qulonglong>(document_.scan().model->soup.points.size()))));
+  std::size_t triangles = 0, vertices = 0;
+  for (int index : document_.scans()) {
+    const auto scan = document_.scan(index);
+    triangles += scan->model->soup.triangles.size();
+    vertices += scan->model->soup.points.size();
+  }
+  scan_->setText(triangles == 0
+                     ? QString()
+                     : tr("%1 triangles \u00b7 %2 vertices").arg(words::count(triangles), words::count(vertices)));
 }
+
+void StatusLine::say(const QString& words) { figures_->setText(words); }
 
 void StatusLine::show_figures(int patch_id) {
   const OpenPatch* patch = document_.patch(patch_id);
@@ -49,6 +56,7 @@ void StatusLine::show_figures(int patch_id) {
   }
   const PatchState& state = *patch->state;
   QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(words::number(state.last_step.energy));
+  if (state.last_step.max_move > 0) text += tr(" \u00b7 residual %1").arg(words::number(state.last_step.max_move));
   if (state.last_step.tau > 0)
     text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2")
                 .arg(words::number(state.last_step.sigma), words::number(state.last_step.tau));

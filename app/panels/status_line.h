@@ -16,6 +16,10 @@ class StatusLine : public QWidget {
  public:
   StatusLine(const Document& document, const Workbench& workbench, QWidget* parent = nullptr);
 
+ public Q_SLOTS:
+  /// Until the next figures.
+  void say(const QString& words);
+
  private:
   void update_scan();
   void show_figures(int patch_id);

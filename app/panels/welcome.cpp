@@ -1,8 +1,11 @@
 #include "panels/welcome.h"
 
 #include "panels/icons.h"
+#include "panels/parts.h"
 #include "panels/quiet_label.h"
 
+#include <QCommandLinkButton>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -19,14 +22,11 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   QFont large = title->font();
   large.setPointSizeF(large.pointSizeF() * 1.6);
   title->setFont(large);
-  auto* formats = new QuietLabel(tr("PLY, STL, OBJ or OFF"));
-  auto* open = new QPushButton(tr("Open\u2026"));
-  open->setObjectName(QStringLiteral("welcomeOpen"));
-  open->setToolTip(tr("Choose a file (Ctrl+O)"));
+  auto* formats = new QuietLabel(tr("PLY, STL, OBJ or OFF; or a saved session"));
+  formats->setWordWrap(false);
+  auto* open = make_button("welcomeOpen", tr("&Open\u2026"), tr("Choose a file (Ctrl+O)"));
   open->setDefault(true);
-  auto* sample = new QPushButton(tr("Try the sample"));
-  sample->setObjectName(QStringLiteral("welcomeSample"));
-  sample->setToolTip(tr("A small made-up scan with five holes"));
+  auto* sample = make_button("welcomeSample", tr("&Try the sample"), tr("A small made-up scan with five holes"));
   connect(open, &QPushButton::clicked, this, &Welcome::open_wanted);
   connect(sample, &QPushButton::clicked, this, &Welcome::sample_wanted);
   auto* buttons = new QHBoxLayout;
@@ -46,7 +46,31 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   layout->addWidget(formats, 0, Qt::AlignHCenter);
   layout->addSpacing(14);
   layout->addLayout(buttons);
+  layout->addSpacing(18);
+  recent_ = new QWidget;
+  recent_layout_ = new QVBoxLayout(recent_);
+  recent_layout_->setContentsMargins(0, 0, 0, 0);
+  recent_layout_->setSpacing(2);
+  layout->addWidget(recent_, 0, Qt::AlignHCenter);
   layout->addStretch(5);
+}
+
+void Welcome::show_recent(const QStringList& files) {
+  constexpr int most = 6;
+  while (QLayoutItem* item = recent_layout_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  if (files.isEmpty()) return;
+  recent_layout_->addWidget(new QuietLabel(tr("Opened lately")));
+  for (const QString& path : files.mid(0, most)) {
+    auto* link = new QCommandLinkButton(QFileInfo(path).fileName(), QFileInfo(path).path());
+    explain(link, QFileInfo(path).fileName(), tr("Open %1").arg(path));
+    link->setMinimumWidth(320);
+    link->setFocusPolicy(Qt::TabFocus);
+    connect(link, &QCommandLinkButton::clicked, this, [this, path] { Q_EMIT file_wanted(path); });
+    recent_layout_->addWidget(link);
+  }
 }
 
 }  // namespace loopmend

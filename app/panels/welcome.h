@@ -1,7 +1,10 @@
 // What the middle says while nothing is open.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
+
+class QVBoxLayout;
 
 namespace loopmend {
 
@@ -11,9 +14,16 @@ class Welcome : public QWidget {
  public:
   explicit Welcome(QWidget* parent = nullptr);
 
+  void show_recent(const QStringList& files);
+
  Q_SIGNALS:
+  void file_wanted(const QString& path);
   void open_wanted();
   void sample_wanted();
+
+ private:
+  QWidget* recent_ = nullptr;
+  QVBoxLayout* recent_layout_ = nullptr;
 };
 
 }  // namespace loopmend

@@ -29,7 +29,7 @@ std::string number(double value, double range) {
   if (value == 0) return "0";
   char text[32];
   const double decade = std::floor(std::log10(range));
-  if (decade < -3 || decade > 3) {
+  if (decade < -3 || decade > 4) {
     std::snprintf(text, sizeof text, "%+.1e", value);
   } else {
     std::snprintf(text, sizeof text, "%+.*f", std::max(0, 1 - static_cast<int>(decade)), value);
@@ -71,37 +71,57 @@ void style(vtkTextActor* text) {
 }  // namespace
 
 Legend::Legend(vtkLookupTable* table) : table_(table) {
-  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) style(text);
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()}) style(text);
   for (auto& label : labels_) style(label);
-  title_->SetInput("Mean curvature H");
-  unit_->SetInput("in 1/length");
-  hollow_->SetInput("hollow");
-  bulging_->SetInput("bulging");
+  set_words({});
   title_->GetTextProperty()->BoldOn();
-  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()})
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()})
     text->GetTextProperty()->SetJustificationToRight();
   set_ink(0.15);
 }
 
 Legend::~Legend() = default;
 
+void Legend::each_part(const auto& act) {
+  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) act(part);
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()}) act(text);
+  for (auto& label : labels_) act(label.Get());
+}
+
 void Legend::add_to(vtkRenderer* renderer) {
+  if (renderer == renderer_) return;
+  each_part([&](vtkActor2D* part) {
+    if (renderer_) renderer_->RemoveActor2D(part);
+    renderer->AddActor2D(part);
+  });
   renderer_ = renderer;
-  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) renderer->AddActor2D(part);
-  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) renderer->AddActor2D(text);
-  for (auto& label : labels_) renderer->AddActor2D(label);
 }
 
 void Legend::show() {
-  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) part->VisibilityOn();
-  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) text->VisibilityOn();
-  for (auto& label : labels_) label->VisibilityOn();
+  each_part([](vtkActor2D* part) { part->VisibilityOn(); });
 }
 
 void Legend::hide() {
-  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) part->VisibilityOff();
-  for (vtkTextActor* text : {title_.Get(), unit_.Get(), hollow_.Get(), bulging_.Get()}) text->VisibilityOff();
-  for (auto& label : labels_) label->VisibilityOff();
+  each_part([](vtkActor2D* part) { part->VisibilityOff(); });
+}
+
+void Legend::set_words(const LegendWords& words) {
+  title_->SetInput(words.title.c_str());
+  unit_->SetInput(words.unit.c_str());
+  top_->SetInput(words.top.c_str());
+  bottom_->SetInput(words.bottom.c_str());
+}
+
+/// Of the widest line, device pixels.
+double Legend::text_width() const {
+  double widest = 106 * ratio_;
+  if (!renderer_ || !renderer_->GetRenderWindow()) return widest;
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()}) {
+    double size[2] = {0, 0};
+    text->GetSize(renderer_, size);
+    widest = std::max(widest, size[0]);
+  }
+  return widest;
 }
 
 void Legend::set_pixel_ratio(double ratio) { ratio_ = ratio; }
@@ -110,7 +130,7 @@ void Legend::set_ink(double grey) {
   const auto ink = [](vtkTextActor* text, double g) { text->GetTextProperty()->SetColor(g, g, g); };
   const double soft = grey < 0.5 ? grey + 0.22 : grey - 0.22;
   ink(title_, grey);
-  for (vtkTextActor* text : {unit_.Get(), hollow_.Get(), bulging_.Get()}) ink(text, soft);
+  for (vtkTextActor* text : {unit_.Get(), top_.Get(), bottom_.Get()}) ink(text, soft);
   for (auto& label : labels_) ink(label, grey);
   ticks_->GetProperty()->SetColor(grey, grey, grey);
   const double ground = grey < 0.5 ? 0.955 : 0.15;
@@ -124,11 +144,11 @@ void Legend::lay_out(int width, int height) {
   const double right = width - margin, top = height - margin;
   place(title_, right, top - 7 * ratio_, 13);
   place(unit_, right, top - 25 * ratio_, 11);
-  place(hollow_, right, top - 46 * ratio_, 11);
+  place(top_, right, top - 46 * ratio_, 11);
   const double bar_top = top - 64 * ratio_, bottom = bar_top - bar_height;
   build_bar(right - bar_width, bottom, bar_width, bar_height);
-  place(bulging_, right, bottom - 18 * ratio_, 11);
-  build_ground(right - 122 * ratio_, bottom - 30 * ratio_, right + 8 * ratio_, top + 8 * ratio_);
+  place(bottom_, right, bottom - 18 * ratio_, 11);
+  build_ground(right - text_width() - 12 * ratio_, bottom - 30 * ratio_, right + 8 * ratio_, top + 8 * ratio_);
   const double range = table_->GetRange()[1];
   for (int i = 0; i < label_count; ++i) {
     const double t = static_cast<double>(i) / (label_count - 1);

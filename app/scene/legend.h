@@ -1,9 +1,10 @@
-// The legend of the H colours: title, bar, five numbers, what the two ends mean.
+// The legend of the colours: title, bar, five numbers, what the two ends mean.
 #pragma once
 
 #include <vtkNew.h>
 
 #include <array>
+#include <string>
 
 class vtkActor2D;
 class vtkLookupTable;
@@ -12,24 +13,38 @@ class vtkTextActor;
 
 namespace loopmend {
 
+/// UTF-8.
+struct LegendWords {
+  std::string title = "Mean curvature H";
+  std::string unit = "in 1/length";
+  std::string top = "hollow";      ///< what the upper end of the bar means
+  std::string bottom = "bulging";  ///< the lower one
+};
+
+enum class LegendPlace { none, over_the_picture, beside };
+
 class Legend {
  public:
   explicit Legend(vtkLookupTable* table);
   ~Legend();
+  /// Moves it there.
   void add_to(vtkRenderer* renderer);
   void show();
   void hide();
+  void set_words(const LegendWords& words);
   void set_pixel_ratio(double ratio);
   /// Text in dark or light, over a pale or dark ground, to suit the background.
   void set_ink(double grey);
   /// Places it at the right edge and reads the range from the table. Call when size or range changed.
   void lay_out(int width, int height);
 
-  static constexpr int width_px = 96;  ///< logical pixels that it takes at the right edge
+  static constexpr int width_px = 150;  ///< logical pixels that it takes at the right edge
 
  private:
   void build_ground(double left, double bottom, double right, double top);
   void build_bar(double left, double bottom, double width, double height);
+  double text_width() const;
+  void each_part(const auto& act);
   void place(vtkTextActor* text, double x, double y, int logical_size);
 
   static constexpr int label_count = 5;
@@ -37,7 +52,7 @@ class Legend {
   vtkLookupTable* table_;
   vtkRenderer* renderer_ = nullptr;
   vtkNew<vtkActor2D> ground_, bar_, ticks_;
-  vtkNew<vtkTextActor> title_, unit_, hollow_, bulging_;
+  vtkNew<vtkTextActor> title_, unit_, top_, bottom_;
   std::array<vtkNew<vtkTextActor>, label_count> labels_;
 };
 

@@ -86,6 +86,11 @@ void LoopLines::set_lines(const std::vector<LoopLine>& lines) {
   fill_lines(bold_, lines, true);
 }
 
+void LoopLines::set_visible(Seams seams) {
+  for (vtkActor* actor : {thin_casing_.Get(), thin_core_.Get(), bold_casing_.Get(), bold_core_.Get()})
+    actor->SetVisibility(seams == Seams::shown);
+}
+
 void LoopLines::set_pixel_ratio(double ratio) {
   ratio_ = ratio;
   set_widths();

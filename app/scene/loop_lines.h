@@ -1,6 +1,8 @@
 // Boundary loops as clear lines over the surface: a coloured core in a pale casing, so that they read on any colour.
 #pragma once
 
+#include "scene/shading.h"
+
 #include <vtkNew.h>
 
 #include <vector>
@@ -25,6 +27,7 @@ class LoopLines {
   ~LoopLines();
   void add_to(vtkRenderer* renderer);
   void set_lines(const std::vector<LoopLine>& lines);
+  void set_visible(Seams seams);
   /// Device pixels per logical pixel: widths follow.
   void set_pixel_ratio(double ratio);
 

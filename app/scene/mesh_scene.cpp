@@ -1,7 +1,7 @@
 #include "scene/mesh_scene.h"
 
-#include "scene/color_map.h"
-#include "scene/legend.h"
+#include "scene/color_table.h"
+#include "scene/patch_batch.h"
 #include "scene/surface_actor.h"
 
 #include <vtkActor.h>
@@ -11,39 +11,90 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace loopmend {
 
+namespace {
+
+// Above this number, small patches share one actor: each actor costs a draw call, and its first one a shader.
+constexpr std::size_t most_single_patches = 12;
+constexpr std::size_t small_patch_points = 6000;
+
+using ShapePtr = std::shared_ptr<const SurfaceShape>;
+
+}  // namespace
+
 struct MeshScene::Impl {
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderer> renderer, legend_renderer;
   vtkSmartPointer<vtkLookupTable> table = make_diverging_table();
-  SurfaceActor surface{SurfaceActor::Role::scan, table};
+  std::map<int, std::unique_ptr<SurfaceActor>> scans;
+  std::map<int, ShapePtr> patch_shapes;
   std::map<int, std::unique_ptr<SurfaceActor>> patches;
+  PatchBatch batch{table}, ghosts{table};
   LoopLines loops;
   Legend legend{table};
+  LegendPlace legend_place = LegendPlace::over_the_picture;
   Shading shading = Shading::curvature;
   Edges edges = Edges::hidden;
-  bool with_legend = true;
+  int stripes = 9;
   int width = 1, height = 1;
+  bool patches_changed = false;
 
   void each_surface(const auto& act) {
-    act(surface);
+    for (auto& [index, scan] : scans) act(*scan);
     for (auto& [id, patch] : patches) act(*patch);
+    act(batch.surface());
+  }
+  std::unique_ptr<SurfaceActor> make(SurfaceActor::Role role) {
+    auto made = std::make_unique<SurfaceActor>(role, table);
+    made->set_shading(shading);
+    made->set_edges(edges);
+    made->set_stripes(stripes);
+    renderer->AddActor(made->actor());
+    return made;
+  }
+  bool colored() const {
+    return is_colored(shading) && std::any_of(scans.begin(), scans.end(), [](const auto& entry) {
+             return entry.second->shape() && !entry.second->shape()->H.empty();
+           });
   }
   void update_legend() {
-    const bool colored = with_legend && surface.shape() && !surface.shape()->H.empty() && shading == Shading::curvature;
-    if (colored) {
+    if (legend_place != LegendPlace::none && colored()) {
       legend.lay_out(width, height);
       legend.show();
     } else {
       legend.hide();
     }
   }
+  void distribute_patches() {
+    PatchBatch::Shapes together;
+    const bool many = patch_shapes.size() > most_single_patches;
+    for (const auto& [id, shape] : patch_shapes) {
+      if (many && shape->points.size() / 3 <= small_patch_points) {
+        together.emplace(id, shape);
+        continue;
+      }
+      auto& patch = patches[id];
+      if (!patch) patch = make(SurfaceActor::Role::patch);
+      patch->set_shape(shape);
+    }
+    std::erase_if(patches, [&](const auto& entry) {
+      if (patch_shapes.contains(entry.first) && !together.contains(entry.first)) return false;
+      renderer->RemoveActor(entry.second->actor());
+      return true;
+    });
+    batch.show(together);
+  }
 };
 
 MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
-  impl_->surface.actor()->VisibilityOff();
-  impl_->renderer->AddActor(impl_->surface.actor());
+  for (PatchBatch* batch : {&impl_->batch, &impl_->ghosts}) {
+    batch->surface().actor()->VisibilityOff();
+    impl_->renderer->AddActor(batch->surface().actor());
+  }
+  impl_->ghosts.surface().set_shading(Shading::plain);
+  impl_->ghosts.surface().set_edges(Edges::shown);
   impl_->loops.add_to(impl_->renderer);
   impl_->legend.add_to(impl_->renderer);
   impl_->legend.hide();
@@ -55,35 +106,48 @@ MeshScene::~MeshScene() = default;
 vtkRenderer* MeshScene::renderer() const { return impl_->renderer; }
 
 void MeshScene::clear() {
-  impl_->surface.actor()->VisibilityOff();
+  keep_scans({});
   keep_patches({});
+  set_ghosts({});
   set_loops({});
-  impl_->legend.hide();
+  update();
 }
 
-void MeshScene::set_surface(std::shared_ptr<const SurfaceShape> shape) {
-  impl_->surface.set_shape(std::move(shape));
-  impl_->surface.actor()->VisibilityOn();
+void MeshScene::set_scan(int index, ShapePtr shape) {
+  auto& scan = impl_->scans[index];
+  if (!scan) scan = impl_->make(SurfaceActor::Role::scan);
+  scan->set_shape(std::move(shape));
   impl_->update_legend();
 }
 
-void MeshScene::set_patch(int id, std::shared_ptr<const SurfaceShape> shape) {
-  auto& patch = impl_->patches[id];
-  if (!patch) {
-    patch = std::make_unique<SurfaceActor>(SurfaceActor::Role::patch, impl_->table);
-    patch->set_shading(impl_->shading);
-    patch->set_edges(impl_->edges);
-    impl_->renderer->AddActor(patch->actor());
-  }
-  patch->set_shape(std::move(shape));
-}
-
-void MeshScene::keep_patches(const std::vector<int>& ids) {
-  std::erase_if(impl_->patches, [&](const auto& entry) {
-    if (std::find(ids.begin(), ids.end(), entry.first) != ids.end()) return false;
+void MeshScene::keep_scans(const std::vector<int>& indices) {
+  std::erase_if(impl_->scans, [&](const auto& entry) {
+    if (std::find(indices.begin(), indices.end(), entry.first) != indices.end()) return false;
     impl_->renderer->RemoveActor(entry.second->actor());
     return true;
   });
+  impl_->update_legend();
+}
+
+void MeshScene::set_patch(int id, ShapePtr shape) {
+  impl_->patch_shapes[id] = std::move(shape);
+  impl_->patches_changed = true;
+}
+
+void MeshScene::keep_patches(const std::vector<int>& ids) {
+  const std::set<int> kept(ids.begin(), ids.end());
+  std::erase_if(impl_->patch_shapes, [&](const auto& entry) { return !kept.contains(entry.first); });
+  impl_->patches_changed = true;
+}
+
+void MeshScene::update() {
+  if (std::exchange(impl_->patches_changed, false)) impl_->distribute_patches();
+}
+
+void MeshScene::set_ghosts(const std::vector<ShapePtr>& shapes) {
+  PatchBatch::Shapes numbered;
+  for (const ShapePtr& shape : shapes) numbered.emplace(static_cast<int>(numbered.size()), shape);
+  impl_->ghosts.show(numbered);
 }
 
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) { impl_->loops.set_lines(loops); }
@@ -99,6 +163,19 @@ void MeshScene::set_edges(Edges edges) {
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_edges(edges); });
 }
 
+void MeshScene::set_seams(Seams seams) { impl_->loops.set_visible(seams); }
+
+void MeshScene::set_stripes(int count) {
+  impl_->stripes = count;
+  impl_->each_surface([&](SurfaceActor& surface) { surface.set_stripes(count); });
+}
+
+void MeshScene::set_color_map(ColorMap map) {
+  paint_table(impl_->table, map);
+  impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
+  impl_->update_legend();
+}
+
 void MeshScene::set_range(double half_width) {
   impl_->table->SetRange(-half_width, half_width);
   impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
@@ -107,21 +184,30 @@ void MeshScene::set_range(double half_width) {
 
 double MeshScene::range() const { return impl_->table->GetRange()[1]; }
 
-void MeshScene::hide_legend() {
-  impl_->with_legend = false;
+void MeshScene::set_legend_words(const LegendWords& words) {
+  impl_->legend.set_words(words);
   impl_->update_legend();
 }
 
+void MeshScene::set_legend(LegendPlace place) {
+  impl_->legend_place = place;
+  impl_->legend.add_to(place == LegendPlace::beside ? impl_->legend_renderer : impl_->renderer);
+  impl_->update_legend();
+}
+
+vtkRenderer* MeshScene::legend_renderer() const { return impl_->legend_renderer; }
+
 void MeshScene::set_background(Background background) {
   const bool light = background == Background::light;
-  vtkRenderer* renderer = impl_->renderer;
-  renderer->GradientBackgroundOn();
-  if (light) {
-    renderer->SetBackground(0.84, 0.855, 0.87);
-    renderer->SetBackground2(0.955, 0.96, 0.965);
-  } else {
-    renderer->SetBackground(0.115, 0.125, 0.14);
-    renderer->SetBackground2(0.20, 0.215, 0.235);
+  for (vtkRenderer* renderer : {impl_->renderer.Get(), impl_->legend_renderer.Get()}) {
+    renderer->GradientBackgroundOn();
+    if (light) {
+      renderer->SetBackground(0.84, 0.855, 0.87);
+      renderer->SetBackground2(0.955, 0.96, 0.965);
+    } else {
+      renderer->SetBackground(0.115, 0.125, 0.14);
+      renderer->SetBackground2(0.20, 0.215, 0.235);
+    }
   }
   impl_->legend.set_ink(light ? 0.14 : 0.92);
 }

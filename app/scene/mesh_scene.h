@@ -1,6 +1,8 @@
 // Everything that is drawn in the view: the scan, the patches, the loops, the legend. One renderer, no window.
 #pragma once
 
+#include "scene/color_map.h"
+#include "scene/legend.h"
 #include "scene/loop_lines.h"
 #include "scene/shading.h"
 #include "scene/surface_shape.h"
@@ -21,24 +23,36 @@ class MeshScene {
   vtkRenderer* renderer() const;
 
   void clear();
-  void set_surface(std::shared_ptr<const SurfaceShape> shape);
+  void set_scan(int index, std::shared_ptr<const SurfaceShape> shape);
+  /// Every scan whose index is not in `indices` goes.
+  void keep_scans(const std::vector<int>& indices);
   /// Adds the patch, or shows its new state.
   void set_patch(int id, std::shared_ptr<const SurfaceShape> shape);
   /// Every patch whose id is not in `ids` goes.
   void keep_patches(const std::vector<int>& ids);
+  /// Patches that are only thought of: plain, with their edges.
+  void set_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& shapes);
   void set_loops(const std::vector<LoopLine>& loops);
+  /// To be called before drawing: puts into actors what has changed.
+  void update();
 
   void set_shading(Shading shading);
   void set_edges(Edges edges);
-  /// Colours run over [−half_width, half_width], in 1/length.
+  void set_seams(Seams seams);
+  /// How many stripes zebra and isophotes have; 3..40.
+  void set_stripes(int count);
+  void set_color_map(ColorMap map);
+  /// Colours run over [−half_width, half_width], in 1/length for H, 1/length² for K.
   void set_range(double half_width);
   double range() const;
 
-  /// For a scene beside another one that shows the same legend.
-  void hide_legend();
+  void set_legend_words(const LegendWords& words);
+  void set_legend(LegendPlace place);
+  /// Where the legend is with LegendPlace::beside: to be given a viewport of its own in the same window.
+  vtkRenderer* legend_renderer() const;
   void set_background(Background background);
   void set_pixel_ratio(double device_pixels_per_logical);
-  /// Device pixels. Places the legend.
+  /// Of the renderer that holds the legend, device pixels.
   void set_size(int width, int height);
 
   /// Of everything drawn, in the scene's frame: x0 x1 y0 y1 z0 z1.

@@ -61,7 +61,7 @@ std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<Boun
 void fill_scene(Picture& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
   const CurvatureField field = options.shading == Shading::plain ? CurvatureField{} : curvature_field(model.mesh);
   picture.shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, field, origin));
-  picture.scene.set_surface(picture.shape);
+  picture.scene.set_scan(0, picture.shape);
   picture.scene.set_shading(options.shading);
   picture.scene.set_loops(lines_of(model, find_boundary_loops(model), origin));
 }
@@ -133,19 +133,34 @@ void add_caption(vtkRenderer* renderer, const char* words, double ratio, int hei
   renderer->AddActor2D(text);
 }
 
+/// The legend's strip at the right edge, so that it covers nothing. @returns how wide it is, device pixels.
+int give_legend_room(MeshScene& scene, vtkRenderWindow* window, double ratio, int width, int height) {
+  int strip = static_cast<int>(std::lround((Legend::width_px + 12) * ratio));
+  strip += (width - strip) % 2;  // two pictures of the same width fit beside it
+  scene.set_size(strip, height);
+  scene.set_legend(LegendPlace::beside);
+  scene.legend_renderer()->SetViewport(1 - static_cast<double>(strip) / width, 0, 1, 1);
+  scene.legend_renderer()->InteractiveOff();
+  window->AddRenderer(scene.legend_renderer());
+  return strip;
+}
+
 }  // namespace
 
 void render_to_png(const SurfaceModel& model, const RenderOptions& options, const std::filesystem::path& path) {
   check(options);
   const int width = supersampling * options.width, height = supersampling * options.height;
   const auto window = make_offscreen_window(width, height);
+  const double ratio = pixel_ratio(options.width, options.height);
   Picture picture;
-  picture.scene.set_pixel_ratio(pixel_ratio(options.width, options.height));
-  picture.scene.set_size(width, height);
+  picture.scene.set_pixel_ratio(ratio);
   fill_scene(picture, model, options, scene_origin(model.soup));
   picture.scene.set_range(options.h_range.value_or(symmetric_range(picture.shape->H)));
   window->AddRenderer(picture.scene.renderer());
-  aim(picture.scene, *picture.shape, model, static_cast<double>(width) / height);
+  const int strip = is_colored(options.shading) ? give_legend_room(picture.scene, window, ratio, width, height) : 0;
+  const int room = width - strip;
+  picture.scene.renderer()->SetViewport(0, 0, static_cast<double>(room) / width, 1);
+  aim(picture.scene, *picture.shape, model, static_cast<double>(room) / height);
   picture.scene.renderer()->ResetCameraClippingRange();
   write_png(window, options, path);
   window->Finalize();
@@ -164,14 +179,16 @@ void render_before_after(const SurfaceModel& before, const SurfaceModel& after, 
     fill_scene(*picture, picture == &left ? before : after, options, origin);
     window->AddRenderer(picture->scene.renderer());
   }
-  right.scene.set_size(width / 2, height);
   const double range = options.h_range.value_or(symmetric_range(left.shape->H));
   for (Picture* picture : {&left, &right}) picture->scene.set_range(range);
-  left.scene.hide_legend();
-  aim(left.scene, *left.shape, before, 0.5 * width / height);
+  left.scene.set_legend(LegendPlace::none);
+  const int strip = is_colored(options.shading) ? give_legend_room(right.scene, window, ratio, width, height) : 0;
+  const int room = (width - strip) / 2;
+  aim(left.scene, *left.shape, before, static_cast<double>(room) / height);
   right.scene.renderer()->SetActiveCamera(left.scene.renderer()->GetActiveCamera());
-  left.scene.renderer()->SetViewport(0, 0, 0.5, 1);
-  right.scene.renderer()->SetViewport(0.5, 0, 1, 1);
+  const double share = static_cast<double>(room) / width;
+  left.scene.renderer()->SetViewport(0, 0, share, 1);
+  right.scene.renderer()->SetViewport(share, 0, 2 * share, 1);
   add_caption(left.scene.renderer(), "Before", ratio, height);
   add_caption(right.scene.renderer(), "After", ratio, height);
   left.scene.renderer()->ResetCameraClippingRange();

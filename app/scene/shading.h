@@ -4,11 +4,16 @@
 namespace loopmend {
 
 enum class Shading {
-  curvature,  ///< coloured by H
+  curvature,  ///< coloured by mean curvature H
+  gaussian,   ///< coloured by Gaussian curvature K
   plain,      ///< one colour; patches in another
   zebra,      ///< reflected stripes: a kink where tangents jump, a bend where curvature jumps
+  isophotes,  ///< bands of equal brightness under one distant light
 };
 
+inline bool is_colored(Shading shading) { return shading == Shading::curvature || shading == Shading::gaussian; }
+
 enum class Edges { hidden, shown };
+enum class Seams { hidden, shown };
 
 }  // namespace loopmend

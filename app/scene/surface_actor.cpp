@@ -20,6 +20,7 @@ constexpr Rgb scan_color{0.80, 0.785, 0.755};
 constexpr Rgb patch_color{0.50, 0.74, 0.70};
 constexpr Rgb edge_color{0.22, 0.25, 0.30};
 constexpr float edge_width = 0.5F;
+constexpr int default_stripes = 9;
 
 // Key light over the left shoulder, soft fill from the right, a little sky: in view coordinates, so it follows the eye.
 // The inside of the surface is dull and dark, so that a hole reads as a hole. A patch lies on top of the rings that it
@@ -28,9 +29,12 @@ constexpr const char* lighting = R"(//VTK::Light::Impl
   vec3 loopmendNormal = normalize(normalVCVSOutput);
   vec3 loopmendBase = diffuseColor;
   float loopmendGloss = 0.07;
-  if (loopmendShading == 2) {
+  bool striped = loopmendShading == 3 || loopmendShading == 4;
+  if (striped) {
     vec3 mirrored = reflect(normalize(vertexVC.xyz), loopmendNormal);
-    float stripe = sin(9.0 * 3.14159265 * (0.5 + 0.5 * mirrored.y / max(1e-3, length(mirrored) + abs(mirrored.z) * 0.35)));
+    float band = loopmendShading == 3 ? 0.5 + 0.5 * mirrored.y / max(1e-3, length(mirrored) + abs(mirrored.z) * 0.35)
+                                      : 0.5 + 0.5 * dot(loopmendNormal, normalize(vec3(-0.35, 0.75, 0.55)));
+    float stripe = sin(float(loopmendStripes) * 3.14159265 * (loopmendShading == 3 ? band : 2.0 * band));
     float soft = clamp(fwidth(stripe) * 0.9, 0.02, 1.0);
     loopmendBase = mix(vec3(0.11, 0.12, 0.14), vec3(0.94, 0.94, 0.92), smoothstep(-soft, soft, stripe));
     loopmendGloss = 0.0;
@@ -42,7 +46,7 @@ constexpr const char* lighting = R"(//VTK::Light::Impl
   float sky = 0.5 + 0.5 * loopmendNormal.y;
   float amount = 0.46 + 0.42 * key + 0.12 * fill + 0.10 * sky;
   float shine = pow(max(0.0, dot(loopmendNormal, normalize(vec3(-0.25, 0.35, 1.0)))), 40.0);
-  if (loopmendShading == 2) amount = mix(1.0, amount, 0.45);
+  if (striped) amount = mix(1.0, amount, 0.45);
   fragOutput0 = vec4(loopmendBase * amount + loopmendGloss * shine * (1.0 - inside), 1.0);
 )";
 constexpr const char* patch_on_top = R"(  gl_FragDepth = gl_FragCoord.z - 0.00002;
@@ -89,6 +93,7 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   const std::string code = std::string(lighting) + (role == Role::patch ? patch_on_top : "");
   shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading_));
+  set_stripes(default_stripes);
 }
 
 SurfaceActor::~SurfaceActor() = default;
@@ -114,20 +119,29 @@ void SurfaceActor::update_triangles() {
 }
 
 void SurfaceActor::update_scalars() {
-  const bool known = shape_ && !shape_->H.empty();
-  data_->GetPointData()->SetScalars(known ? wrap(shape_->H, 1, "H").Get() : nullptr);
-  mapper_->SetScalarVisibility(known && shading_ == Shading::curvature);
+  const std::vector<float>* values = nullptr;
+  if (shape_ && shading_ == Shading::curvature) values = &shape_->H;
+  if (shape_ && shading_ == Shading::gaussian) values = &shape_->K;
+  const bool known = values && !values->empty();
+  data_->GetPointData()->SetScalars(known ? wrap(*values, 1, "curvature").Get() : nullptr);
+  mapper_->SetScalarVisibility(known);
   data_->Modified();
 }
 
 void SurfaceActor::set_shading(Shading shading) {
+  if (shading == shading_) return;
+  const bool other_scalars = is_colored(shading) || is_colored(shading_);
   shading_ = shading;
   if (shape_ && role_ == Role::patch) update_triangles();
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading));
-  mapper_->SetScalarVisibility(shape_ && !shape_->H.empty() && shading == Shading::curvature);
+  if (shape_ && other_scalars) update_scalars();
 }
 
 void SurfaceActor::set_edges(Edges edges) { actor_->GetProperty()->SetEdgeVisibility(edges == Edges::shown); }
+
+void SurfaceActor::set_stripes(int count) {
+  actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendStripes", count);
+}
 
 void SurfaceActor::recolor() { mapper_->Modified(); }
 

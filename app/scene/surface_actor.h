@@ -11,6 +11,7 @@
 
 class vtkActor;
 class vtkFloatArray;
+class vtkLookupTable;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
@@ -27,6 +28,8 @@ class SurfaceActor {
   void set_shape(std::shared_ptr<const SurfaceShape> shape);
   void set_shading(Shading shading);
   void set_edges(Edges edges);
+  /// How many stripes zebra and isophotes have; 3..40.
+  void set_stripes(int count);
   /// To be called after the table's range changed.
   void recolor();
 

@@ -91,6 +91,7 @@ SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Ve
   shape.own_triangles = static_cast<int>(mesh.n_faces());
   set_normals(shape, field.normals);
   shape.H = to_floats(field.H);
+  shape.K = to_floats(field.K);
   return shape;
 }
 
@@ -108,20 +109,21 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   }
   set_normals(shape, field.normals);
   shape.H = to_floats(field.H);
+  shape.K = to_floats(field.K);
   return shape;
 }
 
-double symmetric_range(std::span<const float> H) {
+double symmetric_range(std::span<const float> values, double percent) {
   std::vector<float> known;
-  known.reserve(H.size());
-  std::copy_if(H.begin(), H.end(), std::back_inserter(known), [](float h) { return std::isfinite(h); });
+  known.reserve(values.size());
+  std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](float v) { return std::isfinite(v); });
   if (known.empty()) return 1;
   const auto quantile = [&](double q) {
     const auto at = known.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(known.size() - 1));
     std::nth_element(known.begin(), at, known.end());
     return std::abs(static_cast<double>(*at));
   };
-  const double range = std::max(quantile(0.02), quantile(0.98));
+  const double range = std::max(quantile(1 - percent / 100), quantile(percent / 100));
   if (!(range > 0)) return 1;
   const double unit = std::pow(10.0, std::floor(std::log10(range)) - 1);
   return std::round(range / unit) * unit;

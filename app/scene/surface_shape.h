@@ -16,7 +16,8 @@ struct SurfaceShape {
   std::vector<float> normals;  ///< 3 × #V, unit
   std::vector<int> triangles;  ///< 3 × #F; a patch's own come first, then those of the rings around it
   int own_triangles = 0;       ///< of a patch: how many are its own; of a scan: all
-  std::vector<float> H;        ///< #V, 1/length, NaN where unknown; empty before it was computed
+  std::vector<float> H;        ///< #V, mean curvature, 1/length, NaN where unknown; empty before it was computed
+  std::vector<float> K;        ///< #V, Gaussian curvature, 1/length², likewise
 };
 
 /// The middle of the bounding box.
@@ -31,8 +32,9 @@ SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Ve
 /// The patch and the three rings around it, where its H runs into that of the open scan.
 SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin);
 
-/// Half-width R of the colour range [−R, R]: the larger of |2nd| and |98th percentile|, rounded to two digits so that
-/// the legend reads well; 1 when nothing is known.
-double symmetric_range(std::span<const float> H);
+/// Half-width R of the colour range [−R, R] that holds `percent` of the values on either side of 0, rounded to two digits
+/// so that the legend reads well; 1 when nothing is known.
+/// @param percent  50..100, of the known values
+double symmetric_range(std::span<const float> values, double percent = 98);
 
 }  // namespace loopmend

@@ -1,13 +1,18 @@
 #include "views/main_window.h"
 
 #include "panels/banner.h"
+#include "panels/decision_box.h"
+#include "panels/fill_box.h"
 #include "panels/holes_panel.h"
 #include "panels/icons.h"
+#include "panels/inspect_panel.h"
+#include "panels/look_panel.h"
 #include "panels/patch_panel.h"
-#include "panels/report_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
+#include "views/file_desk.h"
 #include "views/mesh_view.h"
+#include "views/window_actions.h"
 
 #include <QAbstractButton>
 #include <QDockWidget>
@@ -21,23 +26,34 @@
 
 namespace loopmend {
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), workbench_(document_, undo_) {
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      workbench_(document_, undo_),
+      autosave_(document_, undo_),
+      actions_(new WindowActions(this)) {
   setObjectName(QStringLiteral("mainWindow"));
-  setWindowTitle(tr("Loopmend"));
   setWindowIcon(application_icon());
   setAcceptDrops(true);
   resize(1360, 860);
   build_centre();
+  files_ = new FileDesk(document_, undo_, workbench_, *banner_, this);
   build_docks();
-  build_actions();
-  build_menus();
-  build_toolbar();
-  auto* status = new StatusLine(document_, workbench_);
+  actions_->build_menus(dock_toggles_);
+  actions_->build_toolbar();
+  status_ = new StatusLine(document_, workbench_);
   statusBar()->setSizeGripEnabled(false);
-  statusBar()->addWidget(status, 1);
-  connect_parts();
+  statusBar()->addWidget(status_, 1);
+  connect_workbench();
+  connect_document();
+  connect_panels();
+  connect_file_actions();
+  connect_view_actions();
+  connect_patch_actions();
   guard_buttons();
-  update_icons();
+  apply(load_preferences());
+  actions_->update_icons();
+  welcome_->show_recent(recent_files());
+  update_title();
   update_actions();
 }
 
@@ -49,30 +65,29 @@ MainWindow::~MainWindow() {
 void MainWindow::build_centre() {
   view_ = new MeshView(document_, selection_);
   welcome_ = new Welcome;
-  banner_ = new Banner;
   auto* middle = new QWidget;
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(banner_);
   auto* pages = new QWidget;
   // All at once, one over the other: the graphics start while the person still reads the welcome.
   centre_ = new QStackedLayout(pages);
   centre_->setStackingMode(QStackedLayout::StackAll);
   centre_->addWidget(welcome_);
   centre_->addWidget(view_);
-  column->addWidget(pages, 1);
+  column->addWidget(pages);
+  banner_ = new Banner(middle);
   setCentralWidget(middle);
 }
 
 void MainWindow::build_docks() {
   setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks);
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  auto* holes = new HolesPanel(document_, selection_);
-  connect(holes, &HolesPanel::fly_to, view_, &MeshView::fly_to);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  holes_ = new HolesPanel(document_, selection_);
   patch_ = new PatchPanel(document_, selection_, workbench_);
-  report_ = new ReportPanel(document_, selection_);
+  look_ = new LookPanel;
+  inspect_ = new InspectPanel(document_, selection_);
   const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
     auto* made = new QDockWidget(title);
     made->setObjectName(QLatin1String(name));
@@ -81,17 +96,21 @@ void MainWindow::build_docks() {
     dock_toggles_ << made->toggleViewAction();
     return made;
   };
-  QDockWidget* left = dock("holesDock", tr("Holes"), holes, Qt::LeftDockWidgetArea);
+  QDockWidget* left = dock("holesDock", tr("Holes"), holes_, Qt::LeftDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
-  QDockWidget* bottom = dock("reportDock", tr("Report"), report_, Qt::BottomDockWidgetArea);
-  resizeDocks({left, right}, {446, 264}, Qt::Horizontal);
-  resizeDocks({bottom}, {170}, Qt::Vertical);
+  QDockWidget* look = dock("lookDock", tr("Look"), look_, Qt::RightDockWidgetArea);
+  QDockWidget* bottom = dock("inspectDock", tr("Inspect"), inspect_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(right, look);
+  right->raise();
+  resizeDocks({left, right}, {424, 272}, Qt::Horizontal);
+  resizeDocks({bottom}, {214}, Qt::Vertical);
 }
 
-void MainWindow::connect_parts() {
+void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::failed, banner_, &Banner::show_problem);
   connect(&workbench_, &Workbench::notice, banner_, &Banner::show_notice);
-  connect(&workbench_, &Workbench::said, report_, &ReportPanel::log);
+  connect(&workbench_, &Workbench::said, inspect_, &InspectPanel::log);
+  connect(&autosave_, &Autosave::failed, banner_, &Banner::show_problem);
   connect(&workbench_, &Workbench::preview_ready, this, [this](auto shape) {
     welcome_->hide();
     centre_->setCurrentWidget(view_);
@@ -101,21 +120,44 @@ void MainWindow::connect_parts() {
     view_->drop_preview();
     show_centre();
   });
+  connect(&workbench_, &Workbench::ghosts_changed, view_, &MeshView::show_ghosts);
   connect(&workbench_, &Workbench::activity_changed, this, &MainWindow::update_actions);
+  connect(&workbench_, &Workbench::session_saved, this, &MainWindow::update_title);
+}
+
+void MainWindow::connect_document() {
   connect(&document_, &Document::opened, this, [this] {
     selection_.clear();
     banner_->hide();
-    const QFileInfo file(document_.scan().path);
-    setWindowTitle(tr("%1 \u2013 Loopmend").arg(file.fileName()));
-    setWindowFilePath(document_.scan().path);
+  });
+  connect(&document_, &Document::scans_changed, this, [this] {
     show_centre();
+    update_title();
     update_actions();
   });
-  connect(&document_, &Document::holes_changed, this, &MainWindow::update_actions);
-  connect(&selection_, &HoleSelection::selection_changed, this, &MainWindow::update_actions);
-  connect(&undo_, &QUndoStack::indexChanged, this, &MainWindow::update_actions);
-  connect(welcome_, &Welcome::open_wanted, this, &MainWindow::ask_open);
+  connect(&document_, &Document::shape_changed, this, [this] { look_->know_range(view_->range()); });
+  connect(&undo_, &UndoHistory::changed, this, [this] {
+    update_actions();
+    update_title();
+  });
+}
+
+void MainWindow::connect_panels() {
+  connect(holes_, &HolesPanel::fly_to, view_, &MeshView::fly_to);
+  connect(holes_, &HolesPanel::fill_wanted, &patch_->fill_box(), &FillBox::fill_loops);
+  connect(patch_, &PatchPanel::updated, this, &MainWindow::update_actions);
+  connect(&patch_->decision_box(), &DecisionBox::notice, banner_, &Banner::show_notice);
+  connect(look_, &LookPanel::look_changed, view_, &MeshView::set_look);
+  connect(look_, &LookPanel::look_changed, this, [this] {
+    look_->know_range(view_->range());
+    update_actions();
+  });
+  connect(view_, &MeshView::probed, status_, &StatusLine::say);
+  connect(welcome_, &Welcome::open_wanted, this, [this] { files_->ask_open(OpenMode::replace); });
   connect(welcome_, &Welcome::sample_wanted, this, &MainWindow::open_sample);
+  connect(welcome_, &Welcome::file_wanted, this, [this](const QString& path) { open(path); });
+  connect(files_, &FileDesk::recovered, &autosave_, &Autosave::take_over);
+  connect(files_, &FileDesk::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });
 }
 
 /// A button reached by Tab answers to Space and Return itself; a click leaves the focus, and so the shortcuts, alone.
@@ -139,11 +181,21 @@ void MainWindow::show_centre() {
   centre_->setCurrentWidget(document_.has_scan() ? static_cast<QWidget*>(view_) : welcome_);
 }
 
-void MainWindow::open(const QString& path) { workbench_.open(QFileInfo(path).absoluteFilePath()); }
+void MainWindow::update_title() {
+  QStringList names;
+  for (int index : document_.scans()) names << document_.scan(index)->name;
+  if (!files_->session_path().isEmpty()) names = QStringList(QFileInfo(files_->session_path()).fileName());
+  const QString what = names.size() > 2 ? tr("%1 and %2 more").arg(names.first()).arg(names.size() - 1)
+                                        : names.join(QStringLiteral(", "));
+  setWindowTitle(what.isEmpty() ? tr("Loopmend") : tr("%1[*] \u2013 Loopmend").arg(what));
+  setWindowModified(!what.isEmpty() && files_->has_unsaved_work());
+}
 
-void MainWindow::open_sample() { workbench_.open_sample(); }
+void MainWindow::open(const QStringList& paths, OpenMode mode) { files_->open(paths, mode); }
 
-void MainWindow::export_to(const QString& path) { workbench_.export_to(path); }
+void MainWindow::open_sample() { files_->open_sample(); }
+
+void MainWindow::offer_recovery() { files_->offer_recovery(); }
 
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) { return workbench_.shut_down(at_most); }
 
@@ -152,19 +204,28 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
 }
 
+/// What is dropped comes beside what is open: nothing gets lost by a drop.
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  open(event->mimeData()->urls().first().toLocalFile());
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  open(paths, OpenMode::add);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->may_close()) {
+    event->ignore();
+    return;
+  }
   workbench_.cancel();
+  autosave_.finish();
   QMainWindow::closeEvent(event);
 }
 
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) update_icons();
+  if (event->type() == QEvent::PaletteChange) actions_->update_icons();
 }
 
 }  // namespace loopmend

@@ -1,25 +1,29 @@
-// The one window. It only wires: parts live in panels, views, jobs and document.
+// The one window. It only wires: parts live in panels, views, dialogs, jobs and document.
 #pragma once
 
 #include "document/document.h"
 #include "document/hole_selection.h"
+#include "document/preferences.h"
+#include "document/undo_history.h"
+#include "jobs/autosave.h"
 #include "jobs/workbench.h"
-#include "scene/shading.h"
 
 #include <QMainWindow>
-#include <QUndoStack>
 
-class QAction;
-class QActionGroup;
 class QStackedLayout;
 
 namespace loopmend {
 
 class Banner;
+class FileDesk;
+class HolesPanel;
+class InspectPanel;
+class LookPanel;
 class MeshView;
 class PatchPanel;
-class ReportPanel;
+class StatusLine;
 class Welcome;
+class WindowActions;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -28,15 +32,19 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  void open(const QString& path);
+  void open(const QStringList& paths, OpenMode mode = OpenMode::replace);
+  void open(const QString& path) { open(QStringList(path)); }
   void open_sample();
-  void export_to(const QString& path);
+  /// Tells of work that another run left behind; for the start of the program.
+  void offer_recovery();
   /// Once the window is closed: @returns whether every worker has ended.
   bool shut_down(std::chrono::milliseconds at_most);
 
   const Document& document() const { return document_; }
   HoleSelection& selection() { return selection_; }
   Workbench& workbench() { return workbench_; }
+  UndoHistory& undo() { return undo_; }
+  Autosave& autosave() { return autosave_; }
   MeshView& view() { return *view_; }
 
  protected:
@@ -49,36 +57,38 @@ class MainWindow : public QMainWindow {
  private:
   void build_centre();
   void build_docks();
-  void build_actions();
-  void build_edit_actions();
-  void build_view_actions();
-  void build_run_actions();
-  void build_menus();
-  void build_toolbar();
-  void connect_parts();
+  void connect_workbench();
+  void connect_document();
+  void connect_panels();
+  void connect_file_actions();
+  void connect_view_actions();
+  void connect_patch_actions();
   void guard_buttons();
-  QAction* add_action(const char* name, const QString& text, const QString& help, const QKeySequence& keys);
-  QAction* named(const char* name) const;
 
-  void ask_open();
-  void ask_export();
-  void ask_screenshot();
-  void show_about();
+  void apply(const Preferences& preferences);
+  void ask_preferences();
+  void show_picture_dialog();
+  void step_back();
   void update_actions();
-  void update_icons();
+  void update_title();
   void show_centre();
 
   Document document_;
   HoleSelection selection_;
-  QUndoStack undo_;
+  UndoHistory undo_;
   Workbench workbench_;
+  Autosave autosave_;
+  WindowActions* actions_;
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;
   Banner* banner_ = nullptr;
+  FileDesk* files_ = nullptr;
+  HolesPanel* holes_ = nullptr;
   PatchPanel* patch_ = nullptr;
-  ReportPanel* report_ = nullptr;
+  LookPanel* look_ = nullptr;
+  InspectPanel* inspect_ = nullptr;
+  StatusLine* status_ = nullptr;
   QStackedLayout* centre_ = nullptr;
-  QActionGroup* shadings_ = nullptr;
   QList<QAction*> dock_toggles_;
 };
 

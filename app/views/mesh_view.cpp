@@ -8,6 +8,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QElapsedTimer>
 #include <QSurfaceFormat>
 #include <QVBoxLayout>
 
@@ -33,11 +34,11 @@ vtkStandardNewMacro(TurnStyle)
   }
 }
 
-std::vector<float> line_of(const OpenedScan& scan, const BoundaryLoop& loop) {
+std::vector<float> line_of(const SurfaceShape& shape, const BoundaryLoop& loop) {
   std::vector<float> line;
   line.reserve(3 * loop.vertices.size());
   for (int v : loop.vertices) {
-    const auto at = scan.shape->points.begin() + 3 * static_cast<std::ptrdiff_t>(v);
+    const auto at = shape.points.begin() + 3 * static_cast<std::ptrdiff_t>(v);
     line.insert(line.end(), at, at + 3);
   }
   return line;
@@ -73,12 +74,19 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
   vtkNew<TurnStyle> style;
   impl_->window->GetInteractor()->SetInteractorStyle(style);
   update_palette();
+  update_legend_words();
 
   impl_->redraw_timer.setSingleShot(true);
   impl_->redraw_timer.setInterval(0);
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
+    impl_->scene.update();
     impl_->renderer()->ResetCameraClippingRange();
+    QElapsedTimer clock;
+    clock.start();
     impl_->window->Render();
+    // Where drawing is slow, everything else of the window gets its share of the time before the next picture.
+    constexpr qint64 longest_wait_ms = 60;
+    impl_->redraw_timer.setInterval(static_cast<int>(std::min(longest_wait_ms, clock.elapsed() / 2)));
   });
   impl_->window->AddObserver(vtkCommand::EndEvent, this, &MeshView::after_render);
   follow_document();
@@ -89,10 +97,22 @@ MeshView::~MeshView() = default;
 void MeshView::follow_document() {
   const Document& document = impl_->document;
   const HoleSelection& selection = impl_->selection;
-  connect(&document, &Document::opened, this, &MeshView::on_opened);
-  connect(&document, &Document::shape_changed, this, [this] {
-    impl_->scene.set_surface(impl_->document.scan().shape);
-    impl_->scene.set_range(symmetric_range(impl_->document.scan().shape->H));
+  connect(&document, &Document::opened, this, [this] {
+    // A preview is of the scan that is about to come: it stays, so that it need not go to the graphics again.
+    if (!impl_->preview_shown) impl_->scene.keep_scans({});
+    impl_->scene.keep_patches({});
+    impl_->scene.set_ghosts({});
+    impl_->scene.set_loops({});
+    impl_->loop_styles.clear();
+    impl_->picker.set_loops({});
+    drop_probe();
+    if (!impl_->document.has_scan()) impl_->overlay->hide_axes();
+    redraw();
+  });
+  connect(&document, &Document::scans_changed, this, &MeshView::on_scans_changed);
+  connect(&document, &Document::shape_changed, this, [this](int scan) {
+    impl_->scene.set_scan(scan, impl_->document.scan(scan)->shape);
+    update_range();
     redraw();
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
@@ -104,18 +124,58 @@ void MeshView::follow_document() {
 
 QWidget* MeshView::canvas() const { return impl_->canvas; }
 
-void MeshView::redraw() { impl_->redraw_timer.start(); }
+void MeshView::redraw() {
+  // Not started anew by each wish: a flow that moves faster than the graphics would never be seen.
+  if (!impl_->redraw_timer.isActive()) impl_->redraw_timer.start();
+}
 
-Shading MeshView::shading() const { return impl_->shading; }
+const Look& MeshView::look() const { return impl_->look; }
 
-void MeshView::set_shading(Shading shading) {
-  impl_->shading = shading;
-  impl_->scene.set_shading(shading);
+double MeshView::range() const { return impl_->scene.range(); }
+
+void MeshView::set_look(const Look& look) {
+  const Look old = std::exchange(impl_->look, look);
+  MeshScene& scene = impl_->scene;
+  if (look.shading != old.shading) {
+    scene.set_shading(look.shading);
+    update_legend_words();
+  }
+  if (look.edges != old.edges) scene.set_edges(look.edges);
+  if (look.seams != old.seams) scene.set_seams(look.seams);
+  if (look.map != old.map) scene.set_color_map(look.map);
+  if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
+  update_range();
   redraw();
 }
 
-void MeshView::set_edges(Edges edges) {
-  impl_->scene.set_edges(edges);
+void MeshView::update_range() {
+  if (!is_colored(impl_->look.shading)) return;
+  const bool mean = impl_->look.shading == Shading::curvature;
+  const ColorRange& wanted = mean ? impl_->look.H : impl_->look.K;
+  double half_width = wanted.half_width;
+  if (wanted.rule == ColorRange::Rule::percentile) {
+    half_width = 0;
+    for (int index : impl_->document.scans()) {
+      const auto shape = impl_->document.scan(index)->shape;
+      const std::vector<float>& values = mean ? shape->H : shape->K;
+      if (!values.empty()) half_width = std::max(half_width, symmetric_range(values, wanted.percent));
+    }
+  }
+  if (half_width > 0 && half_width != impl_->scene.range()) impl_->scene.set_range(half_width);
+}
+
+void MeshView::update_legend_words() {
+  LegendWords words;
+  const bool mean = impl_->look.shading != Shading::gaussian;
+  words.title = (mean ? tr("Mean curvature H") : tr("Gaussian curvature K")).toStdString();
+  words.unit = (mean ? tr("in 1/length") : tr("in 1/length\u00b2")).toStdString();
+  words.top = (mean ? tr("hollow") : tr("dome or bowl")).toStdString();
+  words.bottom = (mean ? tr("bulging") : tr("saddle")).toStdString();
+  impl_->scene.set_legend_words(words);
+}
+
+void MeshView::show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts) {
+  impl_->scene.set_ghosts(ghosts);
   redraw();
 }
 
@@ -125,34 +185,42 @@ void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
   impl_->picker.set_loops({});
   impl_->loop_styles.clear();
   impl_->overlay->clear_highlight();
-  impl_->scene.set_surface(std::move(shape));
+  drop_probe();
+  impl_->scene.set_scan(0, std::move(shape));
   face_front();
 }
 
 void MeshView::drop_preview() {
   if (!std::exchange(impl_->preview_shown, false)) return;
+  impl_->scene.clear();
+  impl_->loop_styles.clear();
   if (impl_->document.has_scan()) {
-    on_opened();
+    on_scans_changed();
     on_patches_changed();
     apply(impl_->pose_before, impl_->camera());
-  } else {
-    impl_->scene.clear();
-    redraw();
   }
+  redraw();
 }
 
-void MeshView::on_opened() {
-  const OpenedScan& scan = impl_->document.scan();
-  impl_->scene.clear();
-  impl_->scene.set_surface(scan.shape);
-  if (!scan.shape->H.empty()) impl_->scene.set_range(symmetric_range(scan.shape->H));
-  std::vector<std::vector<float>> lines;
-  for (const BoundaryLoop& loop : scan.loops) lines.push_back(line_of(scan, loop));
+void MeshView::on_scans_changed() {
+  const Document& document = impl_->document;
+  impl_->scene.keep_scans(document.scans());
+  for (int index : document.scans()) impl_->scene.set_scan(index, document.scan(index)->shape);
+  update_range();
+  std::vector<std::vector<float>> lines(document.loops().size());
+  for (int loop = 0; loop < document.loop_count(); ++loop)
+    if (document.present(loop))
+      lines[static_cast<std::size_t>(loop)] =
+          line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
   impl_->picker.set_loops(std::move(lines));
   impl_->loop_styles.clear();
   impl_->seen_camera = 0;
+  drop_probe();
   update_loops();
-  if (!std::exchange(impl_->preview_shown, false)) face_front();
+  const bool first_seen =
+      document.scans().size() == 1 && !std::exchange(impl_->preview_shown, false) && document.patches().empty();
+  impl_->preview_shown = false;
+  first_seen ? face_front() : redraw();
 }
 
 void MeshView::on_patches_changed() {
@@ -171,23 +239,26 @@ void MeshView::on_patch_moved(int id) {
 }
 
 void MeshView::update_loops() {
-  if (!impl_->document.has_scan()) return;
-  const OpenedScan& scan = impl_->document.scan();
+  const Document& document = impl_->document;
   std::vector<LoopStyle> styles;
-  for (int loop = 0; loop < static_cast<int>(scan.loops.size()); ++loop)
-    styles.push_back(impl_->selection.selected().contains(loop) ? LoopStyle::selected
-                                                                : style_of(impl_->document.state(loop)));
+  for (int loop = 0; loop < document.loop_count(); ++loop)
+    styles.push_back(impl_->selection.selected().contains(loop) ? LoopStyle::selected : style_of(document.state(loop)));
   if (styles == impl_->loop_styles) return;
   impl_->loop_styles = styles;
-  std::vector<LoopLine> lines(scan.loops.size());
-  for (std::size_t l = 0; l < lines.size(); ++l) lines[l] = {line_of(scan, scan.loops[l]), styles[l]};
+  std::vector<LoopLine> lines;
+  for (int loop = 0; loop < document.loop_count(); ++loop) {
+    if (!document.present(loop)) continue;
+    const auto scan = document.scan(document.scan_of(loop));
+    lines.push_back({line_of(*scan->shape, document.loop(loop)), styles[static_cast<std::size_t>(loop)]});
+  }
   impl_->scene.set_loops(lines);
   redraw();
 }
 
 void MeshView::update_highlight() {
+  const Document& document = impl_->document;
   const int loop = impl_->selection.hovered();
-  if (loop < 0 || loop >= impl_->picker.count() || !impl_->document.has_scan()) {
+  if (loop < 0 || loop >= impl_->picker.count() || !document.present(loop)) {
     impl_->overlay->clear_highlight();
     return;
   }
@@ -196,12 +267,12 @@ void MeshView::update_highlight() {
   QPolygonF line;
   for (const LoopPicker::Pixel& p : impl_->picker.projected(loop))
     if (p.z() >= 0) line << QPointF(p.x(), p.y()) / ratio;
-  const BoundaryLoop& l = impl_->document.loops()[static_cast<std::size_t>(loop)];
+  const BoundaryLoop& l = document.loop(loop);
+  const QString kind = l.kind == LoopKind::hole ? tr("Hole") : words::sentence(words::kind(l.kind));
   impl_->overlay->set_highlight(line, tr("%1 %2 \u00b7 %3 edges \u00b7 %4 across \u00b7 %5")
-                                          .arg(l.kind == LoopKind::hole ? tr("Hole") : words::kind(l.kind))
-                                          .arg(l.number)
+                                          .arg(kind, words::hole_name(document, loop))
                                           .arg(l.edges())
-                                          .arg(words::number(l.diameter), words::state(impl_->document.state(loop))));
+                                          .arg(words::number(l.diameter), words::state(document.state(loop))));
 }
 
 }  // namespace loopmend

@@ -1,7 +1,7 @@
 // The picture in the middle: shows the document, finds the loop under the mouse, turns, flies.
 #pragma once
 
-#include "scene/shading.h"
+#include "scene/look.h"
 
 #include <QImage>
 #include <QWidget>
@@ -14,6 +14,13 @@ class Document;
 class HoleSelection;
 struct SurfaceShape;
 
+/// A picture that leaves the program.
+struct PictureOptions {
+  QSize size;  ///< device pixels, 64..8192 each
+  enum class Ground { as_seen, transparent } ground = Ground::as_seen;
+  enum class Extras { none, legend, legend_axes_scale } extras = Extras::legend_axes_scale;
+};
+
 class MeshView : public QWidget {
   Q_OBJECT
 
@@ -24,26 +31,37 @@ class MeshView : public QWidget {
   MeshView(const Document& document, HoleSelection& selection, QWidget* parent = nullptr);
   ~MeshView() override;
 
-  Shading shading() const;
-  void set_shading(Shading shading);
-  void set_edges(Edges edges);
+  const Look& look() const;
+  void set_look(const Look& look);
+  /// Half-width of the colour range in force.
+  double range() const;
 
   /// A first picture of a scan that is still being opened.
   void show_preview(std::shared_ptr<const SurfaceShape> shape);
   void drop_preview();
+  /// Patches that are only thought of.
+  void show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts);
 
   /// Everything, from where the eye is.
   void frame();
   /// Turns and moves until the loop is seen from above.
   void fly_to(int loop);
 
-  /// The picture without overlay, in device pixels.
+  /// As seen, without overlay, in device pixels.
   QImage picture() const;
+  /// Drawn anew at another size. Null when the graphics cannot draw that much.
+  QImage picture(const PictureOptions& options);
+  void drop_probe();
 
   /// Where a loop's vertex appears, in widget pixels; for tests.
   QPoint position_of(int loop, int vertex) const;
   /// The widget that takes the mouse; for tests.
   QWidget* canvas() const;
+
+ Q_SIGNALS:
+  void probed(const QString& words);
+  /// A click beside everything.
+  void clicked_nothing();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -53,7 +71,9 @@ class MeshView : public QWidget {
  private:
   struct Impl;
   void follow_document();
-  void on_opened();
+  void on_scans_changed();
+  void update_range();
+  void update_legend_words();
   void on_patches_changed();
   void on_patch_moved(int id);
   void update_loops();
@@ -61,6 +81,9 @@ class MeshView : public QWidget {
   void update_palette();
   void hover(const QPoint& at);
   void click(const QPoint& at, Qt::KeyboardModifiers modifiers);
+  void probe_at(const QPoint& at);
+  void update_probe();
+  void turn_by_key(int key);
   int loop_at(const QPoint& at);
   void face_front();
   void redraw();

@@ -7,6 +7,7 @@
 #include "views/camera_flight.h"
 #include "views/loop_picker.h"
 #include "views/mesh_view.h"
+#include "views/surface_probe.h"
 #include "views/view_overlay.h"
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -20,6 +21,8 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace loopmend {
 
@@ -40,8 +43,10 @@ struct MeshView::Impl {
   QSize seen_size;
   bool depth_is_fresh = false;
   QPoint pressed_at;
-  Shading shading = Shading::curvature;
+  Look look;
+  std::optional<Probe> probe;
   bool preview_shown = false;
+  bool drawing_elsewhere = false;      ///< into a picture, not onto the screen
   CameraPose pose_before;              ///< of the preview
   std::vector<LoopStyle> loop_styles;  ///< as drawn
 
@@ -55,13 +60,22 @@ struct MeshView::Impl {
     seen_camera = camera()->GetMTime();
     seen_size = size;
     depth_is_fresh = false;
-    const double aspect = static_cast<double>(size.width()) / std::max(1, size.height());
-    const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> clip(
-        camera()->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
-    picker.set_view(clip, size.width(), size.height());
+    picker.set_view(to_clip(), size.width(), size.height());
     const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> turn(
         camera()->GetModelViewTransformMatrix()->GetData());
-    if (document.has_scan()) overlay->set_axes(turn.block<3, 3>(0, 0));
+    if (!document.has_scan()) return;
+    overlay->set_axes(turn.block<3, 3>(0, 0));
+    constexpr double degree = 3.14159265358979323846 / 180;
+    const double seen_height = 2 * camera()->GetDistance() * std::tan(0.5 * camera()->GetViewAngle() * degree);
+    overlay->set_scale(seen_height / std::max(1, canvas->height()));
+  }
+
+  /// From world to OpenGL clip space, for the canvas as it is.
+  Eigen::Matrix4d to_clip() const {
+    const QSize size = pixels();
+    const double aspect = static_cast<double>(size.width()) / std::max(1, size.height());
+    return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(
+        camera()->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
   }
 
   float depth_at(int x, int y) {

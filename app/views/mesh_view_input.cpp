@@ -2,7 +2,13 @@
 
 #include "scene/view_direction.h"
 
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/LU>
+
+#include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 
 namespace loopmend {
 namespace {
@@ -37,6 +43,7 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
       if (loop != no_loop) fly_to(loop);
       break;
     }
+    case QEvent::KeyPress: turn_by_key(static_cast<QKeyEvent*>(event)->key()); break;
     case QEvent::Leave: impl_->selection.hover(no_loop); break;
     case QEvent::Wheel: impl_->flight->stop(); break;
     default: break;
@@ -62,8 +69,66 @@ void MeshView::hover(const QPoint& at) {
 void MeshView::click(const QPoint& at, Qt::KeyboardModifiers modifiers) {
   const int loop = loop_at(at);
   const bool add = modifiers.testFlag(Qt::ControlModifier) || modifiers.testFlag(Qt::ShiftModifier);
-  if (add && loop != no_loop) impl_->selection.toggle(loop);
-  if (!add) impl_->selection.select(loop == no_loop ? std::set<int>{} : std::set<int>{loop});
+  if (loop == no_loop) {
+    if (!add) probe_at(at);
+  } else if (add) {
+    impl_->selection.toggle(loop);
+  } else {
+    impl_->selection.select({loop});
+  }
+}
+
+/// On a surface: its values there. Beside everything: the selection goes.
+void MeshView::probe_at(const QPoint& at) {
+  if (!impl_->document.has_scan()) return;
+  impl_->follow_camera();
+  const double ratio = impl_->canvas->devicePixelRatioF();
+  const double x = (at.x() + 0.5) * ratio, y = (at.y() + 0.5) * ratio;
+  const double depth = impl_->depth_at(static_cast<int>(x), static_cast<int>(y));
+  drop_probe();
+  if (depth >= 1) {
+    impl_->selection.select({});
+    return;
+  }
+  const QSize size = impl_->pixels();
+  const Eigen::Vector4d clip(2 * x / size.width() - 1, 1 - 2 * y / size.height(), 2 * depth - 1, 1);
+  const Eigen::Vector4d world = impl_->to_clip().inverse() * clip;
+  impl_->probe = probe(impl_->document, world.head<3>() / world.w());
+  update_probe();
+  if (impl_->probe) Q_EMIT probed(impl_->probe->lines.join(QStringLiteral(" \u00b7 ")));
+}
+
+void MeshView::drop_probe() {
+  impl_->probe.reset();
+  impl_->overlay->clear_probe();
+}
+
+void MeshView::update_probe() {
+  if (!impl_->probe) return;
+  const Vec3& p = impl_->probe->at;
+  const Eigen::Vector4d clip = impl_->to_clip() * Eigen::Vector4d(p.x(), p.y(), p.z(), 1);
+  if (clip.w() <= 0) return;
+  const Eigen::Vector2d n = clip.head<2>() / clip.w();
+  impl_->overlay->set_probe({(n.x() + 1) / 2 * impl_->canvas->width(), (1 - n.y()) / 2 * impl_->canvas->height()},
+                            impl_->probe->lines);
+}
+
+void MeshView::turn_by_key(int key) {
+  constexpr double degrees = 10, closer = 1.15;
+  vtkCamera* camera = impl_->camera();
+  switch (key) {
+    case Qt::Key_Left: camera->Azimuth(degrees); break;
+    case Qt::Key_Right: camera->Azimuth(-degrees); break;
+    case Qt::Key_Up: camera->Elevation(-degrees); break;
+    case Qt::Key_Down: camera->Elevation(degrees); break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: camera->Dolly(closer); break;
+    case Qt::Key_Minus: camera->Dolly(1 / closer); break;
+    default: return;
+  }
+  impl_->flight->stop();
+  camera->OrthogonalizeViewUp();
+  redraw();
 }
 
 void MeshView::face_front() {
@@ -95,11 +160,12 @@ void MeshView::frame() {
 }
 
 void MeshView::fly_to(int loop) {
-  if (!impl_->document.has_scan()) return;
-  const OpenedScan& scan = impl_->document.scan();
-  const BoundaryLoop& target = scan.loops[static_cast<std::size_t>(loop)];
+  const Document& document = impl_->document;
+  if (loop < 0 || loop >= document.loop_count() || !document.present(loop)) return;
+  const OpenedScan& scan = *document.scan(document.scan_of(loop));
+  const BoundaryLoop& target = document.loop(loop);
   Stand stand;
-  stand.focus = target.center - scan.origin;
+  stand.focus = target.center - document.origin();
   stand.radius = 0.5 * loop_share * target.diameter;
   stand.direction = facing(*scan.model, target);
   const Vec3 up = pose_of(impl_->camera()).up;
@@ -115,6 +181,55 @@ void MeshView::fly_to(int loop) {
 
 QImage MeshView::picture() const { return impl_->canvas->grabFramebuffer(); }
 
+QImage MeshView::picture(const PictureOptions& options) {
+  using Extras = PictureOptions::Extras;
+  const bool see_through = options.ground == PictureOptions::Ground::transparent;
+  vtkRenderer* renderer = impl_->renderer();
+  vtkGenericOpenGLRenderWindow* window = impl_->window;
+  // Letters and lines as large, against the picture, as they are in the window.
+  const double ratio = static_cast<double>(options.size.height()) / std::max(1, impl_->canvas->height());
+  impl_->canvas->makeCurrent();
+  const QSize old = impl_->pixels();
+  const bool before = std::exchange(impl_->drawing_elsewhere, true);
+  window->SetSize(options.size.width(), options.size.height());
+  impl_->scene.set_pixel_ratio(ratio);
+  impl_->scene.set_size(options.size.width(), options.size.height());
+  impl_->scene.set_legend(options.extras == Extras::none ? LegendPlace::none : LegendPlace::over_the_picture);
+  if (see_through) {
+    renderer->GradientBackgroundOff();
+    renderer->SetBackgroundAlpha(0);
+    window->SetAlphaBitPlanes(1);
+  }
+  impl_->scene.update();
+  renderer->ResetCameraClippingRange();
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetRGBACharPixelData(0, 0, options.size.width() - 1, options.size.height() - 1, 0, pixels);
+  const bool complete =
+      pixels->GetNumberOfTuples() == static_cast<vtkIdType>(options.size.width()) * options.size.height();
+  QImage picture;
+  if (complete)
+    picture = QImage(pixels->GetPointer(0), options.size.width(), options.size.height(), QImage::Format_RGBA8888)
+                  .mirrored()
+                  .convertToFormat(see_through ? QImage::Format_ARGB32 : QImage::Format_RGB32);
+  if (see_through) {
+    renderer->GradientBackgroundOn();
+    renderer->SetBackgroundAlpha(1);
+  }
+  window->SetSize(old.width(), old.height());
+  impl_->scene.set_pixel_ratio(devicePixelRatioF());
+  impl_->scene.set_size(old.width(), old.height());
+  impl_->scene.set_legend(LegendPlace::over_the_picture);
+  impl_->drawing_elsewhere = before;
+  redraw();
+  if (complete && options.extras == Extras::legend_axes_scale) {
+    QPainter painter(&picture);
+    painter.scale(ratio, ratio);
+    impl_->overlay->paint_frame(painter);
+  }
+  return picture;
+}
+
 QPoint MeshView::position_of(int loop, int vertex) const {
   impl_->follow_camera();
   const LoopPicker::Pixel& p = impl_->picker.projected(loop)[static_cast<std::size_t>(vertex)];
@@ -122,10 +237,13 @@ QPoint MeshView::position_of(int loop, int vertex) const {
 }
 
 void MeshView::after_render() {
+  if (impl_->drawing_elsewhere) return;
   impl_->depth_is_fresh = false;
   const bool moved = impl_->camera()->GetMTime() != impl_->seen_camera;
   impl_->follow_camera();
-  if (moved) update_highlight();
+  if (!moved) return;
+  update_highlight();
+  update_probe();
 }
 
 void MeshView::resizeEvent(QResizeEvent* event) {

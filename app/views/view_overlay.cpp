@@ -1,10 +1,12 @@
 #include "views/view_overlay.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace loopmend {
 namespace {
@@ -12,6 +14,15 @@ namespace {
 const std::array<QColor, 3> axis_colors{QColor(205, 62, 58), QColor(70, 150, 60), QColor(52, 104, 200)};
 constexpr int axis_margin = 46;
 constexpr double axis_length = 28;
+constexpr double longest_scale_bar = 150;
+
+/// The largest of 1, 2, 5 times a power of ten that is not above the length.
+double round_length(double length) {
+  const double decade = std::pow(10.0, std::floor(std::log10(length)));
+  for (double step : {5.0, 2.0})
+    if (step * decade <= length) return step * decade;
+  return decade;
+}
 
 QRectF caption_box(const QPainter& painter, const QPolygonF& loop, const QString& text, const QSize& inside) {
   const QFontMetricsF metrics(painter.font());
@@ -43,6 +54,23 @@ void ViewOverlay::clear_highlight() {
   update();
 }
 
+void ViewOverlay::set_probe(const QPointF& at, const QStringList& lines) {
+  probe_ = at;
+  probe_lines_ = lines;
+  update();
+}
+
+void ViewOverlay::clear_probe() {
+  if (probe_lines_.isEmpty()) return;
+  probe_lines_.clear();
+  update();
+}
+
+void ViewOverlay::set_scale(double length_per_pixel) {
+  length_per_pixel_ = length_per_pixel;
+  update();
+}
+
 void ViewOverlay::set_axes(const Eigen::Matrix3d& axes) {
   axes_ = axes;
   with_axes_ = true;
@@ -56,9 +84,56 @@ void ViewOverlay::hide_axes() {
 
 void ViewOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  if (with_axes_) paint_axes(painter);
+  paint_frame(painter);
   if (!loop_.isEmpty()) paint_highlight(painter);
+  if (!probe_lines_.isEmpty()) paint_probe(painter);
+}
+
+void ViewOverlay::paint_frame(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (!with_axes_) return;
+  paint_axes(painter);
+  if (length_per_pixel_ > 0) paint_scale(painter);
+}
+
+void ViewOverlay::paint_scale(QPainter& painter) const {
+  const double length = round_length(longest_scale_bar * length_per_pixel_);
+  const double width = length / length_per_pixel_;
+  const double left = 2 * axis_margin + 8, y = height() - 22;
+  const QColor ink = palette().color(QPalette::WindowText);
+  const auto bar = [&](const QColor& color, double pen) {
+    painter.setPen(QPen(color, pen, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(left, y), QPointF(left + width, y));
+    for (double x : {left, left + width}) painter.drawLine(QPointF(x, y - 4), QPointF(x, y + 4));
+  };
+  QColor halo = palette().color(QPalette::Window);
+  halo.setAlpha(140);
+  bar(halo, 4.5);
+  bar(ink, 1.6);
+  painter.setPen(ink);
+  painter.drawText(QRectF(left - 40, y - 26, width + 80, 20), Qt::AlignHCenter | Qt::AlignBottom,
+                   QLocale::c().toString(length, 'g', 3));
+}
+
+void ViewOverlay::paint_probe(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(QColor(255, 255, 255), 4));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(probe_, 5, 5);
+  painter.setPen(QPen(QColor(20, 24, 30), 2));
+  painter.drawEllipse(probe_, 5, 5);
+  const QFontMetricsF metrics(painter.font());
+  double width = 0;
+  for (const QString& line : probe_lines_) width = std::max(width, metrics.horizontalAdvance(line));
+  QRectF box(0, 0, width + 18, metrics.height() * probe_lines_.size() + 12);
+  box.moveTopLeft(probe_ + QPointF(14, -box.height() - 8));
+  if (box.right() > this->width() - 8) box.moveRight(probe_.x() - 14);
+  if (box.top() < 8) box.moveTop(probe_.y() + 14);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(24, 28, 34, 225));
+  painter.drawRoundedRect(box, 5, 5);
+  painter.setPen(QColor(245, 245, 242));
+  painter.drawText(box.adjusted(9, 6, -9, -6), Qt::AlignLeft | Qt::AlignVCenter, probe_lines_.join(QLatin1Char('\n')));
 }
 
 void ViewOverlay::paint_highlight(QPainter& painter) const {
@@ -92,6 +167,7 @@ void ViewOverlay::paint_axes(QPainter& painter) const {
     painter.drawLine(middle, middle + axis_length * way);
     painter.setPen(QPen(color, 2.2, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(middle, middle + axis_length * way);
+    painter.setPen(palette().color(QPalette::WindowText));
     const QPointF label = middle + (axis_length + 9) * way;
     painter.drawText(QRectF(label - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QLatin1String(names[axis]));
   }

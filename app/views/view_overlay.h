@@ -1,4 +1,4 @@
-// A transparent sheet over the picture: the loop under the mouse, the axes, and words while nothing is open.
+// A transparent sheet over the picture: the loop under the mouse, a probed point, the axes, the scale bar.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,20 +16,32 @@ class ViewOverlay : public QWidget {
 
   void set_highlight(const QPolygonF& loop, const QString& caption);
   void clear_highlight();
+  void set_probe(const QPointF& at, const QStringList& lines);
+  void clear_probe();
   /// Columns: the axes x, y, z as seen from the eye (x right, y up).
   void set_axes(const Eigen::Matrix3d& axes);
+  /// How long a pixel is at the distance of what is looked at, in the scan's unit.
+  void set_scale(double length_per_pixel);
   void hide_axes();
+
+  /// Axes and scale bar alone, for pictures; in the sheet's own pixels.
+  void paint_frame(QPainter& painter) const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void paint_highlight(QPainter& painter) const;
+  void paint_probe(QPainter& painter) const;
   void paint_axes(QPainter& painter) const;
+  void paint_scale(QPainter& painter) const;
 
   QPolygonF loop_;
   QString caption_;
+  QPointF probe_;
+  QStringList probe_lines_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
+  double length_per_pixel_ = 0;
   bool with_axes_ = false;
 };
 

@@ -23,15 +23,6 @@ std::vector<int> free_vertices_per_loop(const Patch& patch) {
   return result;
 }
 
-struct Evolved {
-  Patch patch;
-  LoopStatus status = LoopStatus::filled;
-  std::string message;
-  int steps = 0;
-  double bending = 0;
-  double assemble = 0, solve = 0, initial_energy = 0, final_energy = 0;
-};
-
 void take_figures(const Evolution& evolution, Evolved& result) {
   result.steps = static_cast<int>(evolution.history().size());
   for (const StepRecord& step : evolution.history()) {
@@ -43,10 +34,10 @@ void take_figures(const Evolution& evolution, Evolved& result) {
 }
 
 /// One run of the flow from the filler. @returns true if its result may be kept.
-bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptions& options, const CancelToken& cancel,
-                 Evolved& result) {
+bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
+                 const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
   Evolution evolution(filler, options);
-  const EvolutionStatus status = evolution.run(nullptr, cancel);
+  const EvolutionStatus status = evolution.run(on_step, cancel);
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
   if (status == EvolutionStatus::failed && evolution.history().empty()) {
@@ -64,27 +55,30 @@ bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptio
   return true;
 }
 
-/// The flow from the filler. Where the sixth order would spoil the patch, bending energy is blended in; where that does
-/// not help either, the filler stays and the message says so.
-Evolved evolve(const FillSite& site, const Patch& filler, const EvolutionOptions& options, const CancelToken& cancel) {
+}  // namespace
+
+Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
+                      const Evolution::OnStep& on_step, const CancelToken& cancel) {
   Evolved result;
   result.patch = filler;
   if (filler.free_count == 0) {
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
     return result;
   }
-  if (evolve_once(site, filler, options, cancel, result) || cancel.cancelled()) return result;
+  if (evolve_once(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
     for (double bending : {60.0, 300.0}) {
       EvolutionOptions gentler = options;
       gentler.bending = bending;
-      if (evolve_once(site, filler, gentler, cancel, result) || cancel.cancelled()) return result;
+      if (evolve_once(site, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
     }
   }
   result.final_energy = result.initial_energy;
   result.steps = 0;
   return result;
 }
+
+namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -113,7 +107,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
   evolved.patch = *first.patch;
-  if (options.evolution) evolved = evolve(site, *first.patch, *options.evolution, cancel);
+  if (options.evolution) evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
   if (cancel.cancelled()) return outcome;
 
   const PatchVerdict verdict = judge(site, evolved.patch);

@@ -8,6 +8,22 @@
 
 namespace loopmend {
 
+/// What a flow made of a filler.
+struct Evolved {
+  Patch patch;
+  LoopStatus status = LoopStatus::filled;
+  std::string message;
+  int steps = 0;
+  double bending = 0;
+  double assemble = 0, solve = 0, initial_energy = 0, final_energy = 0;
+};
+
+/// The flow from the filler. Where the sixth order would spoil the patch, bending energy is blended in; where that does
+/// not help either, the filler stays and the message says so.
+/// @param on_step  every accepted step, also of runs that are thrown away later; may be empty.
+Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
+                      const Evolution::OnStep& on_step, const CancelToken& cancel);
+
 /// A finished patch, and which of the group's loops it closes.
 struct FinishedPatch {
   PatchGeometry geometry;

@@ -1,12 +1,20 @@
 #include "driver.h"
 
+#include "document/language.h"
+#include "document/targets.h"
+#include "io/write_mesh.h"
+#include "samples/sample_scan.h"
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <clocale>
+#include <cstdio>
+#include <ctime>
 #include <set>
 
 namespace loopmend::testing {
@@ -20,6 +28,79 @@ void prepare_application() {
 void settle_application() {
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setStyle(QStringLiteral("Fusion"));
+  install_language(QStringLiteral("en"));
+}
+
+void use_own_home(const QString& folder) {
+  for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+    qputenv(name, QString(folder + QLatin1Char('/') + QLatin1String(name)).toLocal8Bit());
+}
+
+QString write_sheet_with_holes(const QString& path, int across) {
+  constexpr int pitch = 6, first = 2, last = 3;  // squares first..last of every pitch are missing, both ways
+  const int squares = across * pitch + 1;
+  const auto missing = [&](int i) { return i % pitch >= first && i % pitch <= last && i / pitch < across; };
+  TriangleSoup soup;
+  for (int j = 0; j <= squares; ++j)
+    for (int i = 0; i <= squares; ++i) soup.points.emplace_back(i, j, 1e-2 * ((i * 7 + j * 13) % 5));
+  const auto at = [&](int i, int j) { return j * (squares + 1) + i; };
+  for (int j = 0; j < squares; ++j)
+    for (int i = 0; i < squares; ++i) {
+      if (missing(i) && missing(j)) continue;
+      soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  write_mesh(path.toStdString(), soup);
+  return path;
+}
+
+double share_changed(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 1;
+  int changed = 0, all = 0;
+  for (int y = 0; y < a.height(); y += 2)
+    for (int x = 0; x < a.width(); x += 2, ++all) changed += a.pixel(x, y) != b.pixel(x, y);
+  return static_cast<double>(changed) / std::max(1, all);
+}
+
+bool picture_changes(MainWindow& window, const QImage& before, double share) {
+  return wait_until([&] { return share_changed(before, window.view().picture()) > share; }, 15);
+}
+
+bool picture_returns(MainWindow& window, const QImage& before) {
+  return wait_until([&] { return share_changed(before, window.view().picture()) < 0.001; }, 15);
+}
+
+namespace {
+
+double thread_cpu_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+GapMeter::GapMeter() {
+  cpu_ = thread_cpu_ms();
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    worst_ = std::max(worst_, clock_.restart());
+    const double now = thread_cpu_ms();
+    worst_cpu_ = std::max(worst_cpu_, now - cpu_);
+    cpu_ = now;
+  });
+  timer_.start(1);
+  clock_.start();
+}
+
+qint64 GapMeter::report(const char* what) {
+  QCoreApplication::processEvents();
+  const qint64 worst = std::exchange(worst_, 0);
+  std::printf("gap %5lld ms, of these %4.0f ms own work  %s\n", static_cast<long long>(worst), worst_cpu_, what);
+  worst_cpu_ = 0;
+  cpu_ = thread_cpu_ms();
+  std::fflush(stdout);
+  clock_.restart();
+  return worst;
 }
 
 bool wait_until(const std::function<bool()>& holds, double seconds) {
@@ -41,6 +122,36 @@ void settle(int milliseconds) { QTest::qWait(milliseconds); }
 
 void press(MainWindow& window, const char* button) {
   QTest::mouseClick(part<QAbstractButton>(window, button), Qt::LeftButton);
+}
+
+void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with) { QTest::keyClick(&window, which, with); }
+
+Shown::Shown(const QStringList& paths) {
+  window.move(0, 0);
+  window.show();
+  exposed = QTest::qWaitForWindowExposed(&window);
+  QApplication::setActiveWindow(&window);  // there is no window manager to do it, and shortcuts need it
+  if (!paths.isEmpty()) window.open(paths);
+  ready = wait_idle(window) && (paths.isEmpty() || window.document().has_scan());
+  settle();
+}
+
+Shown::~Shown() { window.autosave().finish(); }
+
+QString sample_file(const QTemporaryDir& folder) {
+  const QString path = folder.filePath(QStringLiteral("sample.ply"));
+  if (!QFile::exists(path)) write_mesh(path.toStdString(), make_sample_scan());
+  return path;
+}
+
+int first_hole(const Document& document) {
+  int loop = 0;
+  while (loop < document.loop_count() && !document.fillable(loop)) ++loop;
+  return loop;
+}
+
+int open_holes(const Document& document) {
+  return static_cast<int>(loops_up_to(document, SizeMeasure::edges, 1e9).size());
 }
 
 QPoint visible_point(MainWindow& window, int loop) {

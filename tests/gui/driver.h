@@ -4,7 +4,10 @@
 #include "views/main_window.h"
 #include "views/mesh_view.h"
 
+#include <QElapsedTimer>
 #include <QImage>
+#include <QTemporaryDir>
+#include <QTimer>
 
 #include <functional>
 
@@ -26,8 +29,53 @@ T* part(MainWindow& window, const char* name) {
 }
 void press(MainWindow& window, const char* button);
 
+void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with = {});
+
+/// A window on the screen, with these files open.
+class Shown {
+ public:
+  explicit Shown(const QStringList& paths = {});
+  ~Shown();
+  MainWindow window;
+  bool exposed = false, ready = false;
+};
+
+/// The embedded sample as a file in this folder.
+QString sample_file(const QTemporaryDir& folder);
+/// The first loop that is a hole.
+int first_hole(const Document& document);
+/// How many holes have no patch.
+int open_holes(const Document& document);
+
 /// A pixel on the loop's line where nothing hides it, in canvas coordinates; by trying its vertices.
 QPoint visible_point(MainWindow& window, int loop);
+
+/// A file with a plane sheet of `across` by `across` square holes, each of eight edges.
+QString write_sheet_with_holes(const QString& path, int across);
+
+/// The share of pixels that differ.
+double share_changed(const QImage& a, const QImage& b);
+
+/// Waits until the picture differs from `before`, or is like it again: drawing takes its time on a busy machine.
+bool picture_changes(MainWindow& window, const QImage& before, double share);
+bool picture_returns(MainWindow& window, const QImage& before);
+
+/// The longest time that the event loop did not come round: what a person feels as a window that hangs.
+class GapMeter : public QObject {
+ public:
+  GapMeter();
+  /// Prints the longest gap since the last report. @returns it, in ms.
+  qint64 report(const char* what);
+
+ private:
+  QTimer timer_;
+  QElapsedTimer clock_;
+  qint64 worst_ = 0;
+  double cpu_ = 0, worst_cpu_ = 0;  ///< of this thread: what does not depend on how busy the machine is
+};
+
+/// Keeps settings and recovery files of the test out of the user's own. To be called before QApplication is made.
+void use_own_home(const QString& folder);
 
 /// How many different colours a picture has, counted up to `enough`.
 int count_colors(const QImage& image, int enough = 64);

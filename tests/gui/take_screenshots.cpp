@@ -1,16 +1,25 @@
-// Takes pictures of the real window for people to judge: take_screenshots FILE OUT_FOLDER [dark]
+// Takes pictures of the real window, for people to judge and for the help pages: take_screenshots FILE FOLDER [light|dark [de]]
+// Twice the size: QT_SCALE_FACTOR=2. See resources/help/make_pictures.sh.
 #include "driver.h"
 
+#include "document/language.h"
+#include "document/preferences.h"
+
+#include <QAction>
 #include <QApplication>
 #include <QDir>
-#include <QElapsedTimer>
-#include <QPalette>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScreen>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
 #include <cstdio>
+#include <cstring>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -19,118 +28,142 @@ namespace {
 
 QDir folder;
 
-/// What the person would see: the composed window from the screen.
+void save(const QPixmap& picture, const char* name) {
+  picture.save(folder.filePath(QLatin1String(name) + QStringLiteral(".png")));
+}
+
+/// What the person would see: from the screen, composed.
 void shoot(MainWindow& window, const char* name) {
-  settle(250);
-  window.screen()
-      ->grabWindow(0, window.x(), window.y(), window.width(), window.height())
-      .save(folder.filePath(QLatin1String(name) + QStringLiteral(".png")));
+  settle(350);
+  save(window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height()), name);
 }
 
-QPalette dark_palette() {
-  QPalette p(QColor(52, 56, 62), QColor(44, 47, 52));
-  p.setColor(QPalette::Base, QColor(34, 37, 41));
-  p.setColor(QPalette::AlternateBase, QColor(44, 47, 52));
-  p.setColor(QPalette::Highlight, QColor(64, 112, 176));
-  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    p.setColor(role, QColor(228, 230, 232));
-  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    p.setColor(QPalette::Disabled, role, QColor(122, 126, 132));
-  p.setColor(QPalette::PlaceholderText, QColor(160, 164, 170));
-  return p;
+void shoot_part(MainWindow& window, QWidget* part, const char* name) {
+  settle(350);
+  const QPoint at = part->mapToGlobal(QPoint(0, 0));
+  save(window.screen()->grabWindow(0, at.x(), at.y(), part->width(), part->height()), name);
 }
 
-/// The longest time that the event loop did not come round.
-class GapMeter : public QObject {
- public:
-  GapMeter() {
-    connect(&timer_, &QTimer::timeout, this, [this] { worst_ = std::max(worst_, clock_.restart()); });
-    timer_.start(1);
-    clock_.start();
-  }
-  void report(const char* what) {
-    std::printf("%-28s longest event-loop gap %lld ms\n", what, static_cast<long long>(worst_));
-    worst_ = 0;
-  }
+void shoot_dialog(MainWindow& window, const char* action, const char* dialog, const char* name) {
+  window.findChild<QAction*>(QLatin1String(action))->trigger();
+  settle(400);
+  auto* shown = window.findChild<QWidget*>(QLatin1String(dialog));
+  if (!shown) return;
+  shown->move(10, 10);
+  settle(300);
+  save(shown->grab(), name);
+  shown->close();
+  settle(100);
+}
 
- private:
-  QTimer timer_;
-  QElapsedTimer clock_;
-  qint64 worst_ = 0;
-};
+void trigger(MainWindow& window, const char* action) {
+  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
 
-void story(MainWindow& window, const QString& file) {
+void show_story(MainWindow& window, const QString& file) {
   GapMeter gaps;
-  shoot(window, "1-welcome");
-  gaps.report("welcome");
-  QElapsedTimer clock;
-  clock.start();
+  shoot(window, "welcome");
   window.open(file);
-  wait_until([&] { return window.document().has_scan(); });
-  std::printf("loops known after %lld ms\n", static_cast<long long>(clock.elapsed()));
   wait_idle(window);
-  std::printf("coloured after %lld ms\n", static_cast<long long>(clock.elapsed()));
-  shoot(window, "2-opened");
   gaps.report("open");
+  shoot(window, "opened");
   const QPoint at = visible_point(window, 0);
   if (at.x() >= 0) {
-    shoot(window, "3-hover");
+    shoot(window, "hover");
     QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, at);
     QTest::mouseMove(window.view().canvas(), QPoint(20, 20));
-    shoot(window, "4-selected");
+    shoot(window, "selected");
   }
-  gaps.report("hover and select");
   window.selection().select({});
-  if (!part<QPushButton>(window, "fill")->isEnabled()) {
-    std::set<int> all;
-    for (int i = 0; i < static_cast<int>(window.document().loops().size()); ++i) all.insert(i);
-    window.selection().select(all);
-  }
   press(window, "fill");
   wait_idle(window);
-  shoot(window, "5-filled");
   gaps.report("fill");
+  shoot(window, "filled");
   window.view().fly_to(0);
   settle(800);
-  shoot(window, "6-close");
   gaps.report("fly");
+  window.selection().select({0});
+  part<QSlider>(window, "sigma")->setValue(-10);
   press(window, "run");
-  settle(700);
-  shoot(window, "7-running");
+  settle(900);
+  shoot(window, "running");
   window.workbench().cancel();
+  settle(200);
+  gaps.report("run");
+  window.selection().select({});
   press(window, "steady");
   wait_idle(window, 300);
-  shoot(window, "8-steady");
-  gaps.report("run and steady");
-  window.view().set_shading(Shading::zebra);
-  shoot(window, "9-zebra");
-  window.view().set_shading(Shading::plain);
-  window.view().set_edges(Edges::shown);
-  shoot(window, "10-plain-wire");
-  window.open(QStringLiteral("/nonexistent/scan.ply"));
+  window.selection().select({0});
+  settle(200);
+  gaps.report("to steady state");
+  shoot(window, "window");
+  shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");
+  shoot_part(window, part<QDockWidget>(window, "patchDock"), "patch");
+  auto* tabs = part<QTabWidget>(window, "inspectTabs");
+  tabs->setCurrentIndex(1);
+  shoot_part(window, part<QDockWidget>(window, "inspectDock"), "inspect");
+  tabs->setCurrentIndex(2);
+  shoot(window, "log");
+  tabs->setCurrentIndex(0);
+}
+
+void show_looks(MainWindow& window) {
+  part<QDockWidget>(window, "lookDock")->raise();
+  shoot_part(window, part<QDockWidget>(window, "lookDock"), "look");
+  trigger(window, "zebra");
+  shoot(window, "zebra");
+  trigger(window, "isophotes");
+  shoot(window, "isophotes");
+  trigger(window, "gaussian");
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, window.view().canvas()->rect().center());
+  shoot(window, "gaussian");
+  trigger(window, "plain");
+  trigger(window, "wireframe");
+  settle(1500);  // the graphics take their time over edges, the first time
+  shoot(window, "wireframe");
+  trigger(window, "wireframe");
+  trigger(window, "curvature");
+  part<QDockWidget>(window, "patchDock")->raise();
+}
+
+void show_the_rest(MainWindow& window) {
+  shoot_dialog(window, "shortcuts", "shortcutSheet", "shortcuts");
+  shoot_dialog(window, "preferences", "preferencesDialog", "preferences");
+  shoot_dialog(window, "screenshot", "pictureDialog", "picture");
+  shoot_dialog(window, "help", "helpWindow", "help");
+  window.close();  // asks in place
+  shoot(window, "unsaved");
+  window.workbench().open({QStringLiteral("/nonexistent/scan.ply")}, OpenMode::replace);
   wait_idle(window);
-  shoot(window, "11-error");
-  gaps.report("shading, error");
+  shoot(window, "error");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fputs("usage: take_screenshots FILE OUT_FOLDER [dark]\n", stderr);
+    std::fputs("usage: take_screenshots FILE FOLDER [light|dark [de]]\n", stderr);
     return 2;
   }
+  const QTemporaryDir home;
+  use_own_home(home.path());
   prepare_application();
   QApplication application(argc, argv);
   settle_application();
-  if (argc > 3) QApplication::setPalette(dark_palette());
+  Preferences preferences;
+  preferences.theme = argc > 3 && std::strcmp(argv[3], "dark") == 0 ? Theme::dark : Theme::light;
+  save_preferences(preferences);
+  if (argc > 4) install_language(QString::fromLatin1(argv[4]));
   folder = QDir(QString::fromLocal8Bit(argv[2]));
   folder.mkpath(QStringLiteral("."));
   MainWindow window;
   window.move(0, 0);
   window.show();
   if (!QTest::qWaitForWindowExposed(&window)) return 1;
-  story(window, QString::fromLocal8Bit(argv[1]));
-  window.close();
-  return 0;
+  QApplication::setActiveWindow(&window);
+  show_story(window, QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
+  show_looks(window);
+  show_the_rest(window);
+  window.autosave().finish();
+  return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
 }

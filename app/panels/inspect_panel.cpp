@@ -1,8 +1,11 @@
-#include "panels/report_panel.h"
+#include "panels/inspect_panel.h"
 
 #include "document/document.h"
 #include "document/hole_selection.h"
 #include "document/words.h"
+#include "panels/curve_views.h"
+#include "panels/parts.h"
+#include "panels/plot.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -11,6 +14,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTime>
 #include <QVBoxLayout>
@@ -53,36 +57,37 @@ QWidget* titled(const QString& title, QWidget* content, QPushButton* button) {
 
 }  // namespace
 
-ReportPanel::ReportPanel(const Document& document, const HoleSelection& selection, QWidget* parent)
+InspectPanel::InspectPanel(const Document& document, const HoleSelection& selection, QWidget* parent)
     : QWidget(parent),
       document_(document),
       selection_(selection) {
-  setObjectName(QStringLiteral("reportPanel"));
+  setObjectName(QStringLiteral("inspectPanel"));
   auto* split = new QSplitter(Qt::Horizontal);
   split->setChildrenCollapsible(false);
   split->addWidget(build_seam());
-  split->addWidget(build_log());
-  split->setStretchFactor(0, 9);
-  split->setStretchFactor(1, 5);
-  split->setSizes({900, 500});
+  split->addWidget(build_curves());
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 2);
+  split->setSizes({630, 450});
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(split);
   soon_.setSingleShot(true);
   soon_.setInterval(refresh_ms);
-  connect(&soon_, &QTimer::timeout, this, &ReportPanel::update_seam);
-  connect(&document, &Document::opened, this, &ReportPanel::update_seam);
-  connect(&document, &Document::patches_changed, this, &ReportPanel::update_seam);
-  connect(&document, &Document::patch_moved, this, &ReportPanel::update_seam_soon);
-  connect(&selection, &HoleSelection::selection_changed, this, &ReportPanel::update_seam);
+  connect(&soon_, &QTimer::timeout, this, &InspectPanel::update_seam);
+  connect(&document, &Document::opened, this, &InspectPanel::update_seam);
+  connect(&document, &Document::patches_changed, this, &InspectPanel::update_seam_soon);
+  connect(&document, &Document::patch_moved, this, &InspectPanel::update_seam_soon);
+  connect(&document, &Document::timeline_changed, this, &InspectPanel::update_seam_soon);
+  connect(&selection, &HoleSelection::selection_changed, this, &InspectPanel::update_seam_soon);
   update_seam();
 }
 
-QWidget* ReportPanel::build_seam() {
+QWidget* InspectPanel::build_seam() {
   seam_ = new QTableWidget(0, column_count);
   seam_->setObjectName(QStringLiteral("seamTable"));
-  seam_->setHorizontalHeaderLabels({tr("Hole"), tr("Gap"), tr("Angle, rms"), tr("Angle, max"), tr("H jump, rms"),
-                                    tr("H jump, max"), tr("H jump \u00d7 size")});
+  seam_->setHorizontalHeaderLabels({tr("Hole"), tr("Gap"), tr("Angle rms"), tr("Angle max"), tr("H jump rms"),
+                                    tr("H jump max"), tr("H jump \u00b7 size")});
   const char* const help[] = {QT_TR_NOOP("The hole's number"),
                               QT_TR_NOOP("Largest distance between the two sides of the seam"),
                               QT_TR_NOOP("Angle between the normals on both sides, root mean square"),
@@ -94,6 +99,8 @@ QWidget* ReportPanel::build_seam() {
     seam_->horizontalHeaderItem(c)->setToolTip(tr(help[c]));
     seam_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignVCenter | (c == hole ? Qt::AlignLeft : Qt::AlignRight));
   }
+  explain(seam_, tr("Seams"), tr("How each patch meets the scan, before the flow and now"));
+  seam_->setToolTip({});
   seam_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   seam_->setSelectionMode(QAbstractItemView::NoSelection);
   seam_->setFocusPolicy(Qt::NoFocus);
@@ -102,7 +109,7 @@ QWidget* ReportPanel::build_seam() {
   seam_->verticalHeader()->hide();
   seam_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 9);
   seam_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  seam_->horizontalHeader()->setSectionResizeMode(hole, QHeaderView::ResizeToContents);
+  for (int column : {hole, gap}) seam_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   sentence_ = new QLabel;
   sentence_->setObjectName(QStringLiteral("seamSentence"));
   sentence_->setWordWrap(true);
@@ -112,47 +119,76 @@ QWidget* ReportPanel::build_seam() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(sentence_);
   layout->addWidget(seam_, 1);
-  auto* copy = new QPushButton(tr("Copy"));
-  copy->setObjectName(QStringLiteral("copySeam"));
-  copy->setToolTip(tr("Copy the table as tab-separated text"));
-  connect(copy, &QPushButton::clicked, this, &ReportPanel::copy_seam);
+  auto* copy = make_button("copySeam", tr("Cop&y"), tr("Copy the table as tab-separated text"));
+  connect(copy, &QPushButton::clicked, this, &InspectPanel::copy_seam);
   return titled(tr("Seam, before \u2192 now"), content, copy);
 }
 
-QWidget* ReportPanel::build_log() {
+QWidget* InspectPanel::build_curves() {
+  energy_ = new EnergyView;
+  section_ = new SectionView;
+  tabs_ = new QTabWidget;
+  tabs_->setObjectName(QStringLiteral("inspectTabs"));
+  tabs_->setDocumentMode(true);
+  tabs_->addTab(energy_, tr("Energy"));
+  tabs_->addTab(section_, tr("Section"));
+  tabs_->addTab(build_log(), tr("Log"));
+  tabs_->setTabToolTip(0, tr("Energy and residual against the step"));
+  tabs_->setTabToolTip(1, tr("Mean curvature along a section across the seam"));
+  tabs_->setTabToolTip(2, tr("What has happened so far"));
+  explain(tabs_, tr("Energy, section, log"), {});
+  return tabs_;
+}
+
+QWidget* InspectPanel::build_log() {
   log_ = new QPlainTextEdit;
   log_->setObjectName(QStringLiteral("log"));
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(5000);
   log_->setPlaceholderText(tr("What happens is written down here."));
-  auto* copy = new QPushButton(tr("Copy"));
-  copy->setObjectName(QStringLiteral("copyLog"));
-  copy->setToolTip(tr("Copy the whole log"));
+  log_->setFrameShape(QFrame::NoFrame);
+  explain(log_, tr("Log"), tr("What has happened so far"));
+  log_->setToolTip({});
+  auto* copy = make_button("copyLog", tr("Cop&y log"), tr("Copy the whole log"));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(log_->toPlainText()); });
-  return titled(tr("Log"), log_, copy);
+  auto* box = new QWidget;
+  auto* layout = new QHBoxLayout(box);
+  layout->setContentsMargins(0, 0, 6, 4);
+  layout->addWidget(log_, 1);
+  layout->addWidget(copy, 0, Qt::AlignTop);
+  return box;
 }
 
-void ReportPanel::log(const QString& words) {
+void InspectPanel::log(const QString& words) {
   log_->appendPlainText(QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + words);
 }
 
-std::vector<int> ReportPanel::shown_loops() const {
+std::vector<int> InspectPanel::shown_loops() const {
   std::vector<int> loops;
-  for (int loop = 0; loop < static_cast<int>(document_.loops().size()) && loops.size() < most_rows; ++loop) {
+  for (int loop = 0; loop < document_.loop_count() && loops.size() < most_rows; ++loop) {
     const bool wanted = selection_.selected().empty() || selection_.selected().contains(loop);
     if (wanted && document_.patch_of(loop)) loops.push_back(loop);
   }
   return loops;
 }
 
-void ReportPanel::update_seam_soon() {
+void InspectPanel::update_curves(int loop) {
+  const OpenPatch* patch = loop == no_loop ? nullptr : document_.patch_of(loop);
+  energy_->show_run(patch);
+  int place = 0;
+  if (patch) place = static_cast<int>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  section_->show_patch(patch, place);
+}
+
+void InspectPanel::update_seam_soon() {
   if (!soon_.isActive()) soon_.start();
 }
 
-void ReportPanel::update_seam() {
+void InspectPanel::update_seam() {
   const std::vector<int> loops = shown_loops();
   seam_->setRowCount(static_cast<int>(loops.size()));
   for (int row = 0; row < static_cast<int>(loops.size()); ++row) fill_row(row, loops[static_cast<std::size_t>(row)]);
+  update_curves(loops.empty() ? no_loop : loops.front());
   if (loops.empty()) {
     sentence_->setText(!document_.has_scan() ? tr("Open a scan, fill a hole, and its seam is measured here.")
                        : selection_.selected().empty()
@@ -167,23 +203,23 @@ void ReportPanel::update_seam() {
   if (at >= patch.state->seam.size()) return;
   sentence_->setText(
       tr("Hole %1: %2")
-          .arg(document_.loops()[static_cast<std::size_t>(first)].number)
-          .arg(words::seam_sentence(patch.state->seam_before[at], patch.state->seam[at], patch.state->stage)));
+          .arg(words::hole_name(document_, first),
+               words::seam_sentence(patch.state->seam_before[at], patch.state->seam[at], patch.state->stage)));
 }
 
-void ReportPanel::fill_row(int row, int loop) {
+void InspectPanel::fill_row(int row, int loop) {
   const OpenPatch& patch = *document_.patch_of(loop);
   const auto at =
       static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
   for (int column = 0; column < column_count; ++column) {
     QString text;
     if (column == hole) {
-      text = QString::number(document_.loops()[static_cast<std::size_t>(loop)].number);
+      text = words::hole_name(document_, loop);
     } else if (at < patch.state->seam.size()) {
       const QString unit = column == angle_rms || column == angle_max ? QStringLiteral("\u00b0") : QString();
       const QString now = words::number(value(patch.state->seam[at], column)) + unit;
       const QString before = words::number(value(patch.state->seam_before[at], column)) + unit;
-      text = before == now ? now : before + QStringLiteral(" \u2192 ") + now;
+      text = before == now ? now : before.chopped(unit.size()) + QStringLiteral(" \u2192 ") + now;
     }
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment(Qt::AlignVCenter | (column == hole ? Qt::AlignLeft : Qt::AlignRight));
@@ -191,7 +227,7 @@ void ReportPanel::fill_row(int row, int loop) {
   }
 }
 
-void ReportPanel::copy_seam() const {
+void InspectPanel::copy_seam() const {
   QStringList lines;
   for (int row = -1; row < seam_->rowCount(); ++row) {
     QStringList cells;

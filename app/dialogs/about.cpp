@@ -1,4 +1,4 @@
-#include "views/about.h"
+#include "dialogs/about.h"
 
 #include "core/version.h"
 #include "panels/icons.h"
@@ -21,7 +21,7 @@ About::About(QWidget* parent) : QDialog(parent) {
                     "share and change "
                     "it. It comes without any warranty.<br><a href=\"https://www.gnu.org/licenses/gpl-3.0.html\">"
                     "gnu.org/licenses/gpl-3.0</a></p>"
-                    "<p>Built with Qt, VTK, Eigen, OpenMesh, CGAL and SuiteSparse.</p>")
+                    "<p>Built with Qt, VTK, QCustomPlot, Eigen, OpenMesh, CGAL and SuiteSparse.</p>")
                      .arg(QLatin1String(version())));
   text->setWordWrap(true);
   text->setOpenExternalLinks(true);

@@ -1,4 +1,4 @@
-// The bottom dock: the seam of the selected holes before and after, in numbers and a sentence, and a log.
+// The bottom dock: the seam before and after in numbers and a sentence, how the run went, H across the seam, a log.
 #pragma once
 
 #include <QTimer>
@@ -7,17 +7,20 @@
 class QLabel;
 class QPlainTextEdit;
 class QTableWidget;
+class QTabWidget;
 
 namespace loopmend {
 
 class Document;
+class EnergyView;
 class HoleSelection;
+class SectionView;
 
-class ReportPanel : public QWidget {
+class InspectPanel : public QWidget {
   Q_OBJECT
 
  public:
-  ReportPanel(const Document& document, const HoleSelection& selection, QWidget* parent = nullptr);
+  InspectPanel(const Document& document, const HoleSelection& selection, QWidget* parent = nullptr);
 
  public Q_SLOTS:
   void log(const QString& words);
@@ -25,7 +28,9 @@ class ReportPanel : public QWidget {
  private:
   QWidget* build_seam();
   QWidget* build_log();
+  QWidget* build_curves();
   void update_seam();
+  void update_curves(int loop);
   void update_seam_soon();
   void fill_row(int row, int loop);
   std::vector<int> shown_loops() const;
@@ -37,6 +42,9 @@ class ReportPanel : public QWidget {
   QTableWidget* seam_ = nullptr;
   QLabel* sentence_ = nullptr;
   QPlainTextEdit* log_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  EnergyView* energy_ = nullptr;
+  SectionView* section_ = nullptr;
 };
 
 }  // namespace loopmend

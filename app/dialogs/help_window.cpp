@@ -1,0 +1,88 @@
+#include "dialogs/help_window.h"
+
+#include "panels/parts.h"
+
+#include <QDesktopServices>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QUrl>
+
+namespace loopmend {
+namespace {
+
+struct Page {
+  const char* name;
+  const char* title;
+};
+
+constexpr Page pages[] = {{"first-steps", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "First steps")},
+                          {"holes", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Holes")},
+                          {"patch", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Patch and flow")},
+                          {"look", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Looking at curvature")},
+                          {"inspect", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Inspecting the seam")},
+                          {"files", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Files, sessions, recovery")},
+                          {"trouble", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "When something goes wrong")}};
+
+/// Links between pages are "page.md"; pictures lie beside the pages.
+class Browser : public QTextBrowser {
+ public:
+  QVariant loadResource(int type, const QUrl& name) override {
+    if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
+    constexpr int widest = 650;  // fits beside the list of pages
+    const QImage picture(QStringLiteral(":/help/") + name.path());
+    return picture.width() > widest ? picture.scaledToWidth(widest, Qt::SmoothTransformation) : picture;
+  }
+};
+
+}  // namespace
+
+HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget), page_(new Browser) {
+  setObjectName(QStringLiteral("helpWindow"));
+  setWindowTitle(tr("Help"));
+  setWindowFlag(Qt::Window);
+  resize(980, 720);
+  list_->setObjectName(QStringLiteral("helpPages"));
+  list_->setFixedWidth(236);
+  list_->setSpacing(3);
+  explain(list_, tr("Pages"), tr("The pages of the help"));
+  list_->setToolTip({});
+  page_->setObjectName(QStringLiteral("helpPage"));
+  page_->setOpenLinks(false);
+  page_->document()->setDocumentMargin(18);
+  explain(page_, tr("Page"), {});
+  for (const Page& page : pages) {
+    auto* item = new QListWidgetItem(tr(page.title), list_);
+    item->setData(Qt::UserRole, QLatin1String(page.name));
+  }
+  connect(list_, &QListWidget::currentItemChanged, this,
+          [this](QListWidgetItem* item) { show_page(item->data(Qt::UserRole).toString()); });
+  connect(page_, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+    if (link.isRelative()) {
+      show_page(link.path().section(QLatin1Char('.'), 0, 0));
+    } else {
+      QDesktopServices::openUrl(link);
+    }
+  });
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->addWidget(list_);
+  layout->addWidget(page_, 1);
+  list_->setCurrentRow(0);
+}
+
+void HelpWindow::show_page(const QString& name) {
+  QFile file(QStringLiteral(":/help/%1.md").arg(name));
+  if (!file.open(QIODevice::ReadOnly)) return;
+  page_->document()->setMarkdown(QString::fromUtf8(file.readAll()));
+  page_->moveCursor(QTextCursor::Start);
+  for (int row = 0; row < list_->count(); ++row)
+    if (list_->item(row)->data(Qt::UserRole).toString() == name && list_->currentRow() != row)
+      list_->setCurrentRow(row);
+}
+
+QString HelpWindow::shown_text() const { return page_->toPlainText(); }
+
+}  // namespace loopmend

@@ -1,0 +1,39 @@
+// A picture to save or copy: how large, on which ground, with what in it.
+#pragma once
+
+#include "views/mesh_view.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace loopmend {
+
+class PictureDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PictureDialog(MeshView& view, QWidget* parent = nullptr);
+
+  /// @returns whether it was written; tells in place if not.
+  bool save(const QString& path);
+
+ Q_SIGNALS:
+  void saved(const QString& path);
+
+ private:
+  void build();
+  void propose_size();
+  PictureOptions options() const;
+  void ask_and_save();
+  void copy();
+
+  MeshView& view_;
+  QComboBox *size_ = nullptr, *ground_ = nullptr, *extras_ = nullptr;
+  QSpinBox *width_ = nullptr, *height_ = nullptr;
+  QLabel* trouble_ = nullptr;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,86 @@
+#include "dialogs/shortcut_sheet.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace loopmend {
+namespace {
+
+QString keys_of(const QAction& action) {
+  QStringList keys;
+  for (const QKeySequence& key : action.shortcuts()) keys << key.toString(QKeySequence::NativeText);
+  return keys.join(ShortcutSheet::tr(" or "));
+}
+
+/// What works in the picture and the table without an action of its own.
+QList<QPair<QString, QString>> gestures() {
+  return {{ShortcutSheet::tr("Drag"), ShortcutSheet::tr("Turn")},
+          {ShortcutSheet::tr("Shift+drag, middle button"), ShortcutSheet::tr("Move sideways")},
+          {ShortcutSheet::tr("Wheel, right button, +, \u2212"), ShortcutSheet::tr("Closer, further away")},
+          {ShortcutSheet::tr("Arrow keys"), ShortcutSheet::tr("Turn by ten degrees")},
+          {ShortcutSheet::tr("Click on a rim"), ShortcutSheet::tr("Select; with Ctrl, add")},
+          {ShortcutSheet::tr("Double click on a rim or row"), ShortcutSheet::tr("Fly there")},
+          {ShortcutSheet::tr("Click on a surface"), ShortcutSheet::tr("Show the values at this point")},
+          {ShortcutSheet::tr("Tab"), ShortcutSheet::tr("From control to control")},
+          {ShortcutSheet::tr("Return in the table"), ShortcutSheet::tr("Fly to the hole")}};
+}
+
+QGridLayout* table(const QString& title, const QList<QPair<QString, QString>>& rows) {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(16);
+  grid->setVerticalSpacing(3);
+  auto* heading = new QLabel(title);
+  QFont bold = heading->font();
+  bold.setBold(true);
+  heading->setFont(bold);
+  grid->addWidget(heading, 0, 0, 1, 2);
+  int row = 1;
+  for (const auto& [keys, what] : rows) {
+    auto* key = new QLabel(keys);
+    key->setTextFormat(Qt::PlainText);
+    QFont strong = key->font();
+    strong.setWeight(QFont::DemiBold);
+    key->setFont(strong);
+    grid->addWidget(key, row, 0);
+    grid->addWidget(new QLabel(what), row++, 1);
+  }
+  grid->setColumnMinimumWidth(0, 120);
+  grid->setColumnStretch(1, 1);
+  return grid;
+}
+
+}  // namespace
+
+ShortcutSheet::ShortcutSheet(const std::vector<Group>& groups, QWidget* parent) : QDialog(parent) {
+  setObjectName(QStringLiteral("shortcutSheet"));
+  setWindowTitle(tr("Keyboard shortcuts"));
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(36);
+  auto* left = new QVBoxLayout;
+  auto* right = new QVBoxLayout;
+  for (QVBoxLayout* column : {left, right}) {
+    column->setSpacing(16);
+    columns->addLayout(column);
+  }
+  int place = 0;
+  for (const Group& group : groups) {
+    QList<QPair<QString, QString>> rows;
+    for (const QAction* action : group.actions)
+      if (!action->shortcut().isEmpty()) rows << qMakePair(keys_of(*action), action->statusTip());
+    (place++ % 2 == 0 ? left : right)->addLayout(table(group.title, rows));
+  }
+  right->addLayout(table(tr("Mouse and keys in the picture"), gestures()));
+  left->addStretch();
+  right->addStretch();
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(22, 18, 22, 14);
+  layout->setSpacing(16);
+  layout->addLayout(columns);
+  layout->addWidget(buttons);
+}
+
+}  // namespace loopmend

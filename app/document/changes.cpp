@@ -1,0 +1,98 @@
+#include "document/changes.h"
+
+namespace loopmend {
+namespace {
+
+std::size_t size_of(const OpenedScan& scan) {
+  const TriangleSoup& soup = scan.model->soup;
+  constexpr std::size_t halfedge_view_bytes = 250;  // OpenMesh, per vertex with its six halfedges and two faces
+  std::size_t sum =
+      soup.points.size() * (sizeof(Vec3) + halfedge_view_bytes) + soup.triangles.size() * sizeof(Triangle);
+  if (scan.shape) sum += 4 * (scan.shape->points.size() * 2 + scan.shape->triangles.size() + scan.shape->H.size() * 2);
+  return sum;
+}
+
+}  // namespace
+
+PatchChange::PatchChange(Document& document, std::vector<Pair> pairs, const QString& text)
+    : Change(text),
+      document_(document),
+      pairs_(std::move(pairs)) {}
+
+void PatchChange::redo() { go(Direction::forth); }
+
+void PatchChange::undo() { go(Direction::back); }
+
+void PatchChange::go(Direction direction) {
+  std::vector<int> gone;
+  std::vector<OpenPatch> now;
+  for (const Pair& pair : pairs_) {
+    const auto& from = direction == Direction::forth ? pair.before : pair.after;
+    const auto& to = direction == Direction::forth ? pair.after : pair.before;
+    if (to) {
+      now.push_back(*to);
+    } else if (from) {
+      gone.push_back(from->id);
+    }
+  }
+  document_.replace(gone, now);
+}
+
+std::size_t PatchChange::held_bytes(std::set<const void*>& seen) const {
+  std::size_t sum = 0;
+  const auto count = [&](const PatchStatePtr& state) {
+    if (seen.insert(state.get()).second) sum += size_of(*state);
+  };
+  for (const Pair& pair : pairs_)
+    for (const auto& side : {pair.before, pair.after}) {
+      if (!side) continue;
+      count(side->state);
+      for (const PatchStatePtr& state : *side->timeline) count(state);
+    }
+  return sum;
+}
+
+AddScan::AddScan(Document& document, int scan, const QString& text)
+    : Change(text),
+      document_(document),
+      scan_(scan),
+      held_(document.held_scan(scan)) {}
+
+void AddScan::undo() { document_.take_scan(scan_); }
+
+void AddScan::redo() {
+  if (!document_.scan(scan_)) document_.put_scan(scan_, held_);
+}
+
+std::size_t AddScan::held_bytes(std::set<const void*>& seen) const {
+  const bool ours = held_ && !document_.scan(scan_) && seen.insert(held_.get()).second;
+  return ours ? size_of(*held_) : 0;
+}
+
+CloseScan::CloseScan(Document& document, int scan, const QString& text)
+    : Change(text),
+      document_(document),
+      scan_(scan),
+      held_(document.held_scan(scan)) {
+  for (const OpenPatch& patch : document.patches())
+    if (patch.scan == scan) patches_.push_back(patch);
+}
+
+void CloseScan::redo() {
+  std::vector<int> gone;
+  for (const OpenPatch& patch : patches_) gone.push_back(patch.id);
+  document_.replace(gone, {});
+  document_.take_scan(scan_);
+}
+
+void CloseScan::undo() {
+  document_.put_scan(scan_, held_);
+  document_.replace({}, patches_);
+}
+
+std::size_t CloseScan::held_bytes(std::set<const void*>& seen) const {
+  const bool ours = held_ && !document_.scan(scan_) && seen.insert(held_.get()).second;
+  return ours ? size_of(*held_) : 0;
+}
+
+}  // namespace loopmend

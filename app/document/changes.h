@@ -1,0 +1,77 @@
+// The undoable changes of a document. Each knows how much memory only it may hold, and can let go of it.
+#pragma once
+
+#include "document/document.h"
+
+#include <QUndoCommand>
+
+#include <optional>
+
+namespace loopmend {
+
+class Change : public QUndoCommand {
+ public:
+  using QUndoCommand::QUndoCommand;
+  /// Bytes that this change may keep alive, without what `seen` holds already; adds to `seen`.
+  virtual std::size_t held_bytes(std::set<const void*>& seen) const = 0;
+  /// After this it can no longer be undone or redone.
+  virtual void forget() = 0;
+  virtual bool forgotten() const = 0;
+};
+
+/// Patches came, went, moved, or were accepted.
+class PatchChange : public Change {
+ public:
+  struct Pair {
+    std::optional<OpenPatch> before, after;
+  };
+  PatchChange(Document& document, std::vector<Pair> pairs, const QString& text);
+  void undo() override;
+  void redo() override;
+  std::size_t held_bytes(std::set<const void*>& seen) const override;
+  void forget() override { pairs_.clear(); }
+  bool forgotten() const override { return pairs_.empty(); }
+
+ private:
+  enum class Direction { back, forth };
+  void go(Direction direction);
+
+  Document& document_;
+  std::vector<Pair> pairs_;
+};
+
+/// A scan was added to the scene.
+class AddScan : public Change {
+ public:
+  /// The scan is in the document already; redo() puts it there again after an undo().
+  AddScan(Document& document, int scan, const QString& text);
+  void undo() override;
+  void redo() override;
+  std::size_t held_bytes(std::set<const void*>& seen) const override;
+  void forget() override { held_.reset(); }
+  bool forgotten() const override { return held_ == nullptr; }
+
+ private:
+  Document& document_;
+  int scan_;
+  std::shared_ptr<OpenedScan> held_;
+};
+
+/// A scan was taken away, with the patches in its holes.
+class CloseScan : public Change {
+ public:
+  CloseScan(Document& document, int scan, const QString& text);
+  void undo() override;
+  void redo() override;
+  std::size_t held_bytes(std::set<const void*>& seen) const override;
+  void forget() override { held_.reset(); }
+  bool forgotten() const override { return held_ == nullptr; }
+
+ private:
+  Document& document_;
+  int scan_;
+  std::shared_ptr<OpenedScan> held_;
+  std::vector<OpenPatch> patches_;
+};
+
+}  // namespace loopmend

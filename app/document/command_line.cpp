@@ -1,0 +1,148 @@
+#include "document/command_line.h"
+
+#include "document/words.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <tuple>
+
+namespace loopmend {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("loopmend::ScanCommands", text); }
+
+/// The shortest decimal that reads back as the same double.
+QString exact(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
+
+QString quoted(const QString& path) {
+  static const QString plain = QStringLiteral("_-./,:=+@%");
+  const bool simple = !path.isEmpty() && std::all_of(path.begin(), path.end(), [](QChar c) {
+    return (c.unicode() < 128 && c.isLetterOrNumber()) || plain.contains(c);
+  });
+  if (simple) return path;
+  QString inside = path;
+  return QLatin1Char('\'') + inside.replace(QLatin1Char('\''), QStringLiteral("'\\''")) + QLatin1Char('\'');
+}
+
+QString word(FlowKind flow) {
+  switch (flow) {
+    case FlowKind::mcf: return QStringLiteral("mcf");
+    case FlowKind::sdf: return QStringLiteral("sdf");
+    case FlowKind::wf: return QStringLiteral("wf");
+    case FlowKind::mmcvf: return QStringLiteral("mmcvf");
+  }
+  return {};
+}
+
+/// The options of `loopmend fill` for a recipe; only the last run where there are several.
+QString options_of(const PatchRecipe& recipe) {
+  QString text;
+  if (recipe.density != 1) text += QStringLiteral(" --density ") + exact(recipe.density);
+  if (recipe.runs.empty()) return text + QStringLiteral(" --flow none");
+  const RunRecipe& run = recipe.runs.back();
+  text += QStringLiteral(" --flow ") + word(run.flow);
+  if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + exact(run.sigma);
+  if (run.mode == EvolutionMode::steps || run.end == RunRecipe::End::after_steps)
+    text += QStringLiteral(" --steps ") + QString::number(run.steps);
+  return text;
+}
+
+bool is_exact(const PatchRecipe& recipe) {
+  return recipe.runs.size() <= 1 && (recipe.runs.empty() || recipe.runs.front().end != RunRecipe::End::unnamed);
+}
+
+/// A vertex of the file that lies on this loop alone; −1 when there is none.
+int own_vertex(const OpenedScan& scan, const BoundaryLoop& loop) {
+  for (int v : loop.vertices) {
+    const int vertex = scan.model->soup_vertex[static_cast<std::size_t>(v)];
+    const auto through = std::count_if(scan.loops.begin(), scan.loops.end(), [&](const BoundaryLoop& other) {
+      return std::any_of(other.vertices.begin(), other.vertices.end(),
+                         [&](int w) { return scan.model->soup_vertex[static_cast<std::size_t>(w)] == vertex; });
+    });
+    if (through == 1) return vertex;
+  }
+  return -1;
+}
+
+class ScanCommands {
+ public:
+  ScanCommands(const Document& document, int scan) : document_(document), scan_(*document.scan(scan)), index_(scan) {}
+
+  void add(const OpenPatch& patch, QStringList& remarks) {
+    const PatchRecipe& recipe = patch.state->recipe;
+    auto& loops = by_options_[options_of(recipe)];
+    loops.insert(patch.loops.begin(), patch.loops.end());
+    const QString name = words::sentence(words::holes(document_, {patch.loops.begin(), patch.loops.end()}));
+    if (patch.state->stage == PatchStage::cutting)
+      remarks << tr("%1: the patch cuts the surface; the command would leave it open.").arg(name);
+    if (is_exact(recipe)) return;
+    remarks << tr("%1 took several runs, or was stopped halfway through one; the command repeats the last run only.")
+                   .arg(name);
+  }
+
+  QString text() const {
+    const QString file = scan_.path.isEmpty() ? QStringLiteral("sample.ply") : QDir::toNativeSeparators(scan_.path);
+    const QFileInfo info(file);
+    const QString base = info.path() == QStringLiteral(".") ? QString() : info.path() + QLatin1Char('/');
+    const QString output = base + info.completeBaseName() + QStringLiteral("-filled.ply");
+    QStringList lines;
+    if (scan_.path.isEmpty()) lines << QStringLiteral("loopmend sample -o sample.ply");
+    QString input = file;
+    for (const auto& [options, loops] : by_options_) {
+      // Numbers change when loops are filled; vertices of the input keep theirs.
+      const QString which = input == file ? by_number(loops) : by_vertex(loops);
+      lines << QStringLiteral("loopmend fill ") + quoted(input) + QStringLiteral(" -o ") + quoted(output) + which +
+                   options;
+      input = output;
+    }
+    return lines.join(QLatin1Char('\n'));
+  }
+
+ private:
+  QString by_number(const std::set<int>& loops) const {
+    bool all = true;
+    for (int loop = document_.first_loop_of(index_); loop < document_.loop_count(); ++loop) {
+      if (document_.scan_of(loop) != index_) break;
+      const LoopKind kind = document_.loop(loop).kind;
+      all = all && loops.contains(loop) == (kind == LoopKind::hole || kind == LoopKind::touching);
+    }
+    if (all) return {};
+    QStringList numbers;
+    for (int loop : loops) numbers << QString::number(document_.loop(loop).number);
+    return QStringLiteral(" --loops ") + numbers.join(QLatin1Char(','));
+  }
+
+  QString by_vertex(const std::set<int>& loops) const {
+    QStringList vertices;
+    for (int loop : loops)
+      if (const int v = own_vertex(scan_, document_.loop(loop)); v >= 0) vertices << QString::number(v);
+    return QStringLiteral(" --at-vertex ") + vertices.join(QLatin1Char(','));
+  }
+
+  const Document& document_;
+  const OpenedScan& scan_;
+  int index_;
+  std::map<QString, std::set<int>> by_options_;
+};
+
+}  // namespace
+
+CommandLine command_line(const Document& document, const std::set<int>& patch_ids) {
+  CommandLine result;
+  std::map<int, ScanCommands> scans;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document.patch(id);
+    if (!patch) continue;
+    scans.try_emplace(patch->scan, document, patch->scan).first->second.add(*patch, result.remarks);
+  }
+  QStringList lines;
+  for (const auto& [index, commands] : scans) lines << commands.text();
+  result.text = lines.join(QLatin1Char('\n'));
+  return result;
+}
+
+}  // namespace loopmend

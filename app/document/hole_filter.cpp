@@ -1,0 +1,55 @@
+#include "document/hole_filter.h"
+
+#include "document/document.h"
+#include "document/hole_table.h"
+#include "document/words.h"
+
+#include <algorithm>
+
+namespace loopmend {
+
+HoleFilter::HoleFilter(const Document& document, QObject* parent) : QSortFilterProxyModel(parent), document_(document) {
+  setSortRole(HoleTable::sort_role);
+  // Rows leave a group while a flow runs; to sort and filter anew at every state would make the table jump.
+  setDynamicSortFilter(false);
+  connect(&document, &Document::holes_changed, this, [this] {
+    if (group_ != HoleGroup::all) invalidateFilter();
+  });
+}
+
+void HoleFilter::set_group(HoleGroup group) {
+  group_ = group;
+  invalidateFilter();
+}
+
+void HoleFilter::set_words(const QString& words) {
+  words_ = words.toLower().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  invalidateFilter();
+}
+
+bool HoleFilter::in_group(int loop) const {
+  const HoleState state = document_.state(loop);
+  switch (group_) {
+    case HoleGroup::all: return true;
+    case HoleGroup::to_do: return state == HoleState::open || state == HoleState::failed;
+    case HoleGroup::filled: return document_.patch_of(loop) != nullptr;
+    case HoleGroup::accepted: return state == HoleState::accepted;
+    case HoleGroup::trouble:
+      return state == HoleState::failed || state == HoleState::cutting || state == HoleState::stalled;
+    case HoleGroup::left_out: return state == HoleState::left_out;
+  }
+  return true;
+}
+
+bool HoleFilter::filterAcceptsRow(int loop, const QModelIndex&) const {
+  if (loop >= document_.loop_count() || !document_.present(loop) || !in_group(loop)) return false;
+  if (words_.isEmpty()) return true;
+  const BoundaryLoop& l = document_.loop(loop);
+  const QString cells = words::kind(l.kind) + QLatin1Char(' ') + words::state(document_.state(loop)) +
+                        QLatin1Char(' ') + document_.scan(document_.scan_of(loop))->name.toLower();
+  const QString number = QString::number(l.number);
+  return std::all_of(words_.begin(), words_.end(),
+                     [&](const QString& word) { return word == number || cells.contains(word); });
+}
+
+}  // namespace loopmend

@@ -1,0 +1,34 @@
+#include "document/language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+// The list lives in a static library, so it has to be asked for; the macro works outside namespaces only.
+static void load_translations() { Q_INIT_RESOURCE(translations); }
+
+namespace loopmend {
+namespace {
+
+void install(const QString& file, const QString& folder) {
+  auto* translator = new QTranslator(QCoreApplication::instance());
+  if (translator->load(file, folder)) {
+    QCoreApplication::installTranslator(translator);
+  } else {
+    delete translator;
+  }
+}
+
+}  // namespace
+
+void install_language(const QString& wanted) {
+  load_translations();
+  QString language = wanted.isEmpty() ? QLocale::system().name().section(QLatin1Char('_'), 0, 0) : wanted;
+  if (language != QStringLiteral("de")) language = QStringLiteral("en");
+  install(QStringLiteral("qtbase_") + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+  install(QStringLiteral("loopmend_") + language, QStringLiteral(":/translations"));
+  QLocale::setDefault(QLocale(language));
+}
+
+}  // namespace loopmend

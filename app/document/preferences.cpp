@@ -1,0 +1,66 @@
+#include "document/preferences.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+constexpr int most_recent_files = 10;
+const QString recent_key = QStringLiteral("recentFiles");
+
+QSettings settings() {
+  return QSettings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("loopmend"), QStringLiteral("loopmend"));
+}
+
+}  // namespace
+
+Preferences load_preferences() {
+  const QSettings stored = settings();
+  Preferences p;
+  const auto whole = [&stored](const char* key, int fallback, int low, int high) {
+    return std::clamp(stored.value(QLatin1String(key), fallback).toInt(), low, high);
+  };
+  p.language = stored.value(QStringLiteral("language")).toString();
+  p.theme = static_cast<Theme>(whole("theme", 0, 0, static_cast<int>(Theme::dark)));
+  p.undo_megabytes = whole("undoMegabytes", p.undo_megabytes, 64, 8192);
+  p.timeline_megabytes = whole("timelineMegabytes", p.timeline_megabytes, 16, 4096);
+  p.autosave_seconds = whole("autosaveSeconds", p.autosave_seconds, 5, 600);
+  p.color_map = stored.value(QStringLiteral("colorMap")).toString();
+  return p;
+}
+
+void save_preferences(const Preferences& p) {
+  QSettings stored = settings();
+  stored.setValue(QStringLiteral("language"), p.language);
+  stored.setValue(QStringLiteral("theme"), static_cast<int>(p.theme));
+  stored.setValue(QStringLiteral("undoMegabytes"), p.undo_megabytes);
+  stored.setValue(QStringLiteral("timelineMegabytes"), p.timeline_megabytes);
+  stored.setValue(QStringLiteral("autosaveSeconds"), p.autosave_seconds);
+  stored.setValue(QStringLiteral("colorMap"), p.color_map);
+}
+
+QStringList recent_files() {
+  QStringList files = settings().value(recent_key).toStringList();
+  files.erase(std::remove_if(files.begin(), files.end(), [](const QString& f) { return !QFileInfo::exists(f); }),
+              files.end());
+  return files;
+}
+
+void add_recent_file(const QString& path) {
+  if (path.isEmpty()) return;
+  QSettings stored = settings();
+  QStringList files = stored.value(recent_key).toStringList();
+  files.removeAll(path);
+  files.prepend(path);
+  stored.setValue(recent_key, QStringList(files.mid(0, most_recent_files)));
+}
+
+void clear_recent_files() {
+  QSettings stored = settings();
+  stored.remove(recent_key);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,28 @@
+// What a person has chosen once and for all. Kept in the user's configuration.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace loopmend {
+
+enum class Theme { system, light, dark };
+
+struct Preferences {
+  QString language;  ///< "en", "de"; empty: the system's
+  Theme theme = Theme::system;
+  int undo_megabytes = 512;      ///< 64..8192, memory for what can be taken back
+  int timeline_megabytes = 256;  ///< 16..4096, memory for the recorded states of one patch
+  int autosave_seconds = 20;     ///< 5..600, between a change and the copy that survives a crash
+  QString color_map;             ///< a word of scene/color_map.h; empty: the default
+};
+
+Preferences load_preferences();
+void save_preferences(const Preferences& preferences);
+
+/// Newest first, at most ten; files that are gone are left out.
+QStringList recent_files();
+void add_recent_file(const QString& path);
+void clear_recent_files();
+
+}  // namespace loopmend

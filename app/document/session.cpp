@@ -1,0 +1,338 @@
+#include "document/session.h"
+
+#include "core/error.h"
+#include "document/document.h"
+#include "io/atomic_file.h"
+
+#include <QDataStream>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+constexpr char magic[] = "Loopmend session\n";
+constexpr qint32 format_version = 1;
+
+/// Words and numbers in one fixed layout, little-endian, doubles in full.
+class Writer {
+ public:
+  explicit Writer(QByteArray& bytes) : out_(&bytes, QIODevice::WriteOnly) { settle(out_); }
+  static void settle(QDataStream& stream) {
+    stream.setVersion(QDataStream::Qt_5_15);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    stream.setFloatingPointPrecision(QDataStream::DoublePrecision);
+  }
+  void put(qint32 value) { out_ << value; }
+  void put(quint64 value) { out_ << value; }
+  void put(double value) { out_ << value; }
+  void put(const QString& value) { out_ << value; }
+  void put(const Vec3& value) {
+    for (double x : value) put(x);
+  }
+  void put(const std::vector<int>& values) {
+    put(static_cast<quint64>(values.size()));
+    raw(values.data(), values.size() * sizeof(int));
+  }
+  void put(const Points& values) {
+    put(static_cast<quint64>(values.size()));
+    raw(values.data(), values.size() * sizeof(Vec3));
+  }
+  void put(const Triangles& values) {
+    put(static_cast<quint64>(values.size()));
+    raw(values.data(), values.size() * sizeof(Triangle));
+  }
+  void raw(const void* data, std::size_t size) {
+    out_.writeRawData(static_cast<const char*>(data), static_cast<int>(size));
+  }
+
+ private:
+  QDataStream out_;
+};
+
+class Reader {
+ public:
+  Reader(const QByteArray& bytes, const QString& path) : in_(bytes), path_(path) { Writer::settle(in_); }
+
+  [[noreturn]] void fail(const char* problem) const {
+    throw ReadError(path_.toStdString(), problem, "byte " + std::to_string(in_.device()->pos()),
+                    "Open the scan itself instead; the session file is damaged.");
+  }
+  template <class T>
+  T number() {
+    T value{};
+    in_ >> value;
+    check();
+    return value;
+  }
+  QString text() { return number<QString>(); }
+  Vec3 vector() {
+    Vec3 v;
+    for (double& x : v) x = number<double>();
+    return v;
+  }
+  template <class T>
+  std::vector<T> array() {
+    const auto count = number<quint64>();
+    if (count * sizeof(T) > static_cast<quint64>(in_.device()->bytesAvailable())) fail("the file ends too early");
+    std::vector<T> values(static_cast<std::size_t>(count));
+    in_.readRawData(reinterpret_cast<char*>(values.data()), static_cast<int>(count * sizeof(T)));
+    check();
+    return values;
+  }
+  /// A count of things that take at least `bytes_each`.
+  int count(quint64 bytes_each) {
+    const auto n = number<quint64>();
+    if (n * bytes_each > static_cast<quint64>(in_.device()->bytesAvailable())) fail("the file ends too early");
+    return static_cast<int>(n);
+  }
+  bool at_end() const { return in_.atEnd(); }
+
+ private:
+  void check() const {
+    if (in_.status() != QDataStream::Ok) fail("the file ends too early");
+  }
+  QDataStream in_;
+  QString path_;
+};
+
+void put(Writer& out, const SeamReport& seam) {
+  for (double x : {seam.g0_gap, seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max,
+                   seam.h_jump_rms_times_diameter})
+    out.put(x);
+}
+
+SeamReport seam(Reader& in) {
+  SeamReport s;
+  for (double* x :
+       {&s.g0_gap, &s.g1_rms_deg, &s.g1_max_deg, &s.h_jump_rms, &s.h_jump_max, &s.h_jump_rms_times_diameter})
+    *x = in.number<double>();
+  return s;
+}
+
+void put(Writer& out, const Patch& patch) {
+  out.put(static_cast<qint32>(patch.free_count));
+  out.put(static_cast<qint32>(patch.patch_triangles));
+  out.put(patch.positions);
+  out.put(patch.triangles);
+  out.put(patch.ring);
+  out.put(patch.view_vertex);
+  out.put(static_cast<quint64>(patch.loops.size()));
+  for (const auto& loop : patch.loops) out.put(loop);
+  out.put(patch.loop_numbers);
+  out.put(patch.center);
+  out.put(patch.scale);
+}
+
+bool in_range(const std::vector<int>& values, int low, int high) {
+  return std::all_of(values.begin(), values.end(), [=](int v) { return v >= low && v < high; });
+}
+
+void check(const Reader& in, const Patch& patch) {
+  const int n = patch.vertex_count();
+  const bool sizes = patch.free_count >= 0 && patch.free_count <= n && patch.patch_triangles >= 0 &&
+                     patch.patch_triangles <= static_cast<int>(patch.triangles.size()) &&
+                     static_cast<int>(patch.ring.size()) == n && static_cast<int>(patch.view_vertex.size()) == n &&
+                     patch.loop_numbers.size() == patch.loops.size() && patch.scale > 0;
+  if (!sizes) in.fail("the sizes of a patch disagree");
+  for (const Triangle& t : patch.triangles)
+    for (int v : t)
+      if (v < 0 || v >= n) in.fail("a triangle names a vertex that does not exist");
+  for (const auto& loop : patch.loops)
+    if (loop.empty() || !in_range(loop, 0, n)) in.fail("a loop names a vertex that does not exist");
+  for (const Vec3& p : patch.positions)
+    if (!p.allFinite()) in.fail("a coordinate is not a finite number");
+}
+
+Patch patch(Reader& in) {
+  Patch p;
+  p.free_count = in.number<qint32>();
+  p.patch_triangles = in.number<qint32>();
+  p.positions = in.array<Vec3>();
+  p.triangles = in.array<Triangle>();
+  p.ring = in.array<int>();
+  p.view_vertex = in.array<int>();
+  const int loops = in.count(sizeof(quint64));
+  for (int i = 0; i < loops; ++i) p.loops.push_back(in.array<int>());
+  p.loop_numbers = in.array<int>();
+  p.center = in.vector();
+  p.scale = in.number<double>();
+  check(in, p);
+  return p;
+}
+
+template <class E>
+E word(Reader& in, E last) {
+  const auto value = in.number<qint32>();
+  if (value < 0 || value > static_cast<qint32>(last)) in.fail("a word is not known");
+  return static_cast<E>(value);
+}
+
+void put(Writer& out, const PatchRecipe& recipe) {
+  out.put(recipe.density);
+  out.put(static_cast<quint64>(recipe.runs.size()));
+  for (const RunRecipe& run : recipe.runs) {
+    out.put(static_cast<qint32>(run.flow));
+    out.put(static_cast<qint32>(run.mode));
+    out.put(run.sigma);
+    out.put(static_cast<qint32>(run.steps));
+    out.put(static_cast<qint32>(run.end));
+  }
+}
+
+PatchRecipe recipe(Reader& in) {
+  PatchRecipe r;
+  r.density = in.number<double>();
+  const int runs = in.count(sizeof(double));
+  for (int i = 0; i < runs; ++i) {
+    RunRecipe run;
+    run.flow = word(in, FlowKind::mmcvf);
+    run.mode = word(in, EvolutionMode::steps);
+    run.sigma = in.number<double>();
+    run.steps = in.number<qint32>();
+    run.end = word(in, RunRecipe::End::unnamed);
+    r.runs.push_back(run);
+  }
+  return r;
+}
+
+void put(Writer& out, const StepRecord& step) {
+  out.put(static_cast<qint32>(step.step));
+  for (double x : {step.energy, step.sigma, step.tau, step.max_move}) out.put(x);
+}
+
+StepRecord step(Reader& in) {
+  StepRecord s;
+  s.step = in.number<qint32>();
+  for (double* x : {&s.energy, &s.sigma, &s.tau, &s.max_move}) *x = in.number<double>();
+  return s;
+}
+
+void put(Writer& out, const PatchState& state) {
+  put(out, state.patch);
+  out.put(static_cast<qint32>(state.stage));
+  out.put(QString::fromStdString(state.message));
+  put(out, state.recipe);
+  out.put(static_cast<qint32>(state.flow));
+  out.put(static_cast<qint32>(state.steps));
+  put(out, state.last_step);
+  out.put(state.initial_energy);
+  out.put(state.seconds);
+  for (const auto* reports : {&state.seam_before, &state.seam}) {
+    out.put(static_cast<quint64>(reports->size()));
+    for (const SeamReport& report : *reports) put(out, report);
+  }
+}
+
+PatchStatePtr state(Reader& in) {
+  auto s = std::make_shared<PatchState>();
+  s->patch = patch(in);
+  s->stage = word(in, PatchStage::cutting);
+  s->message = in.text().toStdString();
+  s->recipe = recipe(in);
+  s->flow = word(in, FlowKind::mmcvf);
+  s->steps = in.number<qint32>();
+  s->last_step = step(in);
+  s->initial_energy = in.number<double>();
+  s->seconds = in.number<double>();
+  for (auto* reports : {&s->seam_before, &s->seam}) {
+    const int count = in.count(6 * sizeof(double));
+    for (int i = 0; i < count; ++i) reports->push_back(seam(in));
+  }
+  if (s->seam.size() != s->patch.loops.size() || s->seam_before.size() != s->seam.size())
+    in.fail("the seams of a patch are not complete");
+  return s;
+}
+
+QString found(const QString& absolute, const QString& relative, const QString& session) {
+  if (absolute.isEmpty() || QFileInfo::exists(absolute)) return absolute;
+  const QString beside = QFileInfo(session).dir().absoluteFilePath(relative);
+  return QFileInfo::exists(beside) ? QDir::cleanPath(beside) : absolute;
+}
+
+}  // namespace
+
+Session session_of(const Document& document) {
+  Session session;
+  std::map<int, int> place;
+  for (int index : document.scans()) {
+    place[index] = static_cast<int>(session.scans.size());
+    const auto scan = document.scan(index);
+    session.scans.push_back({scan->path, scan->fingerprint});
+  }
+  for (const OpenPatch& patch : document.patches()) {
+    SessionPatch entry{place.at(patch.scan), {}, patch.state, patch.acceptance};
+    for (int loop : patch.loops) entry.loop_numbers.push_back(document.loop(loop).number);
+    session.patches.push_back(std::move(entry));
+  }
+  return session;
+}
+
+QByteArray to_bytes(const Session& session, const QString& beside) {
+  QByteArray bytes;
+  Writer out(bytes);
+  out.raw(magic, sizeof magic - 1);
+  out.put(format_version);
+  out.put(static_cast<quint64>(session.scans.size()));
+  for (const SessionScan& scan : session.scans) {
+    out.put(scan.path);
+    out.put(scan.path.isEmpty() ? QString() : QDir(beside).relativeFilePath(scan.path));
+    out.put(static_cast<quint64>(scan.fingerprint));
+  }
+  out.put(static_cast<quint64>(session.patches.size()));
+  for (const SessionPatch& patch : session.patches) {
+    out.put(static_cast<qint32>(patch.scan));
+    out.put(patch.loop_numbers);
+    out.put(static_cast<qint32>(patch.acceptance));
+    put(out, *patch.state);
+  }
+  return bytes;
+}
+
+Session session_from_file(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+    throw ReadError(path.toStdString(), file.errorString().toStdString(), "", "Check the path and its permissions.");
+  const QByteArray bytes = file.readAll();
+  constexpr int magic_size = sizeof magic - 1;
+  if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
+    throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
+  Reader in(bytes.mid(magic_size), path);
+  if (in.number<qint32>() != format_version)
+    throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
+                    "Open it with the version that saved it.");
+  Session session;
+  const int scans = in.count(sizeof(quint64));
+  for (int i = 0; i < scans; ++i) {
+    const QString absolute = in.text(), relative = in.text();
+    session.scans.push_back({found(absolute, relative, path), in.number<quint64>()});
+  }
+  const int patches = in.count(sizeof(quint64));
+  for (int i = 0; i < patches; ++i) {
+    SessionPatch entry;
+    entry.scan = in.number<qint32>();
+    if (entry.scan < 0 || entry.scan >= scans) in.fail("a patch belongs to no scan");
+    entry.loop_numbers = in.array<int>();
+    entry.acceptance = word(in, Acceptance::accepted);
+    entry.state = state(in);
+    if (entry.loop_numbers.size() != entry.state->patch.loops.size()) in.fail("the loops of a patch are not complete");
+    session.patches.push_back(std::move(entry));
+  }
+  if (!in.at_end()) in.fail("there is more in the file than there should be");
+  return session;
+}
+
+void write_session(const Session& session, const QString& path) {
+  const QByteArray bytes = to_bytes(session, QFileInfo(path).absolutePath());
+  write_file_atomically(path.toStdString(),
+                        [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+}
+
+bool is_session_path(const QString& path) {
+  return QFileInfo(path).suffix().compare(QLatin1String(session_suffix), Qt::CaseInsensitive) == 0;
+}
+
+}  // namespace loopmend

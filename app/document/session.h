@@ -1,0 +1,49 @@
+// A session in a file: which scans are open, and every patch as it is. The scans themselves stay in their own files.
+#pragma once
+
+#include "document/patch_state.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <cstdint>
+#include <vector>
+
+namespace loopmend {
+
+inline constexpr const char* session_suffix = "loopmend";
+
+struct SessionScan {
+  QString path;  ///< absolute; empty: the embedded sample
+  std::uint64_t fingerprint = 0;
+};
+
+struct SessionPatch {
+  int scan = 0;                   ///< index into Session::scans
+  std::vector<int> loop_numbers;  ///< BoundaryLoop::number, in the order of state.patch.loops
+  PatchStatePtr state;            ///< `shape` is not stored
+  Acceptance acceptance = Acceptance::pending;
+};
+
+struct Session {
+  std::vector<SessionScan> scans;
+  std::vector<SessionPatch> patches;
+};
+
+class Document;
+/// As it is now. States are shared, so this is fast, and a worker may write it while the window goes on.
+Session session_of(const Document& document);
+
+/// @param beside  folder of the file: paths are stored relative to it as well, so that both can move together.
+QByteArray to_bytes(const Session& session, const QString& beside);
+
+/// Scans that are not at their absolute path are looked for beside the session.
+/// @throws ReadError for anything that is not wholly a session of a known version.
+Session session_from_file(const QString& path);
+
+/// Atomically. @throws WriteError.
+void write_session(const Session& session, const QString& path);
+
+bool is_session_path(const QString& path);
+
+}  // namespace loopmend

@@ -1,0 +1,52 @@
+#include "document/targets.h"
+
+#include <algorithm>
+
+namespace loopmend {
+
+std::set<int> loops_to_fill(const Document& document, const HoleSelection& selection) {
+  std::set<int> loops;
+  const bool chosen = !selection.selected().empty();
+  for (int loop = 0; loop < document.loop_count(); ++loop) {
+    const bool wanted = chosen ? selection.selected().contains(loop) : document.fillable(loop);
+    const bool possible = document.present(loop) && document.loop(loop).kind != LoopKind::cut;
+    if (wanted && possible && !document.patch_of(loop)) loops.insert(loop);
+  }
+  return loops;
+}
+
+std::set<int> chosen_patches(const Document& document, const HoleSelection& selection) {
+  std::set<int> ids;
+  const std::set<int>& chosen = selection.selected();
+  for (const OpenPatch& patch : document.patches()) {
+    const bool wanted = chosen.empty() || std::any_of(patch.loops.begin(), patch.loops.end(),
+                                                      [&](int loop) { return chosen.contains(loop); });
+    if (wanted) ids.insert(patch.id);
+  }
+  return ids;
+}
+
+std::set<int> patches_to_move(const Document& document, const HoleSelection& selection) {
+  std::set<int> ids = chosen_patches(document, selection);
+  std::erase_if(ids, [&](int id) { return document.patch(id)->acceptance == Acceptance::accepted; });
+  return ids;
+}
+
+std::set<int> loops_of(const Document& document, const std::set<int>& patches) {
+  std::set<int> loops;
+  for (int id : patches)
+    if (const OpenPatch* patch = document.patch(id)) loops.insert(patch->loops.begin(), patch->loops.end());
+  return loops;
+}
+
+std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit) {
+  std::set<int> loops;
+  for (int loop = 0; loop < document.loop_count(); ++loop) {
+    if (!document.fillable(loop) || document.patch_of(loop)) continue;
+    const BoundaryLoop& l = document.loop(loop);
+    if ((measure == SizeMeasure::edges ? l.edges() : l.diameter) <= limit) loops.insert(loop);
+  }
+  return loops;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,24 @@
+// What a button would act on: the selection, or everything when nothing is selected.
+#pragma once
+
+#include "document/document.h"
+#include "document/hole_selection.h"
+
+namespace loopmend {
+
+/// Loops that Fill would close: the selected ones, or all that are fillable. None that has a patch.
+std::set<int> loops_to_fill(const Document& document, const HoleSelection& selection);
+
+/// Patches of the selected loops, or all when nothing is selected.
+std::set<int> chosen_patches(const Document& document, const HoleSelection& selection);
+
+/// Of these, the ones that a flow may move: not accepted yet.
+std::set<int> patches_to_move(const Document& document, const HoleSelection& selection);
+
+std::set<int> loops_of(const Document& document, const std::set<int>& patches);
+
+enum class SizeMeasure { edges, diameter };
+/// Fillable loops without a patch that are no larger than `limit`; diameter in the scan's unit.
+std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit);
+
+}  // namespace loopmend

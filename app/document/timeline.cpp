@@ -1,0 +1,56 @@
+#include "document/timeline.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace loopmend {
+namespace {
+
+template <class T>
+std::size_t bytes(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+std::size_t size_of(const Timeline& timeline) {
+  return std::accumulate(timeline.begin(), timeline.end(), std::size_t{0},
+                         [](std::size_t sum, const PatchStatePtr& state) { return sum + size_of(*state); });
+}
+
+Timeline thinned(const Timeline& timeline) {
+  Timeline kept;
+  for (std::size_t i = 0; i < timeline.size(); ++i)
+    if (i % 2 == 0 || i + 1 == timeline.size()) kept.push_back(timeline[i]);
+  return kept;
+}
+
+}  // namespace
+
+std::size_t size_of(const PatchState& state) {
+  std::size_t sum = sizeof(PatchState) + bytes(state.patch.positions) + bytes(state.patch.triangles) +
+                    bytes(state.patch.ring) + bytes(state.patch.view_vertex);
+  if (state.shape)
+    sum += bytes(state.shape->points) + bytes(state.shape->normals) + bytes(state.shape->triangles) +
+           bytes(state.shape->H) + bytes(state.shape->K);
+  return sum;
+}
+
+TimelinePtr start_timeline(PatchStatePtr first) { return std::make_shared<Timeline>(Timeline{std::move(first)}); }
+
+std::size_t place_in(const Timeline& timeline, const PatchStatePtr& state) {
+  const auto found = std::find(timeline.begin(), timeline.end(), state);
+  return found == timeline.end() ? timeline.size() - 1 : static_cast<std::size_t>(found - timeline.begin());
+}
+
+TimelinePtr extended(const Timeline& timeline, const PatchStatePtr& now, const std::vector<PatchStatePtr>& more,
+                     std::size_t budget) {
+  Timeline next(timeline.begin(), timeline.begin() + static_cast<std::ptrdiff_t>(place_in(timeline, now)) + 1);
+  next.insert(next.end(), more.begin(), more.end());
+  while (next.size() > 2 && size_of(next) > budget) {
+    Timeline fewer = thinned(next);
+    if (fewer.size() == next.size()) break;
+    next = std::move(fewer);
+  }
+  return std::make_shared<Timeline>(std::move(next));
+}
+
+}  // namespace loopmend

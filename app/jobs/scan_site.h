@@ -1,0 +1,29 @@
+// What the tests for cuts read of a scan: made by the first worker that needs it, then shared.
+#pragma once
+
+#include "evolution/patch_verdict.h"
+
+#include <memory>
+#include <mutex>
+
+namespace loopmend {
+
+class ScanSite {
+ public:
+  explicit ScanSite(std::shared_ptr<const SurfaceModel> model) : model_(std::move(model)) {}
+
+  const SurfaceModel& model() const { return *model_; }
+  /// Takes a second for a million triangles, the first time. Safe from several threads.
+  const FillSite& site() {
+    std::call_once(made_, [this] { site_ = std::make_unique<FillSite>(*model_); });
+    return *site_;
+  }
+
+ private:
+  std::shared_ptr<const SurfaceModel> model_;
+  std::once_flag made_;
+  std::unique_ptr<FillSite> site_;
+};
+using ScanSitePtr = std::shared_ptr<ScanSite>;
+
+}  // namespace loopmend

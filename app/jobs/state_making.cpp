@@ -1,0 +1,40 @@
+#include "jobs/state_making.h"
+
+#include "analysis/curvature_field.h"
+
+namespace loopmend {
+
+PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin) {
+  auto state = std::make_shared<PatchState>();
+  state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+  state->seam = seam_reports(patch);
+  state->seam_before = state->seam;
+  state->message = message;
+  state->recipe.density = density;
+  state->patch = std::move(patch);
+  return state;
+}
+
+std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin) {
+  auto next = std::make_shared<PatchState>(old);
+  next->patch = patch;
+  next->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+  next->seam = seam_reports(patch);
+  return next;
+}
+
+PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site) {
+  const PatchVerdict verdict = judge(site.site(), state->patch);
+  const bool cuts = verdict.total() > 0, worse = filler && !no_worse(verdict, judge(site.site(), *filler));
+  if (!cuts && !worse) return state;
+  auto marked = std::make_shared<PatchState>(*state);
+  marked->stage = PatchStage::cutting;
+  marked->message =
+      cuts ? "It cuts the surface or itself in " + std::to_string(verdict.total()) +
+                 " places; the command line leaves such a hole open. Run a flow, or reject it and try another density."
+           : "It folds over itself where the filler did not; the command line would keep the filler. Go back a few "
+             "steps, or take smaller ones.";
+  return marked;
+}
+
+}  // namespace loopmend

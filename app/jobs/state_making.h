@@ -1,0 +1,18 @@
+// From an engine's patch to a state that can be shown.
+#pragma once
+
+#include "document/patch_state.h"
+#include "jobs/scan_site.h"
+
+namespace loopmend {
+
+/// The state of a filler.
+PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin);
+
+/// The state with another patch in it: shape and seam are made anew.
+std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin);
+
+/// The state, marked as cutting where its patch is worse than its `filler`, or cuts at all where there is none.
+PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site);
+
+}  // namespace loopmend

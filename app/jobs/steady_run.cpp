@@ -1,0 +1,106 @@
+#include "jobs/steady_run.h"
+
+#include "document/timeline.h"
+#include "jobs/state_making.h"
+
+namespace loopmend {
+namespace {
+
+PatchStage stage_of(LoopStatus status) {
+  switch (status) {
+    case LoopStatus::converged: return PatchStage::converged;
+    case LoopStatus::step_limit: return PatchStage::stalled;
+    default: return PatchStage::filled;
+  }
+}
+
+}  // namespace
+
+SteadyRun::SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder, const Job& job)
+    : task_(task),
+      item_(item),
+      recorder_(recorder),
+      job_(job),
+      last_(item.patch.state) {}
+
+void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
+  const PatchState& start = *item_.patch.state;
+  if (record.step == 1) {
+    if (attempts_++ > 0) recorder_.restart(item_.patch.id);
+    initial_energy_ = evolution.initial_energy();
+    last_ = item_.patch.state;
+  }
+  auto next = with_patch(start, evolution.patch(), task_.origin);
+  next->stage = PatchStage::stepped;
+  next->message.clear();
+  next->flow = task_.options.flow;
+  next->steps = start.steps + record.step;
+  next->last_step = record;
+  next->initial_energy = initial_energy_;
+  next->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  const bool first_attempt = attempts_ == 1;
+  next->recipe.runs.push_back({task_.options.flow, EvolutionMode::steady, task_.options.sigma, record.step,
+                               first_attempt ? RunRecipe::End::after_steps : RunRecipe::End::unnamed});
+  last_ = next;
+  recorder_.record(item_.patch.id, std::move(next));
+}
+
+Evolved SteadyRun::evolve(const Patch& filler) {
+  return evolve_filler(
+      item_.site->site(), filler, task_.options,
+      [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
+}
+
+PatchStatePtr SteadyRun::state_of(const Evolved& evolved, const PatchState& from) {
+  auto state = with_patch(from, evolved.patch, task_.origin);
+  state->stage = stage_of(evolved.status);
+  state->message = evolved.message;
+  state->recipe = item_.patch.state->recipe;
+  state->recipe.runs.push_back(
+      {task_.options.flow, EvolutionMode::steady, task_.options.sigma, evolved.steps, RunRecipe::End::whole});
+  state->flow = task_.options.flow;
+  state->steps = item_.patch.state->steps + evolved.steps;
+  state->initial_energy = evolved.initial_energy;
+  state->last_step.energy = evolved.final_energy;
+  state->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return judged(std::move(state), nullptr, *item_.site);
+}
+
+std::vector<OpenPatch> SteadyRun::run() {
+  const PatchState& start = *item_.patch.state;
+  const Evolved evolved = evolve(start.patch);
+  if (job_.token().cancelled() || job_.asked_to_pause()) return {};
+  PatchStatePtr state = state_of(evolved, *last_);
+  const bool spoilt = state->stage == PatchStage::filled || state->stage == PatchStage::cutting;
+  if (spoilt && item_.loops.size() > 1 && start.recipe.runs.empty()) return one_by_one();
+  if (evolved.status == LoopStatus::filled) {
+    recorder_.restart(item_.patch.id);
+    recorder_.record(item_.patch.id, std::move(state));
+  } else {
+    recorder_.amend(item_.patch.id, std::move(state));
+  }
+  return {};
+}
+
+std::vector<OpenPatch> SteadyRun::one_by_one() {
+  std::vector<OpenPatch> parts;
+  const double density = item_.patch.state->recipe.density;
+  for (std::size_t k = 0; k < item_.loops.size(); ++k) {
+    const FillerOptions options{density};
+    PatchStart alone = start_patch(item_.site->model(), {item_.loops[k]}, options, job_.pause_token());
+    if (job_.pause_token().cancelled()) return {};
+    if (!alone.patch) continue;
+    const PatchStatePtr filler = first_state(*alone.patch, alone.fillers.front().message, density, task_.origin);
+    const Evolved evolved = evolve_filler(item_.site->site(), *alone.patch, task_.options, nullptr, job_.pause_token());
+    if (job_.pause_token().cancelled()) return {};
+    OpenPatch part;
+    part.scan = item_.patch.scan;
+    part.loops = {item_.patch.loops[k]};
+    part.state = state_of(evolved, *filler);
+    part.timeline = std::make_shared<Timeline>(Timeline{filler, part.state});
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace loopmend

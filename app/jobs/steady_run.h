@@ -1,0 +1,34 @@
+// One patch to its steady state, as `loopmend fill` does it: same tests, same fallbacks, same result.
+#pragma once
+
+#include "evolution/solve_group.h"
+#include "jobs/evolve_patches.h"
+
+#include <chrono>
+
+namespace loopmend {
+
+class SteadyRun {
+ public:
+  SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder, const Job& job);
+
+  /// @returns patches for the holes one by one, where the joint solution would spoil one of them; else nothing.
+  std::vector<OpenPatch> run();
+
+ private:
+  Evolved evolve(const Patch& filler);
+  void show(const Evolution& evolution, const StepRecord& record);
+  PatchStatePtr state_of(const Evolved& evolved, const PatchState& from);
+  std::vector<OpenPatch> one_by_one();
+
+  const EvolveTask& task_;
+  const EvolveTask::Item& item_;
+  RunRecorder& recorder_;
+  const Job& job_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  PatchStatePtr last_;
+  double initial_energy_ = 0;
+  int attempts_ = 0;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,281 @@
+// The workbench's dealings with files: scans, sessions, exports.
+#include "document/timeline.h"
+#include "document/words.h"
+#include "io/write_mesh.h"
+#include "jobs/state_making.h"
+#include "jobs/workbench.h"
+
+#include "analysis/curvature_field.h"
+#include "core/error.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
+
+/// One soup from several; where some have colours, the others become white.
+TriangleSoup joined(std::vector<TriangleSoup> parts) {
+  if (parts.size() == 1) return std::move(parts.front());
+  const bool colored =
+      std::any_of(parts.begin(), parts.end(), [](const TriangleSoup& part) { return !part.colors.empty(); });
+  TriangleSoup all;
+  for (const TriangleSoup& part : parts) {
+    const int shift = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+    for (Triangle t : part.triangles) {
+      for (int& v : t) v += shift;
+      all.triangles.push_back(t);
+    }
+    if (!colored) continue;
+    all.colors.insert(all.colors.end(), part.colors.begin(), part.colors.end());
+    all.colors.resize(all.points.size(), Color{255, 255, 255, 255});
+  }
+  return all;
+}
+
+}  // namespace
+
+void Workbench::open(const QStringList& paths, OpenMode mode) {
+  if (paths.isEmpty()) return;
+  load(paths, document_.has_scan() ? mode : OpenMode::replace,
+       paths.size() == 1 ? tr("Opening %1").arg(QFileInfo(paths.first()).fileName())
+                         : tr("Opening %1 files").arg(paths.size()));
+}
+
+void Workbench::open_sample() { load({QString()}, OpenMode::replace, tr("Making the sample")); }
+
+void Workbench::load(const QStringList& paths, OpenMode mode, const QString& stage) {
+  if (busy()) cancel();
+  const JobPtr job = begin(Activity::opening, stage);
+  std::optional<Vec3> origin;
+  if (mode == OpenMode::add) origin = document_.origin();
+  LoadStages stages;
+  stages.stage = [this, job](const QString& words) { job->tell([this, words] { Q_EMIT stage_changed(words); }); };
+  tasks_.start([this, job, stages, paths, mode, origin]() mutable {
+    OpenMode next = mode;
+    for (const QString& path : paths) {
+      try {
+        if (next == OpenMode::replace)
+          stages.picture = [this, job](auto shape) { job->tell([this, shape] { Q_EMIT preview_ready(shape); }); };
+        stages.opened = [this, job, next](const OpenedScanPtr& scan) {
+          job->tell([this, scan, next] {
+            on_opened(scan, next);
+            Q_EMIT said(words::import_summary(*scan) + tr(" Opened in %1 s.").arg(seconds(clock_.elapsed())));
+            if (scan->loops.empty()) Q_EMIT notice(tr("This surface is closed: there is no hole to fill."));
+          });
+        };
+        const OpenedScanPtr scan = load_scan(path, origin, stages, job->token());
+        if (!scan) return;
+        origin = origin.value_or(scan->origin);
+        next = OpenMode::add;
+        stages.picture = nullptr;
+        stages.stage(tr("Computing curvature"));
+        const auto shape = colored_shape(*scan, job->token());
+        job->tell([this, scan, shape] { show_color(scan, shape); });
+      } catch (const std::exception& error) {
+        job->tell([this, words = QString::fromUtf8(error.what())] {
+          Q_EMIT preview_dropped();
+          tell_failure(words);
+        });
+      }
+    }
+    job->tell([this] { end(); });
+  });
+}
+
+int Workbench::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
+  if (mode == OpenMode::replace) {
+    sessions_.clear();
+    sites_.clear();
+    undo_.clear();
+    document_.clear();
+  }
+  const int index = document_.add_scan(scan);
+  if (mode == OpenMode::add) undo_.push(std::make_unique<AddScan>(document_, index, tr("Add %1").arg(scan->name)));
+  if (mode == OpenMode::replace) undo_.mark_saved();
+  Q_EMIT file_opened(scan->path);
+  return index;
+}
+
+void Workbench::show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape) {
+  for (int index : document_.scans())
+    if (document_.held_scan(index) == scan) document_.set_shape(index, shape);
+}
+
+void Workbench::close_scan(int scan) {
+  if (busy() || !document_.scan(scan)) return;
+  undo_.push(std::make_unique<CloseScan>(document_, scan, tr("Close %1").arg(document_.scan(scan)->name)));
+}
+
+/// What a worker read of a session.
+struct Workbench::Restored {
+  std::vector<OpenedScanPtr> scans;
+  std::vector<OpenPatch> patches;  ///< loops by index within their scan; ids not set
+};
+
+Workbench::Restored Workbench::restore(const QString& path, const JobPtr& job) const {
+  const Session session = session_from_file(path);
+  Restored restored;
+  std::optional<Vec3> origin;
+  for (const SessionScan& wanted : session.scans) {
+    const OpenedScanPtr scan = load_scan(wanted.path, origin, {}, job->token());
+    if (!scan) return {};
+    if (scan->fingerprint != wanted.fingerprint)
+      throw ReadError(wanted.path.toStdString(), "this file has changed since the session was saved", "",
+                      "Put the old file back to restore the session, or open the new one by itself.");
+    origin = origin.value_or(scan->origin);
+    restored.scans.push_back(scan);
+  }
+  for (const SessionPatch& saved : session.patches) {
+    if (job->token().cancelled()) return {};
+    const auto& loops = restored.scans[static_cast<std::size_t>(saved.scan)]->loops;
+    OpenPatch patch;
+    patch.scan = saved.scan;
+    for (int number : saved.loop_numbers) {
+      const auto found =
+          std::find_if(loops.begin(), loops.end(), [&](const auto& loop) { return loop.number == number; });
+      if (found == loops.end())
+        throw ReadError(path.toStdString(), "a patch belongs to a hole that does not exist", "",
+                        "Open the scan itself instead; the session file is damaged.");
+      patch.loops.push_back(static_cast<int>(found - loops.begin()));
+    }
+    auto state = std::make_shared<PatchState>(*saved.state);
+    state->shape = std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), *origin));
+    patch.state = state;
+    patch.timeline = start_timeline(patch.state);
+    patch.acceptance = saved.acceptance;
+    restored.patches.push_back(std::move(patch));
+  }
+  return restored;
+}
+
+void Workbench::open_session(const QString& path, const QString& shown_as) {
+  if (busy()) cancel();
+  const JobPtr job = begin(Activity::opening, tr("Opening %1").arg(QFileInfo(path).fileName()));
+  tasks_.start([this, job, path, shown_as] {
+    try {
+      auto restored = std::make_shared<Restored>(restore(path, job));
+      job->tell([this, restored, path, shown_as] { on_restored(*restored, path, shown_as); });
+      for (const OpenedScanPtr& scan : restored->scans) {
+        const auto shape = colored_shape(*scan, job->token());
+        job->tell([this, scan, shape] { show_color(scan, shape); });
+      }
+      job->tell([this] { end(); });
+    } catch (const std::exception& error) {
+      job->tell([this, words = QString::fromUtf8(error.what())] {
+        end();
+        tell_failure(words);
+      });
+    }
+  });
+}
+
+void Workbench::on_restored(Restored restored, const QString& path, const QString& shown_as) {
+  OpenMode mode = OpenMode::replace;
+  std::vector<int> index;
+  for (const OpenedScanPtr& scan : restored.scans) {
+    if (mode == OpenMode::replace) {
+      index.push_back(on_opened(scan, mode));
+    } else {
+      index.push_back(document_.add_scan(scan));
+    }
+    mode = OpenMode::add;
+  }
+  for (OpenPatch& patch : restored.patches) {
+    patch.scan = index[static_cast<std::size_t>(patch.scan)];
+    for (int& loop : patch.loops) loop += document_.first_loop_of(patch.scan);
+    patch.id = document_.next_patch_id();
+  }
+  document_.replace({}, restored.patches);
+  const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;
+  Q_EMIT said(
+      tr("Restored %1: %2 patches, in %3 s.").arg(name).arg(restored.patches.size()).arg(seconds(clock_.elapsed())));
+  if (shown_as.isEmpty()) {
+    undo_.mark_saved();
+    Q_EMIT session_saved(path);
+  } else {
+    undo_.mark_unsaved();
+  }
+}
+
+void Workbench::save_session(const QString& path) {
+  if (busy() || !document_.has_scan()) return;
+  const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
+  tasks_.start([this, job, session = session_of(document_), path] {
+    try {
+      write_session(session, path);
+      job->tell([this, path] {
+        end();
+        undo_.mark_saved();
+        Q_EMIT said(tr("Saved the session as %1.").arg(QDir::toNativeSeparators(path)));
+        Q_EMIT session_saved(path);
+      });
+    } catch (const std::exception& error) {
+      job->tell([this, words = QString::fromUtf8(error.what())] {
+        end();
+        tell_failure(words);
+      });
+    }
+  });
+}
+
+void Workbench::export_to(const QString& path) {
+  if (busy() || !document_.has_scan()) return;
+  struct Part {
+    std::shared_ptr<const SurfaceModel> model;
+    std::vector<PatchStatePtr> states;
+  };
+  std::vector<Part> parts;
+  std::set<int> left_open;
+  for (int index : document_.scans()) {
+    Part part{document_.scan(index)->model, {}};
+    for (const OpenPatch& patch : document_.patches()) {
+      if (patch.scan != index) continue;
+      const bool wanted = patch.state->stage != PatchStage::cutting || patch.acceptance == Acceptance::accepted;
+      if (wanted) part.states.push_back(patch.state);
+      if (!wanted) left_open.insert(patch.loops.begin(), patch.loops.end());
+    }
+    parts.push_back(std::move(part));
+  }
+  const QString remark =
+      left_open.empty()
+          ? QString()
+          : tr(" Left open, because the patch cuts the surface: %1.").arg(words::holes(document_, left_open));
+  const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
+  tasks_.start([this, job, parts, path, remark] {
+    try {
+      std::vector<TriangleSoup> soups;
+      for (const Part& part : parts) {
+        SurfaceModel model = *part.model;
+        for (const PatchStatePtr& state : part.states) {
+          if (job->token().cancelled()) return;
+          append_patch(model, patch_geometry(state->patch));
+        }
+        soups.push_back(std::move(model.soup));
+      }
+      const TriangleSoup all = joined(std::move(soups));
+      if (job->token().cancelled()) return;
+      write_mesh(path.toStdString(), all);
+      job->tell([this, path, remark, count = all.triangles.size()] {
+        end();
+        undo_.mark_saved();
+        const QString words =
+            tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), words::count(count)) + remark;
+        Q_EMIT said(words);
+        Q_EMIT notice(words);
+      });
+    } catch (const std::exception& error) {
+      job->tell([this, words = QString::fromUtf8(error.what())] {
+        end();
+        tell_failure(words);
+      });
+    }
+  });
+}
+
+}  // namespace loopmend

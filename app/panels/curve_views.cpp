@@ -1,0 +1,151 @@
+#include "panels/curve_views.h"
+
+#include "analysis/section_profile.h"
+#include "document/timeline.h"
+#include "document/words.h"
+#include "panels/parts.h"
+#include "panels/plot.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <limits>
+
+namespace loopmend {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+constexpr int blue = 0, orange = 1, grey = 2;
+enum EnergyGraph { energy_graph, residual_graph };
+enum SectionGraph { around_now, patch_now, patch_before };
+
+QString energy_unit(FlowKind flow) {
+  switch (flow) {
+    case FlowKind::mmcvf: return EnergyView::tr("Energy \u222b|\u2207H|\u00b2, 1/length\u00b2");
+    case FlowKind::wf: return EnergyView::tr("Energy \u222bH\u00b2");
+    default: return EnergyView::tr("Area, length\u00b2");
+  }
+}
+
+}  // namespace
+
+EnergyView::EnergyView(QWidget* parent)
+    : QWidget(parent),
+      plot_(new Plot("energyPlot", tr("Energy and residual against the step"))) {
+  plot_->set_axis(Plot::Side::left, Plot::Scale::logarithmic);
+  plot_->set_axis(Plot::Side::right, Plot::Scale::logarithmic);
+  plot_->add_graph(Plot::Side::left, tr("Energy"), Plot::Line::solid, blue);
+  plot_->add_graph(Plot::Side::right, tr("Residual, edge lengths (right)"), Plot::Line::dotted, orange);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  show_run(nullptr);
+}
+
+void EnergyView::show_run(const OpenPatch* patch) {
+  QVector<double> step, energy, residual_step, residual;
+  bool positive = true;
+  double low = std::numeric_limits<double>::max(), high = 0;
+  if (patch) {
+    double start = patch->state->initial_energy;
+    for (const PatchStatePtr& state : *patch->timeline)
+      if (state->steps > 0) {
+        start = state->initial_energy;
+        break;
+      }
+    for (const PatchStatePtr& state : *patch->timeline) {
+      const double value = state->steps == 0 ? start : state->last_step.energy;
+      step << state->steps;
+      energy << value;
+      positive = positive && value > 0;
+      low = std::min(low, value);
+      high = std::max(high, value);
+      if (state->steps == 0 || !(state->last_step.max_move > 0)) continue;
+      residual_step << state->steps;
+      residual << state->last_step.max_move;
+    }
+  }
+  constexpr double wide = 20;  // from here on a straight scale shows nothing of the end
+  plot_->set_name(energy_graph, patch ? energy_unit(patch->state->flow) : tr("Energy"));
+  plot_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
+  if (step.size() < 2) {
+    step.clear();
+    energy.clear();
+  }
+  plot_->set_data(energy_graph, step, energy);
+  plot_->set_data(residual_graph, residual_step, residual);
+  if (patch) plot_->set_marker(patch->state->steps);
+  if (step.size() < 2) plot_->hide_marker();
+  plot_->show_words(step.size() < 2 ? tr("Run a flow, and its energy is drawn here.") : QString());
+  plot_->redraw();
+}
+
+SectionView::SectionView(QWidget* parent)
+    : QWidget(parent),
+      plot_(new Plot("sectionPlot", tr("Mean curvature along a section across the seam"))),
+      angle_(new QSlider(Qt::Vertical)),
+      angle_value_(new QLabel) {
+  plot_->set_axis(Plot::Side::left, Plot::Scale::linear);
+  plot_->add_graph(Plot::Side::left, tr("H of scan"), Plot::Line::solid, grey);
+  plot_->add_graph(Plot::Side::left, tr("patch"), Plot::Line::solid, orange);
+  plot_->add_graph(Plot::Side::left, tr("filler"), Plot::Line::dotted, blue);
+  angle_->setObjectName(QStringLiteral("sectionAngle"));
+  angle_->setRange(0, 179);
+  explain(angle_, tr("Direction of the section"),
+          tr("Turns the section about the hole's axis; 0\u00b0 runs along the hole's longest direction"));
+  angle_value_->setAlignment(Qt::AlignCenter);
+  angle_value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("179\u00b0 ")));
+  connect(angle_, &QSlider::valueChanged, this, &SectionView::update_plot);
+  auto* turn = new QVBoxLayout;
+  turn->addWidget(angle_, 1, Qt::AlignHCenter);
+  turn->addWidget(angle_value_);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_, 1);
+  layout->addLayout(turn);
+  update_plot();
+}
+
+void SectionView::show_patch(const OpenPatch* patch, int loop) {
+  now_ = patch ? patch->state : nullptr;
+  before_ = patch && patch->timeline->front() != patch->state ? patch->timeline->front() : nullptr;
+  loop_ = loop;
+  if (isVisible()) update_plot();
+}
+
+void SectionView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  update_plot();
+}
+
+void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
+  const SectionProfile profile = section_profile(state.patch, loop_, angle_->value() * degree, state.shape->H);
+  QVector<double> arc, inside, outside;
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < profile.arc.size(); ++i) {
+    const bool in_patch = profile.side[i] == SectionProfile::Side::patch;
+    // The seam's own sample ends both lines, so that they meet.
+    const bool at_seam = in_patch && ((i > 0 && profile.side[i - 1] != profile.side[i]) ||
+                                      (i + 1 < profile.arc.size() && profile.side[i + 1] != profile.side[i]));
+    arc << profile.arc[i];
+    inside << (in_patch ? profile.value[i] : gap);
+    outside << (!in_patch || at_seam ? profile.value[i] : gap);
+  }
+  plot_->set_data(graph_in, arc, inside);
+  if (graph_out >= 0) plot_->set_data(graph_out, arc, outside);
+}
+
+void SectionView::update_plot() {
+  angle_value_->setText(tr("%1\u00b0").arg(angle_->value()));
+  angle_->setEnabled(now_ != nullptr);
+  for (int graph : {around_now, patch_now, patch_before}) plot_->set_data(graph, {}, {});
+  plot_->show_words(now_ ? QString() : tr("Fill a hole, and H across its seam is drawn here."));
+  if (before_) draw(*before_, patch_before, -1);
+  if (now_) draw(*now_, patch_now, around_now);
+  plot_->redraw();
+}
+
+}  // namespace loopmend

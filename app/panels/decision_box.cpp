@@ -1,0 +1,133 @@
+#include "panels/decision_box.h"
+
+#include "document/command_line.h"
+#include "document/targets.h"
+#include "document/timeline.h"
+#include "document/words.h"
+#include "jobs/workbench.h"
+#include "panels/parts.h"
+
+#include <QClipboard>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QSlider>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+/// What is known of a state, in one line.
+QString state_words(const PatchState& state) {
+  if (state.steps == 0) return DecisionBox::tr("the filler");
+  return DecisionBox::tr("step %1").arg(state.steps);
+}
+
+}  // namespace
+
+DecisionBox::DecisionBox(const Document& document, const HoleSelection& selection, Workbench& workbench,
+                         QWidget* parent)
+    : QGroupBox(tr("3  Look back, decide"), parent),
+      document_(document),
+      selection_(selection),
+      workbench_(workbench) {
+  build();
+  connect(timeline_, &QSlider::valueChanged, this, &DecisionBox::scrub);
+  connect(timeline_, &QSlider::sliderReleased, &workbench_, &Workbench::end_scrub);
+  connect(accept_, &QPushButton::clicked, this, &DecisionBox::accept_or_reopen);
+  connect(reject_, &QPushButton::clicked, this, &DecisionBox::reject);
+  connect(copy_, &QPushButton::clicked, this, &DecisionBox::copy_command);
+  connect(&document_, &Document::patch_moved, this, &DecisionBox::update_timeline);
+  connect(&document_, &Document::timeline_changed, this, &DecisionBox::update_timeline);
+}
+
+void DecisionBox::build() {
+  auto* grid = new QGridLayout(this);
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(6);
+  timeline_ = new QSlider(Qt::Horizontal);
+  timeline_->setObjectName(QStringLiteral("timeline"));
+  timeline_->setPageStep(1);
+  explain(timeline_, tr("Timeline"), tr("Go back to any recorded state, from the filler on the left to the latest"));
+  place_ = make_note("timelinePlace");
+  accept_ = make_button("accept", tr("&Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
+  reject_ = make_button("reject", tr("R&eject"), tr("Throw this patch away; the hole is open again (Delete)"));
+  copy_ = make_button("copyCommand", tr("&Copy command line"),
+                      tr("Copy the commands that fill these holes in just this way, for a terminal or a script"));
+  grid->addWidget(place_, 0, 0, 1, 2);
+  grid->addWidget(timeline_, 1, 0, 1, 2);
+  grid->addWidget(accept_, 2, 0);
+  grid->addWidget(reject_, 2, 1);
+  grid->addWidget(copy_, 3, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+}
+
+bool DecisionBox::all_accepted() const {
+  const std::set<int> chosen = chosen_patches(document_, selection_);
+  return !chosen.empty() && std::all_of(chosen.begin(), chosen.end(), [this](int id) {
+    return document_.patch(id)->acceptance == Acceptance::accepted;
+  });
+}
+
+void DecisionBox::accept_or_reopen() {
+  if (!accept_->isEnabled()) return;
+  workbench_.set_acceptance(chosen_patches(document_, selection_),
+                            all_accepted() ? Acceptance::pending : Acceptance::accepted);
+}
+
+void DecisionBox::reject() {
+  if (reject_->isEnabled()) workbench_.reject(chosen_patches(document_, selection_));
+}
+
+void DecisionBox::copy_command() {
+  if (!copy_->isEnabled()) return;
+  const CommandLine command = command_line(document_, chosen_patches(document_, selection_));
+  QGuiApplication::clipboard()->setText(command.text);
+  Q_EMIT notice(tr("The command line is in the clipboard.") +
+                (command.remarks.isEmpty() ? QString() : QLatin1Char(' ') + command.remarks.join(QLatin1Char(' '))));
+}
+
+void DecisionBox::scrub(int place) {
+  if (syncing_) return;
+  workbench_.scrub_to(patches_to_move(document_, selection_), static_cast<std::size_t>(place));
+  // Keys and clicks beside the handle have no release of their own.
+  if (!timeline_->isSliderDown()) workbench_.end_scrub();
+}
+
+void DecisionBox::update_timeline() {
+  const QScopedValueRollback guard(syncing_, true);
+  const OpenPatch* longest = nullptr;
+  for (int id : patches_to_move(document_, selection_)) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!longest || patch->timeline->size() > longest->timeline->size()) longest = patch;
+  }
+  const bool usable = longest && longest->timeline->size() > 1;
+  timeline_->setEnabled(usable && !workbench_.busy());
+  if (!longest) {
+    timeline_->setRange(0, 1);
+    place_->setText(tr("Recorded states appear here."));
+    return;
+  }
+  const int last = static_cast<int>(longest->timeline->size()) - 1;
+  timeline_->setRange(0, std::max(1, last));
+  const auto place = static_cast<int>(place_in(*longest->timeline, longest->state));
+  if (!timeline_->isSliderDown()) timeline_->setValue(place);
+  place_->setText(tr("State %1 of %2: %3").arg(place + 1).arg(last + 1).arg(state_words(*longest->state)));
+}
+
+void DecisionBox::update_state() {
+  const bool usable = !workbench_.busy() && !chosen_patches(document_, selection_).empty();
+  for (QPushButton* button : {accept_, reject_, copy_}) button->setEnabled(usable);
+  const bool reopen = all_accepted();
+  accept_->setText(reopen ? tr("&Open again") : tr("&Accept"));
+  explain(accept_, reopen ? tr("Open again") : tr("Accept"),
+          reopen ? tr("Let a flow move this patch again (A)")
+                 : tr("Keep this patch as it is; no flow moves it any more (A)"));
+  update_timeline();
+}
+
+}  // namespace loopmend

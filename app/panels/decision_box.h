@@ -1,0 +1,46 @@
+// Third part of the patch dock: look back along the run, then keep the patch or throw it away.
+#pragma once
+
+#include <QGroupBox>
+
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace loopmend {
+
+class Document;
+class HoleSelection;
+class Workbench;
+
+class DecisionBox : public QGroupBox {
+  Q_OBJECT
+
+ public:
+  DecisionBox(const Document& document, const HoleSelection& selection, Workbench& workbench,
+              QWidget* parent = nullptr);
+
+  void accept_or_reopen();
+  void reject();
+  void copy_command();
+  void update_state();
+  void update_timeline();
+
+ Q_SIGNALS:
+  void notice(const QString& words);
+
+ private:
+  void build();
+  void scrub(int place);
+  bool all_accepted() const;
+
+  const Document& document_;
+  const HoleSelection& selection_;
+  Workbench& workbench_;
+  QLabel* place_ = nullptr;
+  QSlider* timeline_ = nullptr;
+  QPushButton *accept_ = nullptr, *reject_ = nullptr, *copy_ = nullptr;
+  bool syncing_ = false;
+};
+
+}  // namespace loopmend

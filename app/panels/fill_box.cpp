@@ -1,0 +1,134 @@
+#include "panels/fill_box.h"
+
+#include "document/targets.h"
+#include "document/words.h"
+#include "jobs/workbench.h"
+#include "panels/parts.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+constexpr int preview_delay_ms = 200;
+constexpr std::size_t most_previewed = 200;
+
+}  // namespace
+
+FillBox::FillBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent)
+    : QGroupBox(tr("1  Fill"), parent),
+      document_(document),
+      selection_(selection),
+      workbench_(workbench) {
+  build();
+  preview_timer_.setSingleShot(true);
+  preview_timer_.setInterval(preview_delay_ms);
+  connect(&preview_timer_, &QTimer::timeout, this, &FillBox::preview_now);
+  connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
+  connect(preview_, &QCheckBox::toggled, this, &FillBox::preview_now);
+  connect(density_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
+    update_state();
+    preview_soon();
+  });
+  connect(&selection_, &HoleSelection::selection_changed, this, &FillBox::preview_soon);
+}
+
+void FillBox::build() {
+  auto* grid = new QGridLayout(this);
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(6);
+  target_ = make_note("fillTarget");
+  estimate_ = make_note("fillEstimate");
+  density_ = new QDoubleSpinBox;
+  density_->setObjectName(QStringLiteral("density"));
+  density_->setRange(0.25, 4);
+  density_->setSingleStep(0.25);
+  density_->setDecimals(2);
+  density_->setValue(1);
+  density_->setPrefix(QStringLiteral("\u00d7 "));
+  density_->setKeyboardTracking(false);
+  explain(density_, tr("Density"), tr("Density of the patch relative to the scan around it; 2 halves the edge length"));
+  auto* density_label = new QLabel(tr("&Density"));
+  density_label->setBuddy(density_);
+  preview_ = new QCheckBox(tr("Pre&view"));
+  preview_->setObjectName(QStringLiteral("preview"));
+  explain(preview_, tr("Preview"), tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
+  fill_ = make_button("fill", tr("&Fill"), tr("Close the selected holes, or all holes when none is selected (Ctrl+F)"));
+  grid->addWidget(target_, 0, 0, 1, 3);
+  grid->addWidget(density_label, 1, 0);
+  grid->addWidget(density_, 1, 1);
+  grid->addWidget(preview_, 1, 2);
+  grid->addWidget(estimate_, 2, 0, 1, 3);
+  grid->addWidget(fill_, 3, 0, 1, 3);
+  grid->setColumnStretch(1, 1);
+}
+
+void FillBox::fill() {
+  if (fill_->isEnabled()) fill_loops(loops_to_fill(document_, selection_));
+}
+
+void FillBox::fill_loops(const std::set<int>& loops) { workbench_.fill(loops, density_->value()); }
+
+void FillBox::preview_soon() {
+  if (preview_->isChecked()) preview_timer_.start();
+}
+
+void FillBox::preview_now() {
+  const std::set<int> loops = loops_to_fill(document_, selection_);
+  const bool wanted = preview_->isChecked() && !loops.empty() && loops.size() <= most_previewed;
+  wanted ? workbench_.preview_fill(loops, density_->value()) : workbench_.drop_fill_preview();
+}
+
+QString FillBox::target_words(const std::set<int>& loops) const {
+  if (!document_.has_scan()) return tr("Open a scan first.");
+  const bool chosen = !selection_.selected().empty();
+  if (!loops.empty())
+    return chosen ? tr("%1, selected").arg(words::sentence(words::holes(document_, loops)))
+                  : tr("All open holes (%1)").arg(loops.size());
+  if (chosen) return tr("The selection is filled already.");
+  bool left_out = false;
+  for (int loop = 0; loop < document_.loop_count() && !left_out; ++loop)
+    left_out = document_.present(loop) && document_.state(loop) == HoleState::left_out;
+  return left_out ? tr("No open hole is left. To fill a loop that is left out, select it.")
+                  : tr("No open hole is left.");
+}
+
+/// From the projected areas and the mean length of the rims' edges: equilateral triangles of that size.
+QString FillBox::estimate(const std::set<int>& loops) const {
+  constexpr double equilateral = 0.433;
+  double triangles = 0, smallest = 0, largest = 0;
+  for (int loop : loops) {
+    const BoundaryLoop& l = document_.loop(loop);
+    const double edge = l.perimeter / l.edges() / density_->value();
+    if (!(edge > 0)) continue;
+    triangles += std::max(l.area / (equilateral * edge * edge), l.edges() - 2.0);
+    smallest = smallest > 0 ? std::min(smallest, edge) : edge;
+    largest = std::max(largest, edge);
+  }
+  if (!(triangles > 0)) return {};
+  const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(triangles)) - 1));
+  const auto rounded = static_cast<std::size_t>(std::round(triangles / step) * step);
+  const QString edges = largest > 1.2 * smallest ? tr("%1 to %2").arg(words::number(smallest), words::number(largest))
+                                                 : words::number(largest);
+  return tr("About %1 triangles, edges of %2.").arg(words::count(rounded), edges);
+}
+
+void FillBox::update_state() {
+  const std::set<int> loops = loops_to_fill(document_, selection_);
+  const bool idle = !workbench_.busy();
+  target_->setText(target_words(loops));
+  estimate_->setText(estimate(loops));
+  estimate_->setVisible(!loops.empty());
+  fill_->setEnabled(idle && !loops.empty());
+  fill_->setDefault(fill_->isEnabled());
+  density_->setEnabled(idle && document_.has_scan());
+  preview_->setEnabled(idle && !loops.empty() && loops.size() <= most_previewed);
+}
+
+}  // namespace loopmend

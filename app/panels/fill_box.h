@@ -1,0 +1,47 @@
+// First part of the patch dock: close holes by a first patch, of a chosen density.
+#pragma once
+
+#include <QGroupBox>
+#include <QTimer>
+
+#include <set>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace loopmend {
+
+class Document;
+class HoleSelection;
+class Workbench;
+
+class FillBox : public QGroupBox {
+  Q_OBJECT
+
+ public:
+  FillBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent = nullptr);
+
+  void fill();
+  void fill_loops(const std::set<int>& loops);
+  void update_state();
+
+ private:
+  void build();
+  QString target_words(const std::set<int>& loops) const;
+  QString estimate(const std::set<int>& loops) const;
+  void preview_soon();
+  void preview_now();
+
+  const Document& document_;
+  const HoleSelection& selection_;
+  Workbench& workbench_;
+  QLabel *target_ = nullptr, *estimate_ = nullptr;
+  QDoubleSpinBox* density_ = nullptr;
+  QCheckBox* preview_ = nullptr;
+  QPushButton* fill_ = nullptr;
+  QTimer preview_timer_;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,127 @@
+#include "panels/flow_box.h"
+
+#include "document/targets.h"
+#include "document/words.h"
+#include "jobs/workbench.h"
+#include "panels/parts.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+// The slider runs over powers of ten, a tenth of a decade per tick.
+constexpr int ticks_per_decade = 10;
+constexpr int sigma_low = -2 * ticks_per_decade;
+constexpr int sigma_high = 5 * ticks_per_decade;
+constexpr int sigma_start = 1 * ticks_per_decade;
+
+}  // namespace
+
+FlowBox::FlowBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent)
+    : QGroupBox(tr("2  Smooth by a flow"), parent),
+      document_(document),
+      selection_(selection),
+      workbench_(workbench) {
+  build();
+  connect(step_, &QPushButton::clicked, this, &FlowBox::step);
+  connect(run_, &QPushButton::clicked, this, &FlowBox::run_or_pause);
+  connect(steady_, &QPushButton::clicked, this, &FlowBox::to_steady_state);
+  connect(flow_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &FlowBox::update_state);
+  connect(sigma_, &QSlider::valueChanged, this, &FlowBox::update_state);
+}
+
+void FlowBox::build() {
+  auto* grid = new QGridLayout(this);
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(6);
+  target_ = make_note("flowTarget");
+  flow_ = new QComboBox;
+  flow_->setObjectName(QStringLiteral("flow"));
+  explain(flow_, tr("Flow"), tr("Which geometric flow moves the patch, and so how far the seam is matched"));
+  for (FlowKind kind : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf}) {
+    flow_->addItem(words::flow(kind), static_cast<int>(kind));
+    flow_->setItemData(flow_->count() - 1, words::flow_help(kind), Qt::ToolTipRole);
+  }
+  flow_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  flow_->setMinimumContentsLength(18);
+  help_ = make_note("flowHelp");
+  steady_ = make_button("steady", tr("&To steady state"), tr("Go straight to where the flow comes to rest (T)"));
+  sigma_ = new QSlider(Qt::Horizontal);
+  sigma_->setObjectName(QStringLiteral("sigma"));
+  sigma_->setRange(sigma_low, sigma_high);
+  sigma_->setValue(sigma_start);
+  sigma_->setPageStep(ticks_per_decade);
+  explain(
+      sigma_, tr("Time step"),
+      tr("Time step \u03c3 of Step and Run, without a unit: 1 is one decay time of the slowest wave on this patch"));
+  sigma_value_ = new QLabel;
+  sigma_value_->setObjectName(QStringLiteral("sigmaValue"));
+  sigma_value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  auto* sigma_label = new QLabel(tr("Time ste&p"));
+  sigma_label->setBuddy(sigma_);
+  step_ = make_button("step", tr("&Step"), tr("Take one time step (S)"));
+  run_ = make_button("run", tr("&Run"), tr("Take one time step after another until the patch is at rest (Space)"));
+  grid->addWidget(target_, 0, 0, 1, 2);
+  grid->addWidget(flow_, 1, 0, 1, 2);
+  grid->addWidget(help_, 2, 0, 1, 2);
+  grid->addWidget(steady_, 3, 0, 1, 2);
+  grid->addWidget(sigma_label, 4, 0);
+  grid->addWidget(sigma_value_, 4, 1);
+  grid->addWidget(sigma_, 5, 0, 1, 2);
+  grid->addWidget(step_, 6, 0);
+  grid->addWidget(run_, 6, 1);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+}
+
+void FlowBox::step() {
+  if (step_->isEnabled()) evolve(Pace::one_step);
+}
+
+void FlowBox::run_or_pause() {
+  if (!run_->isEnabled()) return;
+  const Activity now = workbench_.activity();
+  now == Activity::running || now == Activity::solving ? workbench_.pause() : evolve(Pace::run);
+}
+
+void FlowBox::to_steady_state() {
+  if (steady_->isEnabled()) evolve(Pace::steady);
+}
+
+void FlowBox::evolve(Pace pace) { workbench_.evolve(patches_to_move(document_, selection_), flow(), sigma(), pace); }
+
+FlowKind FlowBox::flow() const { return static_cast<FlowKind>(flow_->currentData().toInt()); }
+
+double FlowBox::sigma() const { return std::pow(10.0, static_cast<double>(sigma_->value()) / ticks_per_decade); }
+
+void FlowBox::update_state() {
+  const Activity now = workbench_.activity();
+  const bool idle = now == Activity::idle;
+  const bool can_pause = now == Activity::running || now == Activity::solving;
+  const std::set<int> to_move = patches_to_move(document_, selection_);
+  const bool chosen = !selection_.selected().empty();
+  if (!to_move.empty()) {
+    target_->setText(words::sentence(words::holes(document_, loops_of(document_, to_move))));
+  } else if (!chosen_patches(document_, selection_).empty()) {
+    target_->setText(tr("Accepted already. Open it again to go on."));
+  } else {
+    target_->setText(chosen ? tr("The selection is not filled yet.") : tr("Nothing is filled yet."));
+  }
+  help_->setText(words::flow_help(flow()));
+  sigma_value_->setText(tr("\u03c3 = %1").arg(words::number(sigma())));
+  flow_->setEnabled(idle);
+  sigma_->setEnabled(idle);
+  step_->setEnabled(idle && !to_move.empty());
+  steady_->setEnabled(idle && !to_move.empty());
+  run_->setEnabled(can_pause || (idle && !to_move.empty()));
+  run_->setText(can_pause ? tr("Pau&se") : now == Activity::pausing ? tr("Pausing\u2026") : tr("&Run"));
+}
+
+}  // namespace loopmend

@@ -1,0 +1,44 @@
+// Second part of the patch dock: which flow, how large a step; step, run, straight to rest.
+#pragma once
+
+#include "jobs/evolve_patches.h"
+
+#include <QGroupBox>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace loopmend {
+
+class HoleSelection;
+class Workbench;
+
+class FlowBox : public QGroupBox {
+  Q_OBJECT
+
+ public:
+  FlowBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent = nullptr);
+
+  void step();
+  void run_or_pause();
+  void to_steady_state();
+  void update_state();
+
+ private:
+  void build();
+  FlowKind flow() const;
+  double sigma() const;
+  void evolve(Pace pace);
+
+  const Document& document_;
+  const HoleSelection& selection_;
+  Workbench& workbench_;
+  QLabel *target_ = nullptr, *help_ = nullptr, *sigma_value_ = nullptr;
+  QComboBox* flow_ = nullptr;
+  QSlider* sigma_ = nullptr;
+  QPushButton *step_ = nullptr, *run_ = nullptr, *steady_ = nullptr;
+};
+
+}  // namespace loopmend

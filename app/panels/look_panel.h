@@ -1,0 +1,51 @@
+// The dock beside the patch dock: shading, colours and their range, overlays.
+#pragma once
+
+#include "scene/look.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+
+namespace loopmend {
+
+class LookPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LookPanel(QWidget* parent = nullptr);
+
+  const Look& look() const { return look_; }
+  void set_shading(Shading shading);
+  void set_edges(Edges edges);
+  void set_seams(Seams seams);
+  void set_color_map(ColorMap map);
+  /// The half-width in force, to begin with when a range of one's own is wanted.
+  void know_range(double half_width);
+
+ Q_SIGNALS:
+  void look_changed(const Look& look);
+
+ private:
+  void build();
+  QWidget* build_colors();
+  void show_look();
+  void change();
+  ColorRange& range();
+
+  Look look_;
+  double range_in_force_ = 1;
+  bool syncing_ = false;
+  QComboBox *shading_ = nullptr, *map_ = nullptr, *rule_ = nullptr;
+  QDoubleSpinBox *percent_ = nullptr, *half_width_ = nullptr;
+  QCheckBox *edges_ = nullptr, *seams_ = nullptr;
+  QSlider* stripes_ = nullptr;
+  QWidget *colors_ = nullptr, *striped_ = nullptr;
+  QLabel* help_ = nullptr;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,28 @@
+#include "panels/parts.h"
+
+#include "panels/quiet_label.h"
+
+#include <QPushButton>
+
+namespace loopmend {
+
+QPushButton* make_button(const char* name, const QString& text, const QString& help) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  explain(button, QString(text).remove(QLatin1Char('&')), help);
+  return button;
+}
+
+QLabel* make_note(const char* name) {
+  auto* label = new QuietLabel;
+  label->setObjectName(QLatin1String(name));
+  return label;
+}
+
+void explain(QWidget* widget, const QString& name, const QString& help) {
+  widget->setAccessibleName(name);
+  widget->setAccessibleDescription(help);
+  widget->setToolTip(help);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,19 @@
+// Small things that the panels share.
+#pragma once
+
+#include <QString>
+
+class QLabel;
+class QPushButton;
+class QWidget;
+
+namespace loopmend {
+
+/// A push button with a name for tests and a tooltip, which also serves as its description for screen readers.
+QPushButton* make_button(const char* name, const QString& text, const QString& help);
+/// A quiet label with a name.
+QLabel* make_note(const char* name);
+/// Tooltip, and the same words for screen readers.
+void explain(QWidget* widget, const QString& name, const QString& help);
+
+}  // namespace loopmend

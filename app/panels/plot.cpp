@@ -1,0 +1,198 @@
+#include "panels/plot.h"
+
+#include "panels/parts.h"
+#include "panels/plot_library.h"
+
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace loopmend {
+namespace {
+
+/// Told apart by every kind of colour vision, on light and on dark ground.
+QColor ink_color(int ink, bool dark) {
+  static const std::array<std::array<QColor, 2>, 3> colors{{{QColor(0, 92, 168), QColor(110, 180, 245)},
+                                                            {QColor(190, 88, 0), QColor(250, 165, 80)},
+                                                            {QColor(96, 100, 108), QColor(168, 172, 180)}}};
+  return colors[static_cast<std::size_t>(ink)][dark ? 1 : 0];
+}
+
+}  // namespace
+
+Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
+    : QWidget(parent),
+      plot_(new QCustomPlot(this)) {
+  setObjectName(QLatin1String(name));
+  explain(this, accessible_name, {});
+  plot_->setAccessibleName(accessible_name);
+  plot_->setMinimumSize(160, 90);
+  plot_->setNoAntialiasingOnDrag(true);
+  plot_->legend->setVisible(true);
+  // The legend as a line above the plot: inside, it would lie on the curves.
+  plot_->plotLayout()->insertRow(0);
+  plot_->plotLayout()->addElement(0, 0, plot_->legend);
+  plot_->plotLayout()->setRowStretchFactor(0, 0.001);
+  plot_->plotLayout()->setRowSpacing(0);
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
+  plot_->legend->setMargins(QMargins(4, 0, 4, 0));
+  auto* words = new QCPItemText(plot_);
+  words->setObjectName(QStringLiteral("words"));
+  words->position->setType(QCPItemPosition::ptAxisRectRatio);
+  words->position->setCoords(0.5, 0.5);
+  words->setClipToAxisRect(false);
+  words->setVisible(false);
+  auto* marker = new QCPItemStraightLine(plot_);
+  marker->setObjectName(QStringLiteral("marker"));
+  marker->setVisible(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  take_colors();
+}
+
+QCPAxis* Plot::axis(Side side) const { return side == Side::left ? plot_->yAxis : plot_->yAxis2; }
+
+void Plot::set_axis(Side side, Scale scale) {
+  QCPAxis* at = axis(side);
+  at->setVisible(true);
+  at->setTickLabels(true);
+  const bool logarithmic = scale == Scale::logarithmic;
+  at->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+  if (logarithmic) {
+    at->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    at->setNumberFormat(QStringLiteral("eb"));
+    at->setNumberPrecision(0);
+  } else {
+    at->setTicker(QSharedPointer<QCPAxisTicker>::create());
+    at->ticker()->setTickCount(4);
+    at->setNumberFormat(QStringLiteral("gb"));
+    at->setNumberPrecision(4);
+  }
+}
+
+void Plot::set_name(int graph, const QString& name) { plot_->graph(graph)->setName(name); }
+
+int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
+  QCPGraph* graph = plot_->addGraph(plot_->xAxis, axis(side));
+  graph->setName(name);
+  inks_.append({line, ink});
+  take_colors();
+  return plot_->graphCount() - 1;
+}
+
+void Plot::set_data(int graph, const QVector<double>& x, const QVector<double>& y) {
+  plot_->graph(graph)->setData(x, y, true);
+  plot_->graph(graph)->setScatterStyle(x.size() <= 60 && inks_[graph].line == Line::solid
+                                           ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
+                                           : QCPScatterStyle());
+}
+
+QVector<double> Plot::values(int graph) const {
+  QVector<double> y;
+  for (const QCPGraphData& point : *plot_->graph(graph)->data()) y << point.value;
+  return y;
+}
+
+void Plot::set_marker(double x) {
+  auto* marker = static_cast<QCPItemStraightLine*>(plot_->item(1));
+  marker->setVisible(true);
+  marker->point1->setCoords(x, 0);
+  marker->point1->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  marker->point2->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  marker->point2->setCoords(x, 1);
+}
+
+void Plot::hide_marker() { plot_->item(1)->setVisible(false); }
+
+void Plot::show_words(const QString& words) {
+  words_ = words;
+  auto* item = static_cast<QCPItemText*>(plot_->item(0));
+  item->setText(words);
+  item->setVisible(!words.isEmpty());
+  plot_->legend->setVisible(words.isEmpty());
+  // Axes without curves are noise.
+  for (QCPAxis* at : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
+    at->setVisible(words.isEmpty() && (at != plot_->yAxis2 || !at->graphs().isEmpty()));
+    at->grid()->setVisible(words.isEmpty() && at != plot_->yAxis2);
+  }
+}
+
+void Plot::fit_axis(Side side) {
+  QCPAxis* at = axis(side);
+  double low = std::numeric_limits<double>::max(), high = -low;
+  for (QCPGraph* graph : at->graphs())
+    for (const QCPGraphData& point : *graph->data()) {
+      const bool counts = std::isfinite(point.value) && (at->scaleType() == QCPAxis::stLinear || point.value > 0);
+      if (!counts) continue;
+      low = std::min(low, point.value);
+      high = std::max(high, point.value);
+    }
+  if (low > high) return;
+  if (at->scaleType() == QCPAxis::stLogarithmic) {
+    at->setRange(low / 1.6, high * 1.6);
+    return;
+  }
+  const double margin = high > low ? 0.08 * (high - low) : std::max(1e-9, 0.1 * std::abs(high));
+  at->setRange(low - margin, high + margin);
+}
+
+void Plot::fit() {
+  plot_->xAxis->rescale();
+  const QCPRange range = plot_->xAxis->range();
+  if (range.size() <= 0) plot_->xAxis->setRange(range.lower - 0.5, range.upper + 0.5);
+  fit_axis(Side::left);
+  fit_axis(Side::right);
+}
+
+void Plot::redraw() {
+  fit();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+bool Plot::save(const QString& path) const { return plot_->savePng(path); }
+
+void Plot::take_colors() {
+  const QColor ink = palette().color(QPalette::WindowText), ground = palette().color(QPalette::Base);
+  const bool dark = ground.lightness() < 128;
+  QColor faint = ink;
+  faint.setAlpha(40);
+  plot_->setBackground(ground);
+  plot_->axisRect()->setBackground(ground);
+  for (QCPAxis* at : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
+    at->setBasePen(QPen(faint));
+    at->setTickPen(QPen(faint));
+    at->setSubTickPen(Qt::NoPen);
+    at->setTickLabelColor(ink);
+    at->setLabelColor(ink);
+    at->setLabelFont(font());
+    at->setTickLabelFont(font());
+    at->grid()->setPen(QPen(faint, 1, Qt::DotLine));
+    at->grid()->setZeroLinePen(QPen(faint, 1));
+  }
+  plot_->xAxis->ticker()->setTickCount(6);
+  QColor sheet = ground;
+  sheet.setAlpha(200);
+  plot_->legend->setBrush(sheet);
+  plot_->legend->setBorderPen(Qt::NoPen);
+  plot_->legend->setTextColor(ink);
+  plot_->legend->setFont(font());
+  static_cast<QCPItemText*>(plot_->item(0))->setColor(ink);
+  static_cast<QCPItemStraightLine*>(plot_->item(1))->setPen(QPen(ink, 1, Qt::DashLine));
+  for (int g = 0; g < inks_.size(); ++g) {
+    QColor color = ink_color(inks_[g].ink, dark);
+    if (inks_[g].line == Line::faint) color.setAlpha(110);
+    plot_->graph(g)->setPen(QPen(color, 2, inks_[g].line == Line::dotted ? Qt::DotLine : Qt::SolidLine));
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Plot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) take_colors();
+}
+
+}  // namespace loopmend

@@ -1,0 +1,14 @@
+// Light, dark, or as the system has it.
+#pragma once
+
+#include "document/preferences.h"
+
+class QPalette;
+
+namespace loopmend {
+
+void apply_theme(Theme theme);
+QPalette dark_palette();
+QPalette light_palette();
+
+}  // namespace loopmend

@@ -1,0 +1,26 @@
+#include "scene/color_table.h"
+
+#include <vtkLookupTable.h>
+
+namespace loopmend {
+
+vtkSmartPointer<vtkLookupTable> make_diverging_table() {
+  constexpr int entries = 256;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(entries);
+  table->SetRange(-1, 1);
+  table->Build();
+  table->SetNanColor(unknown_color[0], unknown_color[1], unknown_color[2], 1);
+  paint_table(table, ColorMap::blue_orange);
+  return table;
+}
+
+void paint_table(vtkLookupTable* table, ColorMap map) {
+  const vtkIdType entries = table->GetNumberOfTableValues();
+  for (vtkIdType i = 0; i < entries; ++i) {
+    const Rgb c = color_at(map, static_cast<double>(i) / static_cast<double>(entries - 1));
+    table->SetTableValue(i, c[0], c[1], c[2], 1);
+  }
+}
+
+}  // namespace loopmend

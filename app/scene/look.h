@@ -1,0 +1,29 @@
+// How the surfaces are shown, as a person has chosen it. Plain values: the panel edits them, the view follows them.
+#pragma once
+
+#include "scene/color_map.h"
+#include "scene/shading.h"
+
+namespace loopmend {
+
+/// Which curvatures the ends of the colour map stand for. The range is symmetric about 0, taken from the scans alone, and
+/// so the same before, while and after a flow runs.
+struct ColorRange {
+  enum class Rule {
+    percentile,  ///< as far as `percent` of the scans' values go on either side
+    own,         ///< `half_width`
+  } rule = Rule::percentile;
+  double percent = 98;    ///< 50..100
+  double half_width = 1;  ///< above 0; 1/length for H, 1/length² for K
+};
+
+struct Look {
+  Shading shading = Shading::curvature;
+  Edges edges = Edges::hidden;
+  Seams seams = Seams::shown;
+  ColorMap map = ColorMap::blue_orange;
+  ColorRange H, K;
+  int stripes = 9;  ///< 3..40, of zebra and isophotes
+};
+
+}  // namespace loopmend

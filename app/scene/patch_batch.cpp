@@ -1,0 +1,41 @@
+#include "scene/patch_batch.h"
+
+#include <vtkActor.h>
+
+namespace loopmend {
+namespace {
+
+/// Appends triangles first..last of a shape whose points begin at `shift`.
+void append_triangles(std::vector<int>& to, const SurfaceShape& from, std::size_t first, std::size_t last, int shift) {
+  for (std::size_t k = 3 * first; k < 3 * last; ++k) to.push_back(from.triangles[k] + shift);
+}
+
+std::shared_ptr<const SurfaceShape> joined(const PatchBatch::Shapes& shapes) {
+  auto all = std::make_shared<SurfaceShape>();
+  std::vector<int> shifts;
+  for (const auto& [id, shape] : shapes) {
+    shifts.push_back(static_cast<int>(all->points.size() / 3));
+    all->points.insert(all->points.end(), shape->points.begin(), shape->points.end());
+    all->normals.insert(all->normals.end(), shape->normals.begin(), shape->normals.end());
+    all->H.insert(all->H.end(), shape->H.begin(), shape->H.end());
+    all->K.insert(all->K.end(), shape->K.begin(), shape->K.end());
+    append_triangles(all->triangles, *shape, 0, static_cast<std::size_t>(shape->own_triangles), shifts.back());
+  }
+  all->own_triangles = static_cast<int>(all->triangles.size() / 3);
+  std::size_t k = 0;
+  for (const auto& [id, shape] : shapes)
+    append_triangles(all->triangles, *shape, static_cast<std::size_t>(shape->own_triangles),
+                     shape->triangles.size() / 3, shifts[k++]);
+  return all;
+}
+
+}  // namespace
+
+void PatchBatch::show(const Shapes& shapes) {
+  if (shapes == shown_) return;
+  shown_ = shapes;
+  surface_.actor()->SetVisibility(!shapes.empty());
+  if (!shapes.empty()) surface_.set_shape(joined(shapes));
+}
+
+}  // namespace loopmend

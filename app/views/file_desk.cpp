@@ -1,0 +1,163 @@
+#include "views/file_desk.h"
+
+#include "document/preferences.h"
+#include "panels/banner.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+
+namespace loopmend {
+
+FileDesk::FileDesk(Document& document, UndoHistory& undo, Workbench& workbench, Banner& banner, QWidget* window)
+    : QObject(window),
+      document_(document),
+      undo_(undo),
+      workbench_(workbench),
+      banner_(banner),
+      window_(window) {
+  connect(&workbench_, &Workbench::file_opened, this, [this](const QString& path) {
+    session_path_.clear();
+    add_recent_file(path);
+    Q_EMIT recent_changed();
+  });
+  connect(&workbench_, &Workbench::session_saved, this, [this](const QString& path) {
+    session_path_ = path;
+    add_recent_file(path);
+    Q_EMIT recent_changed();
+    if (auto act = std::exchange(after_saving_, nullptr)) act();
+  });
+  connect(&workbench_, &Workbench::failed, this, [this] { after_saving_ = nullptr; });
+}
+
+bool FileDesk::has_unsaved_work() const { return !undo_.is_saved() && !document_.patches().empty(); }
+
+void FileDesk::act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act) {
+  if (!has_unsaved_work()) {
+    act();
+    return;
+  }
+  banner_.ask(words, {{tr("&Save session"), "answerSave",
+                       [this, act] {
+                         after_saving_ = act;
+                         save_session();
+                       }},
+                      {lose, "answerLose", act},
+                      {tr("&Cancel"), "answerCancel", [] {}}});
+}
+
+void FileDesk::open(const QStringList& paths, OpenMode mode) {
+  QStringList files;
+  for (const QString& path : paths) files << QFileInfo(path).absoluteFilePath();
+  if (files.isEmpty()) return;
+  const bool session = is_session_path(files.first());
+  const auto act = [this, files, mode, session] {
+    session ? workbench_.open_session(files.first()) : workbench_.open(files, mode);
+  };
+  if (mode == OpenMode::add && !session) {
+    act();
+    return;
+  }
+  act_when_safe(tr("There are patches that are neither saved nor exported."), tr("&Open without saving"), act);
+}
+
+void FileDesk::open_sample() {
+  act_when_safe(tr("There are patches that are neither saved nor exported."), tr("&Open without saving"),
+                [this] { workbench_.open_sample(); });
+}
+
+void FileDesk::ask_open(OpenMode mode) {
+  const QStringList paths = QFileDialog::getOpenFileNames(
+      window_, mode == OpenMode::add ? tr("Add scans to the scene") : tr("Open"), {},
+      tr("Scans and sessions (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
+  open(paths, mode);
+}
+
+QString FileDesk::proposal(const QString& ending) const {
+  const QFileInfo scan(document_.first_scan().path.isEmpty() ? QStringLiteral("sample.ply")
+                                                             : document_.first_scan().path);
+  return scan.dir().filePath(scan.completeBaseName() + ending);
+}
+
+void FileDesk::ask_export() {
+  QString chosen;
+  QString path = QFileDialog::getSaveFileName(window_, tr("Export"), proposal(QStringLiteral("-filled.ply")),
+                                              tr("PLY, exact (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)"), &chosen);
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += chosen.section(QStringLiteral("*"), 1).chopped(1);
+  workbench_.export_to(path);
+}
+
+void FileDesk::save_session() { session_path_.isEmpty() ? save_session_as() : workbench_.save_session(session_path_); }
+
+void FileDesk::save_session_as() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save session"), proposal(QStringLiteral(".loopmend")),
+                                              tr("Loopmend session (*.loopmend)"));
+  if (path.isEmpty()) {
+    after_saving_ = nullptr;
+    return;
+  }
+  if (!is_session_path(path)) path += QStringLiteral(".loopmend");
+  workbench_.save_session(path);
+}
+
+bool FileDesk::may_close() {
+  if (closing_ == Closing::agreed || !has_unsaved_work()) return true;
+  act_when_safe(tr("There are patches that are neither saved nor exported."), tr("&Close without saving"), [this] {
+    closing_ = Closing::agreed;
+    window_->close();
+  });
+  return false;
+}
+
+void FileDesk::offer_recovery() {
+  const std::vector<Leftover> found = Autosave::leftovers();
+  if (found.empty()) return;
+  const Leftover newest = found.front();
+  banner_.ask(tr("Loopmend ended unexpectedly. Work was kept: %1.").arg(newest.words),
+              {{tr("&Recover"), "answerRecover",
+                [this, newest] {
+                  const auto done = std::make_shared<QMetaObject::Connection>();
+                  *done = connect(&workbench_, &Workbench::activity_changed, this, [this, newest, done] {
+                    if (workbench_.busy()) return;
+                    disconnect(*done);
+                    if (!document_.patches().empty()) Q_EMIT recovered(newest);
+                  });
+                  workbench_.open_session(newest.path, tr("recovered work"));
+                }},
+               {tr("&Discard"), "answerDiscard", [newest] { Autosave::discard(newest); }},
+               {tr("&Later"), "answerLater", [] {}}});
+}
+
+void FileDesk::show_recent(QMenu* menu) {
+  menu->clear();
+  int number = 1;
+  for (const QString& path : recent_files()) {
+    QAction* action = menu->addAction(tr("&%1  %2").arg(number++ % 10).arg(QFileInfo(path).fileName()));
+    action->setToolTip(path);
+    action->setStatusTip(path);
+    connect(action, &QAction::triggered, this, [this, path] { open({path}, OpenMode::replace); });
+  }
+  if (menu->isEmpty()) {
+    menu->addAction(tr("Nothing yet"))->setEnabled(false);
+    return;
+  }
+  menu->addSeparator();
+  connect(menu->addAction(tr("&Forget these")), &QAction::triggered, this, [this] {
+    clear_recent_files();
+    Q_EMIT recent_changed();
+  });
+}
+
+void FileDesk::show_scans(QMenu* menu) {
+  menu->clear();
+  for (int index : document_.scans()) {
+    const QString name = document_.scan(index)->name;
+    connect(menu->addAction(name), &QAction::triggered, this, [this, index] { workbench_.close_scan(index); });
+  }
+  if (menu->isEmpty()) menu->addAction(tr("Nothing is open"))->setEnabled(false);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,61 @@
+// Everything about files: opening, sessions, exports, pictures, recent files, and the questions before work is lost.
+// Questions are asked in place, by the banner; only choosing a file takes a dialog.
+#pragma once
+
+#include "jobs/autosave.h"
+#include "jobs/workbench.h"
+
+#include <QObject>
+#include <QStringList>
+
+class QMenu;
+class QWidget;
+
+namespace loopmend {
+
+class Banner;
+class MeshView;
+
+class FileDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  FileDesk(Document& document, UndoHistory& undo, Workbench& workbench, Banner& banner, QWidget* window);
+
+  /// Scans, or one session. Asks first when patches would be lost.
+  void open(const QStringList& paths, OpenMode mode);
+  void open_sample();
+  void ask_open(OpenMode mode);
+  void ask_export();
+  void save_session();
+  void save_session_as();
+  /// Asks in place, and closes the window later if that is wanted. @returns whether it may close now.
+  bool may_close();
+  /// Tells of work that another run left behind.
+  void offer_recovery();
+  void show_recent(QMenu* menu);
+  void show_scans(QMenu* menu);
+
+  bool has_unsaved_work() const;
+  const QString& session_path() const { return session_path_; }
+
+ Q_SIGNALS:
+  void recent_changed();
+  /// The work in this copy is on the screen again.
+  void recovered(const Leftover& leftover);
+
+ private:
+  void act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act);
+  QString proposal(const QString& ending) const;
+
+  Document& document_;
+  UndoHistory& undo_;
+  Workbench& workbench_;
+  Banner& banner_;
+  QWidget* window_;
+  QString session_path_;
+  std::function<void()> after_saving_;
+  enum class Closing { not_asked, agreed } closing_ = Closing::not_asked;
+};
+
+}  // namespace loopmend

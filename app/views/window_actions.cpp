@@ -1,0 +1,199 @@
+#include "views/window_actions.h"
+
+#include "panels/icons.h"
+
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <cstring>
+
+namespace loopmend {
+namespace {
+
+struct Spec {
+  const char* name;
+  const char* text;
+  const char* help;
+  const char* keys;  ///< several are separated by "; "; the first is shown
+  const char* icon;  ///< in resources/icons; may be null
+  enum class Kind { plain, toggle, choice } kind = Kind::plain;
+};
+
+constexpr auto toggle = Spec::Kind::toggle;
+constexpr auto choice = Spec::Kind::choice;
+
+const Spec specs[] = {
+    {"open", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Open\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open a scan or a session"), "Ctrl+O", "open"},
+    {"add", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Add to the scene\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open further scans beside the present ones"), "Ctrl+Shift+O",
+     nullptr},
+    {"sample", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open the sa&mple"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open a small made-up scan with five holes"), "", nullptr},
+    {"saveSession", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Save session"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep scans and patches as they are, to go on another day"), "Ctrl+S",
+     "save"},
+    {"saveSessionAs", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Save session &as\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Save the session under another name"), "Ctrl+Shift+S", nullptr},
+    {"export", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Export\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write scan and patches to a mesh file"), "Ctrl+E", "export"},
+    {"screenshot", QT_TRANSLATE_NOOP("loopmend::WindowActions", "S&creenshot\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write the picture to a PNG file"), "F12", "camera"},
+    {"quit", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Quit"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the window"), "Ctrl+Q", nullptr},
+    {"undo", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Undo"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take back the last change"), "Ctrl+Z", "undo"},
+    {"redo", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Redo"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Do it again"), "Ctrl+Y; Ctrl+Shift+Z", "redo"},
+    {"selectAll", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select &all holes"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select every hole"), "Ctrl+A", nullptr},
+    {"nextHole", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Next hole"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select the next hole of the table and fly there"), "N", nullptr},
+    {"previousHole", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Previous hole"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select the hole before and fly there"), "Shift+N", nullptr},
+    {"filter", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Filter holes"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write into the filter of the holes table"), "Ctrl+L", nullptr},
+    {"preferences", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Pre&ferences\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Language, colours, memory, recovery"), "Ctrl+,", nullptr},
+    {"curvature", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Mean curvature"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Colour by mean curvature H"), "1", "curvature", choice},
+    {"gaussian", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Gaussian curvature"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Colour by Gaussian curvature K"), "2", "gaussian", choice},
+    {"plain", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Plain"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "One colour; patches in another"), "3", "plain", choice},
+    {"zebra", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Zebra"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Reflected stripes: kinks show where tangents or curvature jump"),
+     "4", "zebra", choice},
+    {"isophotes", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Isophotes"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Bands of equal brightness"), "5", "isophotes", choice},
+    {"wireframe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Wireframe"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw the triangles' edges"), "W", "wireframe", toggle},
+    {"seams", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Rims and seams"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw rims and seams as lines"), "M", "seams", toggle},
+    {"frame", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Frame everything"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the whole scene"), "F", "frame"},
+    {"fillAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Fill"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all"), "Ctrl+F", nullptr},
+    {"stepAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Step"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take one time step"), "S", nullptr},
+    {"runAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Run or pause"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Step after step until at rest"), "Space", nullptr},
+    {"steadyAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&To steady state"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Straight to where the flow comes to rest"), "T", nullptr},
+    {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep the patch as it is, or take it up again"), "A", nullptr},
+    {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "R&eject"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Throw the patch away; the hole is open again"), "Del", nullptr},
+    {"copyAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Copy command line"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Copy the commands that do the same"), "Ctrl+Shift+C", nullptr},
+    {"cancelAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Ca&ncel"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Stop at once; or close a message; or select nothing"), "Esc",
+     nullptr},
+    {"help", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Help"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "How things are done, with pictures"), "F1", nullptr},
+    {"shortcuts", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Keyboard shortcuts"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "All keys on one sheet"), "?", nullptr},
+    {"about", QT_TRANSLATE_NOOP("loopmend::WindowActions", "A&bout Loopmend"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Version and licence"), "", nullptr},
+};
+
+QList<QKeySequence> keys_of(const char* text) {
+  QList<QKeySequence> keys;
+  for (const QString& word : QString::fromLatin1(text).split(QStringLiteral("; "), Qt::SkipEmptyParts))
+    keys << QKeySequence(word);
+  return keys;
+}
+
+}  // namespace
+
+WindowActions::WindowActions(QMainWindow* window) : QObject(window), window_(window) {
+  auto* choices = new QActionGroup(this);
+  for (const Spec& spec : specs) {
+    auto* action = new QAction(tr(spec.text), window);
+    action->setObjectName(QLatin1String(spec.name));
+    action->setShortcuts(keys_of(spec.keys));
+    const QString shown = action->shortcut().toString(QKeySequence::NativeText);
+    action->setToolTip(shown.isEmpty() ? tr(spec.help) : tr("%1 (%2)").arg(tr(spec.help), shown));
+    action->setStatusTip(tr(spec.help));
+    action->setCheckable(spec.kind != Spec::Kind::plain);
+    if (spec.kind == choice) choices->addAction(action);
+    window->addAction(action);
+  }
+}
+
+QAction* WindowActions::operator[](const char* name) const {
+  return window_->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
+}
+
+QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const char*> names) {
+  QMenu* menu = window_->menuBar()->addMenu(title);
+  Group group{QString(title).remove(QLatin1Char('&')), {}};
+  for (const char* name : names) {
+    if (*name == '-') {
+      menu->addSeparator();
+    } else {
+      menu->addAction((*this)[name]);
+      group.actions << (*this)[name];
+    }
+  }
+  groups_.push_back(std::move(group));
+  return menu;
+}
+
+void WindowActions::build_menus(const QList<QAction*>& docks) {
+  QMenu* file = add_menu(tr("&File"), {"open", "add", "sample", "-", "saveSession", "saveSessionAs", "-", "export",
+                                       "screenshot", "-", "quit"});
+  recent_ = new QMenu(tr("Open &recent"), file);
+  close_ = new QMenu(tr("C&lose"), file);
+  file->insertMenu((*this)["sample"], recent_);
+  file->insertMenu((*this)["quit"], close_);
+  add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
+  QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian", "plain", "zebra", "isophotes", "-", "wireframe",
+                                       "seams", "-", "frame", "-"});
+  view->addActions(docks);
+  add_menu(tr("&Patch"), {"fillAction", "-", "stepAction", "runAction", "steadyAction", "-", "acceptAction",
+                          "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
+}
+
+void WindowActions::build_toolbar() {
+  QToolBar* bar = window_->addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->setIconSize(QSize(20, 20));
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  const auto group = [this, bar](std::initializer_list<const char*> names, Qt::ToolButtonStyle style) {
+    for (const char* name : names) {
+      QAction* action = (*this)[name];
+      bar->addAction(action);
+      auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
+      button->setObjectName(QLatin1String(name) + QStringLiteral("Button"));
+      button->setToolButtonStyle(style);
+      button->setFocusPolicy(Qt::TabFocus);
+      button->setAccessibleName(QString(action->text()).remove(QLatin1Char('&')));
+      button->setAccessibleDescription(action->toolTip());
+    }
+    bar->addSeparator();
+  };
+  group({"open", "saveSession", "export"}, Qt::ToolButtonTextBesideIcon);
+  group({"undo", "redo"}, Qt::ToolButtonIconOnly);
+  group({"curvature", "gaussian", "plain", "zebra", "isophotes"}, Qt::ToolButtonTextBesideIcon);
+  group({"wireframe", "seams", "frame", "screenshot"}, Qt::ToolButtonIconOnly);
+  const auto short_name = [this](const char* name, const QString& text) { (*this)[name]->setIconText(text); };
+  short_name("open", tr("Open"));
+  short_name("saveSession", tr("Save"));
+  short_name("export", tr("Export"));
+  short_name("curvature", tr("H"));
+  short_name("gaussian", tr("K"));
+}
+
+void WindowActions::update_icons() {
+  const QColor ink = window_->palette().color(QPalette::ButtonText);
+  for (const Spec& spec : specs)
+    if (spec.icon) (*this)[spec.name]->setIcon(icon(spec.icon, ink));
+}
+
+}  // namespace loopmend

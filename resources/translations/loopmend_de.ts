@@ -1,0 +1,2178 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+    <context>
+        <name>loopmend</name>
+        <message>
+            <source>Reading the file</source>
+            <translation>Die Datei wird gelesen</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>Beispiel</translation>
+        </message>
+        <message>
+            <source>Looking for holes</source>
+            <translation>Löcher werden gesucht</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>nicht bekannt</translation>
+        </message>
+        <message>
+            <source>Patch of %1</source>
+            <translation>Flicken von %1</translation>
+        </message>
+        <message>
+            <source>, vertex %1</source>
+            <translation>, Ecke %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::About</name>
+        <message>
+            <source>About Loopmend</source>
+            <translation>Über Loopmend</translation>
+        </message>
+        <message>
+            <source>&lt;h2&gt;Loopmend %1&lt;/h2&gt;&lt;p&gt;Closes holes in scanned meshes with patches whose curvature runs through the seam.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later: you may use, study, share and change it. It comes without any warranty.&lt;br&gt;&lt;a href="https://www.gnu.org/licenses/gpl-3.0.html"&gt;gnu.org/licenses/gpl-3.0&lt;/a&gt;&lt;/p&gt;&lt;p&gt;Built with Qt, VTK, QCustomPlot, Eigen, OpenMesh, CGAL and SuiteSparse.&lt;/p&gt;</source>
+            <translation>&lt;h2&gt;Loopmend %1&lt;/h2&gt;&lt;p&gt;Schließt Löcher in gescannten Netzen mit Flicken, deren Krümmung durch die Naht läuft.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später: benutzen, untersuchen, weitergeben und ändern erlaubt. Ohne jede Gewähr.&lt;br&gt;&lt;a href="https://www.gnu.org/licenses/gpl-3.0.html"&gt;gnu.org/licenses/gpl-3.0&lt;/a&gt;&lt;/p&gt;&lt;p&gt;Gebaut mit Qt, VTK, QCustomPlot, Eigen, OpenMesh, CGAL und SuiteSparse.&lt;/p&gt;</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Autosave</name>
+        <message>
+            <source>The copy that would survive a crash could not be written: %1</source>
+            <translation>Die Sicherungskopie konnte nicht geschrieben werden: %1</translation>
+        </message>
+        <message>
+            <source>Sample</source>
+            <translation>Beispiel</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1, %n patch(es), %2</source>
+            <translation>
+                <numerusform>%1, %n Flicken, %2</numerusform>
+                <numerusform>%1, %n Flicken, %2</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Banner</name>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+        <message>
+            <source>Close this message (Esc)</source>
+            <translation>Diese Meldung schließen (Esc)</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::DecisionBox</name>
+        <message>
+            <source>the filler</source>
+            <translation>der Füller</translation>
+        </message>
+        <message>
+            <source>3  Look back, decide</source>
+            <translation>3  Zurückschauen, entscheiden</translation>
+        </message>
+        <message>
+            <source>Timeline</source>
+            <translation>Zeitleiste</translation>
+        </message>
+        <message>
+            <source>Go back to any recorded state, from the filler on the left to the latest</source>
+            <translation>Zu jedem aufgezeichneten Zustand zurück, vom Füller links bis zum letzten</translation>
+        </message>
+        <message>
+            <source>&amp;Accept</source>
+            <translation>&amp;Annehmen</translation>
+        </message>
+        <message>
+            <source>Keep this patch as it is; no flow moves it any more (A)</source>
+            <translation>Den Flicken so lassen; kein Fluss bewegt ihn mehr (A)</translation>
+        </message>
+        <message>
+            <source>R&amp;eject</source>
+            <translation>V&amp;erwerfen</translation>
+        </message>
+        <message>
+            <source>Throw this patch away; the hole is open again (Delete)</source>
+            <translation>Den Flicken wegwerfen; das Loch ist wieder offen (Entf)</translation>
+        </message>
+        <message>
+            <source>&amp;Copy command line</source>
+            <translation>Befehlszeile &amp;kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the commands that fill these holes in just this way, for a terminal or a script</source>
+            <translation>Die Befehle kopieren, die diese Löcher genau so füllen, für ein Terminal oder ein Skript</translation>
+        </message>
+        <message>
+            <source>The command line is in the clipboard.</source>
+            <translation>Die Befehlszeile ist in der Zwischenablage.</translation>
+        </message>
+        <message>
+            <source>Recorded states appear here.</source>
+            <translation>Hier erscheinen aufgezeichnete Zustände.</translation>
+        </message>
+        <message>
+            <source>State %1 of %2: %3</source>
+            <translation>Zustand %1 von %2: %3</translation>
+        </message>
+        <message>
+            <source>&amp;Open again</source>
+            <translation>Wieder ö&amp;ffnen</translation>
+        </message>
+        <message>
+            <source>Open again</source>
+            <translation>Wieder öffnen</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Annehmen</translation>
+        </message>
+        <message>
+            <source>Let a flow move this patch again (A)</source>
+            <translation>Den Flicken wieder von einem Fluss bewegen lassen (A)</translation>
+        </message>
+        <message>
+            <source>step %1</source>
+            <translation>Schritt %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::EnergyView</name>
+        <message>
+            <source>Energy ∫|∇H|², 1/length²</source>
+            <translation>Energie ∫|∇H|², 1/Länge²</translation>
+        </message>
+        <message>
+            <source>Energy ∫H²</source>
+            <translation>Energie ∫H²</translation>
+        </message>
+        <message>
+            <source>Area, length²</source>
+            <translation>Fläche, Länge²</translation>
+        </message>
+        <message>
+            <source>Energy and residual against the step</source>
+            <translation>Energie und Rest über den Schritten</translation>
+        </message>
+        <message>
+            <source>Energy</source>
+            <translation>Energie</translation>
+        </message>
+        <message>
+            <source>Run a flow, and its energy is drawn here.</source>
+            <translation>Sobald ein Fluss läuft, steht hier seine Energie.</translation>
+        </message>
+        <message>
+            <source>Residual, edge lengths (right)</source>
+            <translation>Rest, Kantenlängen (rechts)</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::FileDesk</name>
+        <message>
+            <source>&amp;Save session</source>
+            <translation>Sitzung &amp;sichern</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Abbrechen</translation>
+        </message>
+        <message>
+            <source>There are patches that are neither saved nor exported.</source>
+            <translation>Es gibt Flicken, die weder gesichert noch exportiert sind.</translation>
+        </message>
+        <message>
+            <source>&amp;Open without saving</source>
+            <translation>Ohne Sichern &amp;öffnen</translation>
+        </message>
+        <message>
+            <source>Add scans to the scene</source>
+            <translation>Scans zur Szene hinzufügen</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Öffnen</translation>
+        </message>
+        <message>
+            <source>Scans and sessions (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)</source>
+            <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>PLY, exact (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</source>
+            <translation>PLY, genau (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</translation>
+        </message>
+        <message>
+            <source>Save session</source>
+            <translation>Sitzung sichern</translation>
+        </message>
+        <message>
+            <source>Loopmend session (*.loopmend)</source>
+            <translation>Loopmend-Sitzung (*.loopmend)</translation>
+        </message>
+        <message>
+            <source>&amp;Close without saving</source>
+            <translation>Ohne Sichern s&amp;chließen</translation>
+        </message>
+        <message>
+            <source>Loopmend ended unexpectedly. Work was kept: %1.</source>
+            <translation>Loopmend wurde unerwartet beendet. Die Arbeit ist noch da: %1.</translation>
+        </message>
+        <message>
+            <source>&amp;Recover</source>
+            <translation>&amp;Wiederherstellen</translation>
+        </message>
+        <message>
+            <source>recovered work</source>
+            <translation>wiederhergestellte Arbeit</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Verwerfen</translation>
+        </message>
+        <message>
+            <source>&amp;Later</source>
+            <translation>&amp;Später</translation>
+        </message>
+        <message>
+            <source>&amp;%1  %2</source>
+            <translation>&amp;%1  %2</translation>
+        </message>
+        <message>
+            <source>Nothing yet</source>
+            <translation>Noch nichts</translation>
+        </message>
+        <message>
+            <source>&amp;Forget these</source>
+            <translation>Diese &amp;vergessen</translation>
+        </message>
+        <message>
+            <source>Nothing is open</source>
+            <translation>Nichts ist offen</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::FillBox</name>
+        <message>
+            <source>1  Fill</source>
+            <translation>1  Füllen</translation>
+        </message>
+        <message>
+            <source>Density</source>
+            <translation>Dichte</translation>
+        </message>
+        <message>
+            <source>Density of the patch relative to the scan around it; 2 halves the edge length</source>
+            <translation>Dichte des Flickens im Verhältnis zum Scan ringsum; 2 halbiert die Kantenlänge</translation>
+        </message>
+        <message>
+            <source>&amp;Density</source>
+            <translation>&amp;Dichte</translation>
+        </message>
+        <message>
+            <source>Pre&amp;view</source>
+            <translation>&amp;Vorschau</translation>
+        </message>
+        <message>
+            <source>Preview</source>
+            <translation>Vorschau</translation>
+        </message>
+        <message>
+            <source>&amp;Fill</source>
+            <translation>&amp;Füllen</translation>
+        </message>
+        <message>
+            <source>Close the selected holes, or all holes when none is selected (Ctrl+F)</source>
+            <translation>Die gewählten Löcher schließen, oder alle, wenn keines gewählt ist (Strg+F)</translation>
+        </message>
+        <message>
+            <source>Open a scan first.</source>
+            <translation>Zuerst einen Scan öffnen.</translation>
+        </message>
+        <message>
+            <source>%1, selected</source>
+            <translation>%1, ausgewählt</translation>
+        </message>
+        <message>
+            <source>All open holes (%1)</source>
+            <translation>Alle offenen Löcher (%1)</translation>
+        </message>
+        <message>
+            <source>The selection is filled already.</source>
+            <translation>Die Auswahl ist schon gefüllt.</translation>
+        </message>
+        <message>
+            <source>No open hole is left. To fill a loop that is left out, select it.</source>
+            <translation>Kein Loch ist mehr offen. Ausgelassene Ränder: erst auswählen, dann füllen.</translation>
+        </message>
+        <message>
+            <source>No open hole is left.</source>
+            <translation>Kein Loch ist mehr offen.</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 bis %2</translation>
+        </message>
+        <message>
+            <source>About %1 triangles, edges of %2.</source>
+            <translation>Etwa %1 Dreiecke, Kanten von %2.</translation>
+        </message>
+        <message>
+            <source>Show the patch with its edges before it is made; for up to 200 holes at once</source>
+            <translation>Den Flicken mit seinen Kanten zeigen, bevor er gemacht wird; für bis zu 200 Löcher auf einmal</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::FlowBox</name>
+        <message>
+            <source>2  Smooth by a flow</source>
+            <translation>2  Durch einen Fluss glätten</translation>
+        </message>
+        <message>
+            <source>Flow</source>
+            <translation>Fluss</translation>
+        </message>
+        <message>
+            <source>Which geometric flow moves the patch, and so how far the seam is matched</source>
+            <translation>Welcher geometrische Fluss den Flicken bewegt, und damit, wie weit die Naht passt</translation>
+        </message>
+        <message>
+            <source>&amp;To steady state</source>
+            <translation>Bis zur &amp;Ruhe</translation>
+        </message>
+        <message>
+            <source>Go straight to where the flow comes to rest (T)</source>
+            <translation>Geradewegs dorthin, wo der Fluss zur Ruhe kommt (T)</translation>
+        </message>
+        <message>
+            <source>Time step</source>
+            <translation>Zeitschritt</translation>
+        </message>
+        <message>
+            <source>Time step σ of Step and Run, without a unit: 1 is one decay time of the slowest wave on this patch</source>
+            <translation>Zeitschritt σ von Schritt und Lauf, ohne Einheit: 1 ist eine Abklingzeit der langsamsten Welle auf diesem Flicken</translation>
+        </message>
+        <message>
+            <source>Time ste&amp;p</source>
+            <translation>&amp;Zeitschritt</translation>
+        </message>
+        <message>
+            <source>&amp;Step</source>
+            <translation>&amp;Schritt</translation>
+        </message>
+        <message>
+            <source>Take one time step (S)</source>
+            <translation>Einen Zeitschritt machen (S)</translation>
+        </message>
+        <message>
+            <source>&amp;Run</source>
+            <translation>&amp;Lauf</translation>
+        </message>
+        <message>
+            <source>Take one time step after another until the patch is at rest (Space)</source>
+            <translation>Einen Zeitschritt nach dem anderen, bis der Flicken ruht (Leertaste)</translation>
+        </message>
+        <message>
+            <source>Accepted already. Open it again to go on.</source>
+            <translation>Schon angenommen. Wieder öffnen, um weiterzumachen.</translation>
+        </message>
+        <message>
+            <source>The selection is not filled yet.</source>
+            <translation>Die Auswahl ist noch nicht gefüllt.</translation>
+        </message>
+        <message>
+            <source>Nothing is filled yet.</source>
+            <translation>Noch ist nichts gefüllt.</translation>
+        </message>
+        <message>
+            <source>σ = %1</source>
+            <translation>σ = %1</translation>
+        </message>
+        <message>
+            <source>Pau&amp;se</source>
+            <translation>Pau&amp;se</translation>
+        </message>
+        <message>
+            <source>Pausing…</source>
+            <translation>Hält an…</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::HelpWindow</name>
+        <message>
+            <source>First steps</source>
+            <translation>Erste Schritte</translation>
+        </message>
+        <message>
+            <source>Holes</source>
+            <translation>Löcher</translation>
+        </message>
+        <message>
+            <source>Patch and flow</source>
+            <translation>Flicken und Fluss</translation>
+        </message>
+        <message>
+            <source>Looking at curvature</source>
+            <translation>Krümmung ansehen</translation>
+        </message>
+        <message>
+            <source>Inspecting the seam</source>
+            <translation>Die Naht prüfen</translation>
+        </message>
+        <message>
+            <source>Files, sessions, recovery</source>
+            <translation>Dateien, Sitzungen, Wiederherstellung</translation>
+        </message>
+        <message>
+            <source>When something goes wrong</source>
+            <translation>Wenn etwas schiefgeht</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Hilfe</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>Seiten</translation>
+        </message>
+        <message>
+            <source>The pages of the help</source>
+            <translation>Die Seiten der Hilfe</translation>
+        </message>
+        <message>
+            <source>Page</source>
+            <translation>Seite</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::HoleTable</name>
+        <message>
+            <source>The loop's number within its scan, by falling perimeter</source>
+            <translation>Die Nummer innerhalb des Scans, nach fallendem Umfang</translation>
+        </message>
+        <message>
+            <source>Number of edges along the rim</source>
+            <translation>Zahl der Kanten am Rand</translation>
+        </message>
+        <message>
+            <source>Largest distance between two rim vertices, in the scan's unit</source>
+            <translation>Größter Abstand zweier Randecken, in der Einheit des Scans</translation>
+        </message>
+        <message>
+            <source>Length of the rim, in the scan's unit</source>
+            <translation>Länge des Randes, in der Einheit des Scans</translation>
+        </message>
+        <message>
+            <source>Area of the rim's projection to its best plane, in the scan's unit squared</source>
+            <translation>Fläche des Randes in seiner besten Ebene, Einheit des Scans zum Quadrat</translation>
+        </message>
+        <message>
+            <source>How far the rim leaves its best plane: rms distance divided by the diameter</source>
+            <translation>Wie weit der Rand von seiner besten Ebene abweicht: mittlerer Abstand durch Durchmesser</translation>
+        </message>
+        <message>
+            <source>Hole, outer rim of a sheet, crack, ...</source>
+            <translation>Loch, Außenrand, Riss, ...</translation>
+        </message>
+        <message>
+            <source>The file that the loop belongs to</source>
+            <translation>Die Datei, zu der der Rand gehört</translation>
+        </message>
+        <message>
+            <source>What has been done about it</source>
+            <translation>Was damit geschehen ist</translation>
+        </message>
+        <message>
+            <source>#</source>
+            <translation>Nr.</translation>
+        </message>
+        <message>
+            <source>Edges</source>
+            <translation>Kanten</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Durchm.</translation>
+        </message>
+        <message>
+            <source>Perimeter</source>
+            <translation>Umfang</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <source>Planarity</source>
+            <translation>Ebenheit</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <source>Scan</source>
+            <translation>Scan</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::HolesPanel</name>
+        <message>
+            <source>Select &amp;all</source>
+            <translation>&amp;Alle wählen</translation>
+        </message>
+        <message>
+            <source>Select every hole; rims, cracks and cuts are left out</source>
+            <translation>Jedes Loch auswählen; Ränder, Risse und Schnitte bleiben aus</translation>
+        </message>
+        <message>
+            <source>Filter: number, kind, state</source>
+            <translation>Filter: Nummer, Art, Zustand</translation>
+        </message>
+        <message>
+            <source>Filter</source>
+            <translation>Filter</translation>
+        </message>
+        <message>
+            <source>Show only the loops with these words: a number, a kind, a state, a file (Ctrl+L)</source>
+            <translation>Nur Ränder mit diesen Wörtern: Nummer, Art, Zustand, Datei (Strg+L)</translation>
+        </message>
+        <message>
+            <source>All loops</source>
+            <translation>Alle Ränder</translation>
+        </message>
+        <message>
+            <source>To do</source>
+            <translation>Zu tun</translation>
+        </message>
+        <message>
+            <source>Filled</source>
+            <translation>Gefüllt</translation>
+        </message>
+        <message>
+            <source>Accepted</source>
+            <translation>Angenommen</translation>
+        </message>
+        <message>
+            <source>Trouble</source>
+            <translation>Probleme</translation>
+        </message>
+        <message>
+            <source>Left out</source>
+            <translation>Ausgelassen</translation>
+        </message>
+        <message>
+            <source>Group</source>
+            <translation>Gruppe</translation>
+        </message>
+        <message>
+            <source>Show only the loops of one group</source>
+            <translation>Nur die Ränder einer Gruppe zeigen</translation>
+        </message>
+        <message>
+            <source>Boundary loops</source>
+            <translation>Ränder</translation>
+        </message>
+        <message>
+            <source>Every boundary loop; double click or Return flies there</source>
+            <translation>Jeder Rand; Doppelklick oder Eingabetaste fliegt hin</translation>
+        </message>
+        <message>
+            <source>No scan is open</source>
+            <translation>Kein Scan ist offen</translation>
+        </message>
+        <message>
+            <source>No holes: closed surface</source>
+            <translation>Keine Löcher: geschlossene Fläche</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n hole(s), %1 open</source>
+            <translation>
+                <numerusform>%n Loch, %1 offen</numerusform>
+                <numerusform>%n Löcher, %1 offen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>; %1 left out</source>
+            <translation>; %1 ausgelassen</translation>
+        </message>
+        <message>
+            <source>; %1 shown</source>
+            <translation>; %1 gezeigt</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::InspectPanel</name>
+        <message>
+            <source>Hole</source>
+            <translation>Loch</translation>
+        </message>
+        <message>
+            <source>Gap</source>
+            <translation>Spalt</translation>
+        </message>
+        <message>
+            <source>The hole's number</source>
+            <translation>Die Nummer des Lochs</translation>
+        </message>
+        <message>
+            <source>Largest distance between the two sides of the seam</source>
+            <translation>Größter Abstand zwischen beiden Seiten der Naht</translation>
+        </message>
+        <message>
+            <source>Angle between the normals on both sides, root mean square</source>
+            <translation>Winkel zwischen den Normalen beider Seiten, quadratisches Mittel</translation>
+        </message>
+        <message>
+            <source>Angle between the normals on both sides, largest</source>
+            <translation>Winkel zwischen den Normalen beider Seiten, größter</translation>
+        </message>
+        <message>
+            <source>Jump of the mean curvature across the seam, root mean square, 1/length</source>
+            <translation>Sprung der mittleren Krümmung an der Naht, quadratisches Mittel, 1/Länge</translation>
+        </message>
+        <message>
+            <source>Jump of the mean curvature across the seam, largest, 1/length</source>
+            <translation>Sprung der mittleren Krümmung an der Naht, größter, 1/Länge</translation>
+        </message>
+        <message>
+            <source>The rms jump times the hole's diameter: a number without a unit</source>
+            <translation>Der mittlere Sprung mal Lochdurchmesser: eine Zahl ohne Einheit</translation>
+        </message>
+        <message>
+            <source>Seams</source>
+            <translation>Nähte</translation>
+        </message>
+        <message>
+            <source>How each patch meets the scan, before the flow and now</source>
+            <translation>Wie jeder Flicken an den Scan anschließt, vor dem Fluss und jetzt</translation>
+        </message>
+        <message>
+            <source>Cop&amp;y</source>
+            <translation>Ko&amp;pieren</translation>
+        </message>
+        <message>
+            <source>Copy the table as tab-separated text</source>
+            <translation>Die Tabelle als Text mit Tabulatoren kopieren</translation>
+        </message>
+        <message>
+            <source>Seam, before → now</source>
+            <translation>Naht, vorher → jetzt</translation>
+        </message>
+        <message>
+            <source>Energy</source>
+            <translation>Energie</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Schnitt</translation>
+        </message>
+        <message>
+            <source>Log</source>
+            <translation>Protokoll</translation>
+        </message>
+        <message>
+            <source>Energy and residual against the step</source>
+            <translation>Energie und Rest über den Schritten</translation>
+        </message>
+        <message>
+            <source>Mean curvature along a section across the seam</source>
+            <translation>Mittlere Krümmung längs eines Schnitts über die Naht</translation>
+        </message>
+        <message>
+            <source>What has happened so far</source>
+            <translation>Was bisher geschah</translation>
+        </message>
+        <message>
+            <source>Energy, section, log</source>
+            <translation>Energie, Schnitt, Protokoll</translation>
+        </message>
+        <message>
+            <source>What happens is written down here.</source>
+            <translation>Hier wird aufgeschrieben, was geschieht.</translation>
+        </message>
+        <message>
+            <source>Cop&amp;y log</source>
+            <translation>Protokoll ko&amp;pieren</translation>
+        </message>
+        <message>
+            <source>Copy the whole log</source>
+            <translation>Das ganze Protokoll kopieren</translation>
+        </message>
+        <message>
+            <source>Open a scan, fill a hole, and its seam is measured here.</source>
+            <translation>Einen Scan öffnen, ein Loch füllen: hier steht dann seine Naht.</translation>
+        </message>
+        <message>
+            <source>No hole is filled yet. Press Fill, and the seam is measured here.</source>
+            <translation>Noch ist kein Loch gefüllt. Nach dem Füllen steht hier die Naht.</translation>
+        </message>
+        <message>
+            <source>The selection is not filled yet.</source>
+            <translation>Die Auswahl ist noch nicht gefüllt.</translation>
+        </message>
+        <message>
+            <source>Hole %1: %2</source>
+            <translation>Loch %1: %2</translation>
+        </message>
+        <message>
+            <source>Angle rms</source>
+            <translation>Winkel rms</translation>
+        </message>
+        <message>
+            <source>Angle max</source>
+            <translation>Winkel max</translation>
+        </message>
+        <message>
+            <source>H jump rms</source>
+            <translation>H-Spr. rms</translation>
+        </message>
+        <message>
+            <source>H jump max</source>
+            <translation>H-Spr. max</translation>
+        </message>
+        <message>
+            <source>H jump · size</source>
+            <translation>H-Spr. · Größe</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::LookPanel</name>
+        <message>
+            <source>Blue, orange</source>
+            <translation>Blau, Orange</translation>
+        </message>
+        <message>
+            <source>Purple, green</source>
+            <translation>Lila, Grün</translation>
+        </message>
+        <message>
+            <source>Brown, teal</source>
+            <translation>Braun, Türkis</translation>
+        </message>
+        <message>
+            <source>Grey</source>
+            <translation>Grau</translation>
+        </message>
+        <message>
+            <source>Mean curvature H: a patch that fits continues the scan's colours.</source>
+            <translation>Mittlere Krümmung H: ein passender Flicken setzt die Farben des Scans fort.</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K: domes and bowls against saddles.</source>
+            <translation>Gaußsche Krümmung K: Kuppen und Mulden gegen Sättel.</translation>
+        </message>
+        <message>
+            <source>One colour; patches in another, so that they are found.</source>
+            <translation>Eine Farbe; Flicken in einer anderen, damit man sie findet.</translation>
+        </message>
+        <message>
+            <source>Reflected stripes: broken where tangents jump, kinked where the curvature jumps.</source>
+            <translation>Gespiegelte Streifen: gebrochen, wo Tangenten springen, geknickt, wo die Krümmung springt.</translation>
+        </message>
+        <message>
+            <source>Bands of equal brightness: they stay when you move closer, and kink where tangents jump.</source>
+            <translation>Bänder gleicher Helligkeit: sie bleiben beim Näherkommen und knicken, wo Tangenten springen.</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mittlere Krümmung H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaußsche Krümmung K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Schlicht</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophoten</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Darstellung</translation>
+        </message>
+        <message>
+            <source>How surfaces are shown (keys 1 to 5)</source>
+            <translation>Wie Flächen gezeigt werden (Tasten 1 bis 5)</translation>
+        </message>
+        <message>
+            <source>Stripes</source>
+            <translation>Streifen</translation>
+        </message>
+        <message>
+            <source>How many stripes or bands there are</source>
+            <translation>Wie viele Streifen oder Bänder es gibt</translation>
+        </message>
+        <message>
+            <source>&amp;Wireframe: the triangles' edges</source>
+            <translation>&amp;Drahtgitter: Kanten der Dreiecke</translation>
+        </message>
+        <message>
+            <source>Wireframe</source>
+            <translation>Drahtgitter</translation>
+        </message>
+        <message>
+            <source>Draw the triangles' edges (W)</source>
+            <translation>Die Kanten der Dreiecke zeichnen (W)</translation>
+        </message>
+        <message>
+            <source>Rims and sea&amp;ms as lines</source>
+            <translation>Ränder und &amp;Nähte als Linien</translation>
+        </message>
+        <message>
+            <source>Rims and seams</source>
+            <translation>Ränder und Nähte</translation>
+        </message>
+        <message>
+            <source>Draw the rims of holes and the seams of patches (M)</source>
+            <translation>Ränder der Löcher und Nähte der Flicken zeichnen (M)</translation>
+        </message>
+        <message>
+            <source>Drawn over it</source>
+            <translation>Darüber gezeichnet</translation>
+        </message>
+        <message>
+            <source>Colours</source>
+            <translation>Farben</translation>
+        </message>
+        <message>
+            <source>Every one of them can be told apart by every kind of colour vision</source>
+            <translation>Alle sind für jedes Farbsehen zu unterscheiden</translation>
+        </message>
+        <message>
+            <source>Percentile of the scan</source>
+            <translation>Perzentil des Scans</translation>
+        </message>
+        <message>
+            <source>Own range</source>
+            <translation>Eigener Bereich</translation>
+        </message>
+        <message>
+            <source>Range</source>
+            <translation>Bereich</translation>
+        </message>
+        <message>
+            <source>How far the colours reach. The range is symmetric about 0 and comes from the scan alone, so it stays the same while a flow runs</source>
+            <translation>Wie weit die Farben reichen. Der Bereich liegt gleich weit um 0 und kommt allein vom Scan; so bleibt er gleich, während ein Fluss läuft</translation>
+        </message>
+        <message>
+            <source>Percentile</source>
+            <translation>Perzentil</translation>
+        </message>
+        <message>
+            <source>This share of the scan's values lies within the range</source>
+            <translation>Dieser Anteil der Werte des Scans liegt im Bereich</translation>
+        </message>
+        <message>
+            <source>The curvature at the ends of the colours</source>
+            <translation>Die Krümmung an den Enden der Farben</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::MainWindow</name>
+        <message>
+            <source>Holes</source>
+            <translation>Löcher</translation>
+        </message>
+        <message>
+            <source>Patch</source>
+            <translation>Flicken</translation>
+        </message>
+        <message>
+            <source>Look</source>
+            <translation>Ansicht</translation>
+        </message>
+        <message>
+            <source>Inspect</source>
+            <translation>Prüfen</translation>
+        </message>
+        <message>
+            <source>%1 and %2 more</source>
+            <translation>%1 und %2 weitere</translation>
+        </message>
+        <message>
+            <source>Loopmend</source>
+            <translation>Loopmend</translation>
+        </message>
+        <message>
+            <source>%1[*] – Loopmend</source>
+            <translation>%1[*] – Loopmend</translation>
+        </message>
+        <message>
+            <source>&amp;Undo: %1</source>
+            <translation>&amp;Rückgängig: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Rückgängig</translation>
+        </message>
+        <message>
+            <source>&amp;Redo: %1</source>
+            <translation>&amp;Wiederholen: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Wiederholen</translation>
+        </message>
+        <message>
+            <source>Wrote %1.</source>
+            <translation>%1 geschrieben.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::MeshView</name>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mittlere Krümmung H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaußsche Krümmung K</translation>
+        </message>
+        <message>
+            <source>in 1/length</source>
+            <translation>in 1/Länge</translation>
+        </message>
+        <message>
+            <source>in 1/length²</source>
+            <translation>in 1/Länge²</translation>
+        </message>
+        <message>
+            <source>hollow</source>
+            <translation>hohl</translation>
+        </message>
+        <message>
+            <source>dome or bowl</source>
+            <translation>Kuppe, Mulde</translation>
+        </message>
+        <message>
+            <source>bulging</source>
+            <translation>gewölbt</translation>
+        </message>
+        <message>
+            <source>saddle</source>
+            <translation>Sattel</translation>
+        </message>
+        <message>
+            <source>Hole</source>
+            <translation>Loch</translation>
+        </message>
+        <message>
+            <source>%1 %2 · %3 edges · %4 across · %5</source>
+            <translation>%1 %2 · %3 Kanten · %4 breit · %5</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PictureDialog</name>
+        <message>
+            <source>Screenshot</source>
+            <translation>Bildschirmfoto</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>How many pixels the picture has</source>
+            <translation>Wie viele Pixel das Bild hat</translation>
+        </message>
+        <message>
+            <source>As on the screen</source>
+            <translation>Wie auf dem Schirm</translation>
+        </message>
+        <message>
+            <source>Twice as large</source>
+            <translation>Doppelt so groß</translation>
+        </message>
+        <message>
+            <source>Four times as large</source>
+            <translation>Viermal so groß</translation>
+        </message>
+        <message>
+            <source>Own size</source>
+            <translation>Eigene Größe</translation>
+        </message>
+        <message>
+            <source> px</source>
+            <translation> px</translation>
+        </message>
+        <message>
+            <source>Width in pixels</source>
+            <translation>Breite in Pixeln</translation>
+        </message>
+        <message>
+            <source>Height in pixels</source>
+            <translation>Höhe in Pixeln</translation>
+        </message>
+        <message>
+            <source>Ground</source>
+            <translation>Grund</translation>
+        </message>
+        <message>
+            <source>What is behind the surface</source>
+            <translation>Was hinter der Fläche ist</translation>
+        </message>
+        <message>
+            <source>Transparent</source>
+            <translation>Durchsichtig</translation>
+        </message>
+        <message>
+            <source>With</source>
+            <translation>Mit</translation>
+        </message>
+        <message>
+            <source>What is drawn beside the surface</source>
+            <translation>Was neben der Fläche gezeichnet wird</translation>
+        </message>
+        <message>
+            <source>Legend, axes and scale bar</source>
+            <translation>Legende, Achsen und Maßstab</translation>
+        </message>
+        <message>
+            <source>Legend</source>
+            <translation>Legende</translation>
+        </message>
+        <message>
+            <source>The surface alone</source>
+            <translation>Nur die Fläche</translation>
+        </message>
+        <message>
+            <source>&amp;Save…</source>
+            <translation>&amp;Sichern…</translation>
+        </message>
+        <message>
+            <source>Choose a file and write the picture</source>
+            <translation>Eine Datei wählen und das Bild schreiben</translation>
+        </message>
+        <message>
+            <source>&amp;Copy</source>
+            <translation>&amp;Kopieren</translation>
+        </message>
+        <message>
+            <source>Put the picture into the clipboard</source>
+            <translation>Das Bild in die Zwischenablage legen</translation>
+        </message>
+        <message>
+            <source>Si&amp;ze</source>
+            <translation>&amp;Größe</translation>
+        </message>
+        <message>
+            <source>&amp;Ground</source>
+            <translation>Gr&amp;und</translation>
+        </message>
+        <message>
+            <source>&amp;With</source>
+            <translation>&amp;Mit</translation>
+        </message>
+        <message>
+            <source>The graphics cannot draw a picture of this size. Choose a smaller one.</source>
+            <translation>Ein Bild dieser Größe kann die Grafik nicht zeichnen. Bitte kleiner wählen.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written. Choose another folder, or check how much space is left.</source>
+            <translation>%1 kann nicht geschrieben werden. Anderen Ordner wählen, oder prüfen, wie viel Platz frei ist.</translation>
+        </message>
+        <message>
+            <source>PNG (*.png)</source>
+            <translation>PNG (*.png)</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PreferencesDialog</name>
+        <message>
+            <source>Preferences</source>
+            <translation>Einstellungen</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>Sprache</translation>
+        </message>
+        <message>
+            <source>Counts when the program starts the next time</source>
+            <translation>Gilt vom nächsten Start an</translation>
+        </message>
+        <message>
+            <source>As the system has it</source>
+            <translation>Wie das System</translation>
+        </message>
+        <message>
+            <source>Colours of the window</source>
+            <translation>Farben des Fensters</translation>
+        </message>
+        <message>
+            <source>Light or dark</source>
+            <translation>Hell oder dunkel</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Hell</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Dunkel</translation>
+        </message>
+        <message>
+            <source>Colours of curvature</source>
+            <translation>Farben der Krümmung</translation>
+        </message>
+        <message>
+            <source>The colours to begin with</source>
+            <translation>Die Farben zu Beginn</translation>
+        </message>
+        <message>
+            <source>Memory for undo</source>
+            <translation>Speicher fürs Rückgängigmachen</translation>
+        </message>
+        <message>
+            <source>Above this, the oldest changes can no longer be taken back</source>
+            <translation>Darüber lassen sich die ältesten Änderungen nicht mehr zurücknehmen</translation>
+        </message>
+        <message>
+            <source>MB</source>
+            <translation>MB</translation>
+        </message>
+        <message>
+            <source>Memory for each timeline</source>
+            <translation>Speicher je Zeitleiste</translation>
+        </message>
+        <message>
+            <source>Above this, every second recorded state of a patch is forgotten</source>
+            <translation>Darüber wird jeder zweite aufgezeichnete Zustand eines Flickens vergessen</translation>
+        </message>
+        <message>
+            <source>Copy for recovery after</source>
+            <translation>Sicherungskopie nach</translation>
+        </message>
+        <message>
+            <source>This long after a change, a copy is written that survives a crash</source>
+            <translation>So lange nach einer Änderung wird eine Kopie geschrieben, die einen Absturz überlebt</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>&amp;Sprache</translation>
+        </message>
+        <message>
+            <source>&amp;Window</source>
+            <translation>&amp;Fenster</translation>
+        </message>
+        <message>
+            <source>C&amp;urvature</source>
+            <translation>K&amp;rümmung</translation>
+        </message>
+        <message>
+            <source>Memory for un&amp;do</source>
+            <translation>Speicher für &amp;Rückgängig</translation>
+        </message>
+        <message>
+            <source>Memory for each &amp;timeline</source>
+            <translation>Speicher je &amp;Zeitleiste</translation>
+        </message>
+        <message>
+            <source>Copy for &amp;recovery after</source>
+            <translation>Sicherungs&amp;kopie nach</translation>
+        </message>
+        <message>
+            <source>Every change counts at once; another language from the next start on.</source>
+            <translation>Jede Änderung gilt sofort; eine andere Sprache vom nächsten Start an.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ProgressBox</name>
+        <message>
+            <source>Nothing is running.</source>
+            <translation>Nichts läuft.</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>Fortschritt</translation>
+        </message>
+        <message>
+            <source>How far the present job is</source>
+            <translation>Wie weit die jetzige Arbeit ist</translation>
+        </message>
+        <message>
+            <source>Ca&amp;ncel</source>
+            <translation>Abb&amp;rechen</translation>
+        </message>
+        <message>
+            <source>Stop at once; what was accepted so far is kept (Esc)</source>
+            <translation>Sofort anhalten; das Erreichte bleibt (Esc)</translation>
+        </message>
+        <message>
+            <source>%1, %2: step %3, energy %4 (from %5)</source>
+            <translation>%1, %2: Schritt %3, Energie %4 (von %5)</translation>
+        </message>
+        <message>
+            <source>, residual %1 edge lengths</source>
+            <translation>, Rest %1 Kantenlängen</translation>
+        </message>
+        <message>
+            <source>, %1 s</source>
+            <translation>, %1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ScanCommands</name>
+        <message>
+            <source>%1 took several runs, or was stopped halfway through one; the command repeats the last run only.</source>
+            <translation>%1: mehrere Läufe, oder mitten in einem angehalten; der Befehl wiederholt nur den letzten Lauf.</translation>
+        </message>
+        <message>
+            <source>%1: the patch cuts the surface; the command would leave it open.</source>
+            <translation>%1: der Flicken schneidet die Fläche; der Befehl ließe das Loch offen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::SectionView</name>
+        <message>
+            <source>Mean curvature along a section across the seam</source>
+            <translation>Mittlere Krümmung längs eines Schnitts über die Naht</translation>
+        </message>
+        <message>
+            <source>Direction of the section</source>
+            <translation>Richtung des Schnitts</translation>
+        </message>
+        <message>
+            <source>Turns the section about the hole's axis; 0° runs along the hole's longest direction</source>
+            <translation>Dreht den Schnitt um die Achse des Lochs; 0° liegt in seiner längsten Richtung</translation>
+        </message>
+        <message>
+            <source>%1°</source>
+            <translation>%1°</translation>
+        </message>
+        <message>
+            <source>Fill a hole, and H across its seam is drawn here.</source>
+            <translation>Ein Loch füllen: hier steht dann H quer zur Naht.</translation>
+        </message>
+        <message>
+            <source>H of scan</source>
+            <translation>H des Scans</translation>
+        </message>
+        <message>
+            <source>patch</source>
+            <translation>Flicken</translation>
+        </message>
+        <message>
+            <source>filler</source>
+            <translation>Füller</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ShortcutSheet</name>
+        <message>
+            <source> or </source>
+            <translation> oder </translation>
+        </message>
+        <message>
+            <source>Keyboard shortcuts</source>
+            <translation>Tastenkürzel</translation>
+        </message>
+        <message>
+            <source>Mouse and keys in the picture</source>
+            <translation>Maus und Tasten im Bild</translation>
+        </message>
+        <message>
+            <source>Drag</source>
+            <translation>Ziehen</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>Drehen</translation>
+        </message>
+        <message>
+            <source>Shift+drag, middle button</source>
+            <translation>Umschalt+Ziehen, mittlere Taste</translation>
+        </message>
+        <message>
+            <source>Move sideways</source>
+            <translation>Seitlich bewegen</translation>
+        </message>
+        <message>
+            <source>Wheel, right button, +, −</source>
+            <translation>Rad, rechte Taste, +, −</translation>
+        </message>
+        <message>
+            <source>Closer, further away</source>
+            <translation>Näher, weiter weg</translation>
+        </message>
+        <message>
+            <source>Arrow keys</source>
+            <translation>Pfeiltasten</translation>
+        </message>
+        <message>
+            <source>Turn by ten degrees</source>
+            <translation>Um zehn Grad drehen</translation>
+        </message>
+        <message>
+            <source>Click on a rim</source>
+            <translation>Klick auf einen Rand</translation>
+        </message>
+        <message>
+            <source>Select; with Ctrl, add</source>
+            <translation>Auswählen; mit Strg dazu</translation>
+        </message>
+        <message>
+            <source>Double click on a rim or row</source>
+            <translation>Doppelklick auf Rand oder Zeile</translation>
+        </message>
+        <message>
+            <source>Fly there</source>
+            <translation>Hinfliegen</translation>
+        </message>
+        <message>
+            <source>Click on a surface</source>
+            <translation>Klick auf eine Fläche</translation>
+        </message>
+        <message>
+            <source>Show the values at this point</source>
+            <translation>Die Werte an dieser Stelle zeigen</translation>
+        </message>
+        <message>
+            <source>Tab</source>
+            <translation>Tabulator</translation>
+        </message>
+        <message>
+            <source>From control to control</source>
+            <translation>Von Bedienteil zu Bedienteil</translation>
+        </message>
+        <message>
+            <source>Return in the table</source>
+            <translation>Eingabetaste in der Tabelle</translation>
+        </message>
+        <message>
+            <source>Fly to the hole</source>
+            <translation>Zum Loch fliegen</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::SmallHolesBox</name>
+        <message>
+            <source>Fill all &amp;up to</source>
+            <translation>Alle füllen &amp;bis</translation>
+        </message>
+        <message>
+            <source>Largest size</source>
+            <translation>Größte Größe</translation>
+        </message>
+        <message>
+            <source>Holes up to this size are meant</source>
+            <translation>Löcher bis zu dieser Größe sind gemeint</translation>
+        </message>
+        <message>
+            <source>edges</source>
+            <translation>Kanten</translation>
+        </message>
+        <message>
+            <source>diameter</source>
+            <translation>Durchmesser</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Maß</translation>
+        </message>
+        <message>
+            <source>What the size of a hole is: edges along its rim, or its diameter in the scan's unit</source>
+            <translation>Was die Größe eines Lochs ist: Kanten am Rand, oder Durchmesser in der Einheit des Scans</translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation>Füllen</translation>
+        </message>
+        <message>
+            <source>Fill every open hole up to this size</source>
+            <translation>Jedes offene Loch bis zu dieser Größe füllen</translation>
+        </message>
+        <message>
+            <source>Include outer rims</source>
+            <translation>Außenränder einschließen</translation>
+        </message>
+        <message>
+            <source>The rim of an open sheet looks like a hole to a program. It is left out unless you include it here, or select it yourself</source>
+            <translation>Der Rand einer offenen Fläche sieht für ein Programm wie ein Loch aus. Er bleibt aus, wenn Sie ihn nicht hier einschließen oder selbst auswählen</translation>
+        </message>
+        <message>
+            <source>Fill %1 of %2</source>
+            <translation>%1 von %2 füllen</translation>
+        </message>
+        <message>
+            <source>Include outer &amp;rims of open sheets (%1)</source>
+            <translation>Außen&amp;ränder einschließen (%1)</translation>
+        </message>
+        <message>
+            <source>Include outer &amp;rims of open sheets (none here)</source>
+            <translation>Außen&amp;ränder einschließen (hier keine)</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::StatusLine</name>
+        <message>
+            <source>Ready</source>
+            <translation>Bereit</translation>
+        </message>
+        <message>
+            <source>%1 triangles · %2 vertices</source>
+            <translation>%1 Dreiecke · %2 Ecken</translation>
+        </message>
+        <message>
+            <source>step %1 · energy %2</source>
+            <translation>Schritt %1 · Energie %2</translation>
+        </message>
+        <message>
+            <source> · residual %1</source>
+            <translation> · Rest %1</translation>
+        </message>
+        <message>
+            <source> · σ %1 · τ %2</source>
+            <translation> · σ %1 · τ %2</translation>
+        </message>
+        <message>
+            <source> · %1 s</source>
+            <translation> · %1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Welcome</name>
+        <message>
+            <source>Open a scan, or drop one here</source>
+            <translation>Einen Scan öffnen oder hier ablegen</translation>
+        </message>
+        <message>
+            <source>PLY, STL, OBJ or OFF; or a saved session</source>
+            <translation>PLY, STL, OBJ oder OFF; oder eine gesicherte Sitzung</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Öffnen…</translation>
+        </message>
+        <message>
+            <source>Choose a file (Ctrl+O)</source>
+            <translation>Eine Datei wählen (Strg+O)</translation>
+        </message>
+        <message>
+            <source>&amp;Try the sample</source>
+            <translation>&amp;Beispiel ansehen</translation>
+        </message>
+        <message>
+            <source>A small made-up scan with five holes</source>
+            <translation>Ein kleiner gemachter Scan mit fünf Löchern</translation>
+        </message>
+        <message>
+            <source>Opened lately</source>
+            <translation>Zuletzt geöffnet</translation>
+        </message>
+        <message>
+            <source>Open %1</source>
+            <translation>%1 öffnen</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::WindowActions</name>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>&amp;Datei</translation>
+        </message>
+        <message>
+            <source>Open &amp;recent</source>
+            <translation>&amp;Zuletzt geöffnet</translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>Sch&amp;ließen</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>&amp;Bearbeiten</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>&amp;Ansicht</translation>
+        </message>
+        <message>
+            <source>&amp;Patch</source>
+            <translation>&amp;Flicken</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Hilfe</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>Werkzeuge</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Öffnen</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Sichern</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>H</source>
+            <translation>H</translation>
+        </message>
+        <message>
+            <source>K</source>
+            <translation>K</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Öffnen…</translation>
+        </message>
+        <message>
+            <source>Open a scan or a session</source>
+            <translation>Einen Scan oder eine Sitzung öffnen</translation>
+        </message>
+        <message>
+            <source>&amp;Add to the scene…</source>
+            <translation>Zur Szene &amp;hinzufügen…</translation>
+        </message>
+        <message>
+            <source>Open further scans beside the present ones</source>
+            <translation>Weitere Scans neben den jetzigen öffnen</translation>
+        </message>
+        <message>
+            <source>Open the sa&amp;mple</source>
+            <translation>Das &amp;Beispiel öffnen</translation>
+        </message>
+        <message>
+            <source>Open a small made-up scan with five holes</source>
+            <translation>Einen kleinen gemachten Scan mit fünf Löchern öffnen</translation>
+        </message>
+        <message>
+            <source>&amp;Save session</source>
+            <translation>Sitzung &amp;sichern</translation>
+        </message>
+        <message>
+            <source>Keep scans and patches as they are, to go on another day</source>
+            <translation>Scans und Flicken behalten, wie sie sind, um später weiterzumachen</translation>
+        </message>
+        <message>
+            <source>Save session &amp;as…</source>
+            <translation>Sitzung sichern &amp;als…</translation>
+        </message>
+        <message>
+            <source>Save the session under another name</source>
+            <translation>Die Sitzung unter anderem Namen sichern</translation>
+        </message>
+        <message>
+            <source>&amp;Export…</source>
+            <translation>&amp;Exportieren…</translation>
+        </message>
+        <message>
+            <source>Write scan and patches to a mesh file</source>
+            <translation>Scan und Flicken in eine Netzdatei schreiben</translation>
+        </message>
+        <message>
+            <source>S&amp;creenshot…</source>
+            <translation>Bildschirm&amp;foto…</translation>
+        </message>
+        <message>
+            <source>Write the picture to a PNG file</source>
+            <translation>Das Bild in eine PNG-Datei schreiben</translation>
+        </message>
+        <message>
+            <source>&amp;Quit</source>
+            <translation>Be&amp;enden</translation>
+        </message>
+        <message>
+            <source>Close the window</source>
+            <translation>Das Fenster schließen</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Rückgängig</translation>
+        </message>
+        <message>
+            <source>Take back the last change</source>
+            <translation>Die letzte Änderung zurücknehmen</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Wiederholen</translation>
+        </message>
+        <message>
+            <source>Do it again</source>
+            <translation>Noch einmal tun</translation>
+        </message>
+        <message>
+            <source>Select &amp;all holes</source>
+            <translation>&amp;Alle Löcher wählen</translation>
+        </message>
+        <message>
+            <source>Select every hole</source>
+            <translation>Jedes Loch auswählen</translation>
+        </message>
+        <message>
+            <source>&amp;Next hole</source>
+            <translation>&amp;Nächstes Loch</translation>
+        </message>
+        <message>
+            <source>Select the next hole of the table and fly there</source>
+            <translation>Das nächste Loch der Tabelle wählen und hinfliegen</translation>
+        </message>
+        <message>
+            <source>&amp;Previous hole</source>
+            <translation>&amp;Voriges Loch</translation>
+        </message>
+        <message>
+            <source>Select the hole before and fly there</source>
+            <translation>Das vorige Loch wählen und hinfliegen</translation>
+        </message>
+        <message>
+            <source>&amp;Filter holes</source>
+            <translation>Löcher &amp;filtern</translation>
+        </message>
+        <message>
+            <source>Write into the filter of the holes table</source>
+            <translation>In den Filter der Tabelle schreiben</translation>
+        </message>
+        <message>
+            <source>Pre&amp;ferences…</source>
+            <translation>&amp;Einstellungen…</translation>
+        </message>
+        <message>
+            <source>Language, colours, memory, recovery</source>
+            <translation>Sprache, Farben, Speicher, Wiederherstellung</translation>
+        </message>
+        <message>
+            <source>&amp;Mean curvature</source>
+            <translation>&amp;Mittlere Krümmung</translation>
+        </message>
+        <message>
+            <source>Colour by mean curvature H</source>
+            <translation>Nach mittlerer Krümmung H färben</translation>
+        </message>
+        <message>
+            <source>&amp;Gaussian curvature</source>
+            <translation>&amp;Gaußsche Krümmung</translation>
+        </message>
+        <message>
+            <source>Colour by Gaussian curvature K</source>
+            <translation>Nach Gaußscher Krümmung K färben</translation>
+        </message>
+        <message>
+            <source>&amp;Plain</source>
+            <translation>&amp;Schlicht</translation>
+        </message>
+        <message>
+            <source>One colour; patches in another</source>
+            <translation>Eine Farbe; Flicken in einer anderen</translation>
+        </message>
+        <message>
+            <source>&amp;Zebra</source>
+            <translation>&amp;Zebra</translation>
+        </message>
+        <message>
+            <source>Reflected stripes: kinks show where tangents or curvature jump</source>
+            <translation>Gespiegelte Streifen: Knicke zeigen, wo Tangenten oder Krümmung springen</translation>
+        </message>
+        <message>
+            <source>&amp;Isophotes</source>
+            <translation>&amp;Isophoten</translation>
+        </message>
+        <message>
+            <source>Bands of equal brightness</source>
+            <translation>Bänder gleicher Helligkeit</translation>
+        </message>
+        <message>
+            <source>&amp;Wireframe</source>
+            <translation>&amp;Drahtgitter</translation>
+        </message>
+        <message>
+            <source>Draw the triangles' edges</source>
+            <translation>Die Kanten der Dreiecke zeichnen</translation>
+        </message>
+        <message>
+            <source>&amp;Rims and seams</source>
+            <translation>&amp;Ränder und Nähte</translation>
+        </message>
+        <message>
+            <source>Draw rims and seams as lines</source>
+            <translation>Ränder und Nähte als Linien zeichnen</translation>
+        </message>
+        <message>
+            <source>&amp;Frame everything</source>
+            <translation>Alles &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>See the whole scene</source>
+            <translation>Die ganze Szene sehen</translation>
+        </message>
+        <message>
+            <source>&amp;Fill</source>
+            <translation>&amp;Füllen</translation>
+        </message>
+        <message>
+            <source>Close the selected holes, or all</source>
+            <translation>Die gewählten Löcher schließen, oder alle</translation>
+        </message>
+        <message>
+            <source>&amp;Step</source>
+            <translation>&amp;Schritt</translation>
+        </message>
+        <message>
+            <source>Take one time step</source>
+            <translation>Einen Zeitschritt machen</translation>
+        </message>
+        <message>
+            <source>&amp;Run or pause</source>
+            <translation>&amp;Lauf oder Pause</translation>
+        </message>
+        <message>
+            <source>Step after step until at rest</source>
+            <translation>Schritt für Schritt bis zur Ruhe</translation>
+        </message>
+        <message>
+            <source>&amp;To steady state</source>
+            <translation>Bis zur &amp;Ruhe</translation>
+        </message>
+        <message>
+            <source>Straight to where the flow comes to rest</source>
+            <translation>Geradewegs dorthin, wo der Fluss ruht</translation>
+        </message>
+        <message>
+            <source>&amp;Accept or open again</source>
+            <translation>&amp;Annehmen oder wieder öffnen</translation>
+        </message>
+        <message>
+            <source>Keep the patch as it is, or take it up again</source>
+            <translation>Den Flicken so lassen oder wieder aufnehmen</translation>
+        </message>
+        <message>
+            <source>R&amp;eject</source>
+            <translation>V&amp;erwerfen</translation>
+        </message>
+        <message>
+            <source>Throw the patch away; the hole is open again</source>
+            <translation>Den Flicken wegwerfen; das Loch ist wieder offen</translation>
+        </message>
+        <message>
+            <source>&amp;Copy command line</source>
+            <translation>Befehlszeile &amp;kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the commands that do the same</source>
+            <translation>Die Befehle kopieren, die dasselbe tun</translation>
+        </message>
+        <message>
+            <source>Ca&amp;ncel</source>
+            <translation>Abb&amp;rechen</translation>
+        </message>
+        <message>
+            <source>Stop at once; or close a message; or select nothing</source>
+            <translation>Sofort anhalten; oder Meldung schließen; oder nichts auswählen</translation>
+        </message>
+        <message>
+            <source>How things are done, with pictures</source>
+            <translation>Wie es geht, mit Bildern</translation>
+        </message>
+        <message>
+            <source>&amp;Keyboard shortcuts</source>
+            <translation>&amp;Tastenkürzel</translation>
+        </message>
+        <message>
+            <source>All keys on one sheet</source>
+            <translation>Alle Tasten auf einem Blatt</translation>
+        </message>
+        <message>
+            <source>A&amp;bout Loopmend</source>
+            <translation>Ü&amp;ber Loopmend</translation>
+        </message>
+        <message>
+            <source>Version and licence</source>
+            <translation>Version und Lizenz</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Workbench</name>
+        <message>
+            <source>Filling %1</source>
+            <translation>Füllen: %1</translation>
+        </message>
+        <message>
+            <source>Fill %1</source>
+            <translation>Füllen: %1</translation>
+        </message>
+        <message>
+            <source>Filled %1 with %2 triangles in %3 s.</source>
+            <translation>Gefüllt: %1, mit %2 Dreiecken in %3 s.</translation>
+        </message>
+        <message>
+            <source>Some of these holes lie so close to filled ones that both were filled anew, as one.</source>
+            <translation>Einige dieser Löcher liegen so nah an gefüllten, dass beide zusammen neu gefüllt wurden.</translation>
+        </message>
+        <message>
+            <source>Hole %1: %2</source>
+            <translation>Loch %1: %2</translation>
+        </message>
+        <message>
+            <source>Hole %1 stays open: %2</source>
+            <translation>Loch %1 bleibt offen: %2</translation>
+        </message>
+        <message>
+            <source>%1 of %2 holes could not be filled. The State column says why.</source>
+            <translation>%1 von %2 Löchern ließen sich nicht füllen. Die Spalte Zustand sagt, warum.</translation>
+        </message>
+        <message>
+            <source>%1 step on %2</source>
+            <translation>%1, ein Schritt: %2</translation>
+        </message>
+        <message>
+            <source>%1 on %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3 steps, energy %4 → %5, %6 s.</source>
+            <translation>%1, %2: %3 Schritte, Energie %4 → %5, %6 s.</translation>
+        </message>
+        <message>
+            <source>%1 could not be solved together; each was solved by itself.</source>
+            <translation>%1 ließen sich nicht gemeinsam lösen; jedes wurde für sich gelöst.</translation>
+        </message>
+        <message>
+            <source>Pausing after this step</source>
+            <translation>Hält nach diesem Schritt an</translation>
+        </message>
+        <message>
+            <source>Cancelled; the last accepted state is kept.</source>
+            <translation>Abgebrochen; der letzte gültige Zustand bleibt.</translation>
+        </message>
+        <message>
+            <source>Cancelled.</source>
+            <translation>Abgebrochen.</translation>
+        </message>
+        <message>
+            <source>Accept %1</source>
+            <translation>Annehmen: %1</translation>
+        </message>
+        <message>
+            <source>Reopen %1</source>
+            <translation>Wieder öffnen: %1</translation>
+        </message>
+        <message>
+            <source>Reject %1</source>
+            <translation>Verwerfen: %1</translation>
+        </message>
+        <message>
+            <source>Go back on %1</source>
+            <translation>Zurückgehen: %1</translation>
+        </message>
+        <message>
+            <source>Opening %1</source>
+            <translation>Öffnen: %1</translation>
+        </message>
+        <message>
+            <source>Opening %1 files</source>
+            <translation>%1 Dateien werden geöffnet</translation>
+        </message>
+        <message>
+            <source>Making the sample</source>
+            <translation>Das Beispiel wird gemacht</translation>
+        </message>
+        <message>
+            <source> Opened in %1 s.</source>
+            <translation> In %1 s geöffnet.</translation>
+        </message>
+        <message>
+            <source>This surface is closed: there is no hole to fill.</source>
+            <translation>Diese Fläche ist geschlossen: es gibt kein Loch zu füllen.</translation>
+        </message>
+        <message>
+            <source>Computing curvature</source>
+            <translation>Krümmung wird berechnet</translation>
+        </message>
+        <message>
+            <source>Add %1</source>
+            <translation>Hinzufügen: %1</translation>
+        </message>
+        <message>
+            <source>Close %1</source>
+            <translation>Schließen: %1</translation>
+        </message>
+        <message>
+            <source>Restored %1: %2 patches, in %3 s.</source>
+            <translation>%1 wiederhergestellt: %2 Flicken, in %3 s.</translation>
+        </message>
+        <message>
+            <source>Writing %1</source>
+            <translation>Schreiben: %1</translation>
+        </message>
+        <message>
+            <source>Saved the session as %1.</source>
+            <translation>Sitzung gesichert als %1.</translation>
+        </message>
+        <message>
+            <source> Left open, because the patch cuts the surface: %1.</source>
+            <translation> Offen gelassen, weil der Flicken die Fläche schneidet: %1.</translation>
+        </message>
+        <message>
+            <source>Wrote %1: %2 triangles.</source>
+            <translation>%1 geschrieben: %2 Dreiecke.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::words</name>
+        <message>
+            <source>hole</source>
+            <translation>Loch</translation>
+        </message>
+        <message>
+            <source>outer rim</source>
+            <translation>Außenrand</translation>
+        </message>
+        <message>
+            <source>touching</source>
+            <translation>berührend</translation>
+        </message>
+        <message>
+            <source>crack</source>
+            <translation>Riss</translation>
+        </message>
+        <message>
+            <source>cut</source>
+            <translation>Schnitt</translation>
+        </message>
+        <message>
+            <source>A hole in the surface.</source>
+            <translation>Ein Loch in der Fläche.</translation>
+        </message>
+        <message>
+            <source>The rim of an open sheet. It is left out unless you select it yourself and press Fill.</source>
+            <translation>Der Rand einer offenen Fläche. Er bleibt aus, wenn Sie ihn nicht selbst auswählen und füllen.</translation>
+        </message>
+        <message>
+            <source>This loop passes twice through one vertex, or meets another loop there.</source>
+            <translation>Dieser Rand geht zweimal durch eine Ecke oder trifft dort einen anderen.</translation>
+        </message>
+        <message>
+            <source>A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.</source>
+            <translation>Ein Riss: hier fehlt nichts, die zwei Seiten sind nur nicht verbunden. Er bleibt aus, wenn Sie ihn nicht auswählen.</translation>
+        </message>
+        <message>
+            <source>Not a hole: more than two triangles meet along this edge, so the surface was cut here.</source>
+            <translation>Kein Loch: mehr als zwei Dreiecke treffen sich an dieser Kante, deshalb wurde die Fläche hier getrennt.</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>offen</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>ausgelassen</translation>
+        </message>
+        <message>
+            <source>filled</source>
+            <translation>gefüllt</translation>
+        </message>
+        <message>
+            <source>running</source>
+            <translation>läuft</translation>
+        </message>
+        <message>
+            <source>in progress</source>
+            <translation>unterwegs</translation>
+        </message>
+        <message>
+            <source>at rest</source>
+            <translation>in Ruhe</translation>
+        </message>
+        <message>
+            <source>stopped early</source>
+            <translation>früh beendet</translation>
+        </message>
+        <message>
+            <source>cuts surface</source>
+            <translation>schneidet</translation>
+        </message>
+        <message>
+            <source>accepted</source>
+            <translation>angenommen</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>misslungen</translation>
+        </message>
+        <message>
+            <source>Not filled yet.</source>
+            <translation>Noch nicht gefüllt.</translation>
+        </message>
+        <message>
+            <source>Not filled unless you select it yourself.</source>
+            <translation>Wird nur gefüllt, wenn Sie es selbst auswählen.</translation>
+        </message>
+        <message>
+            <source>Closed by the plain filler; no flow has run yet.</source>
+            <translation>Vom einfachen Füller geschlossen; noch lief kein Fluss.</translation>
+        </message>
+        <message>
+            <source>A flow is moving this patch now.</source>
+            <translation>Ein Fluss bewegt diesen Flicken gerade.</translation>
+        </message>
+        <message>
+            <source>A flow has moved this patch; more steps can be taken.</source>
+            <translation>Ein Fluss hat diesen Flicken bewegt; weitere Schritte sind möglich.</translation>
+        </message>
+        <message>
+            <source>The flow has come to rest.</source>
+            <translation>Der Fluss ist zur Ruhe gekommen.</translation>
+        </message>
+        <message>
+            <source>The flow stopped before it came to rest; this is its last good state.</source>
+            <translation>Der Fluss hielt vor der Ruhe an; dies ist sein letzter guter Zustand.</translation>
+        </message>
+        <message>
+            <source>This patch cuts the surface or itself. It is not exported unless you accept it.</source>
+            <translation>Dieser Flicken schneidet die Fläche oder sich selbst. Er wird nur exportiert, wenn Sie ihn annehmen.</translation>
+        </message>
+        <message>
+            <source>Accepted: no flow moves it until you open it again.</source>
+            <translation>Angenommen: kein Fluss bewegt ihn, bis Sie ihn wieder öffnen.</translation>
+        </message>
+        <message>
+            <source>This hole could not be filled.</source>
+            <translation>Dieses Loch ließ sich nicht füllen.</translation>
+        </message>
+        <message>
+            <source>MMCVF – curvature</source>
+            <translation>MMCVF – Krümmung</translation>
+        </message>
+        <message>
+            <source>WF – tangent, round</source>
+            <translation>WF – Tangente, rund</translation>
+        </message>
+        <message>
+            <source>SDF – tangent, taut</source>
+            <translation>SDF – Tangente, straff</translation>
+        </message>
+        <message>
+            <source>MCF – position, soap film</source>
+            <translation>MCF – Lage, Seifenhaut</translation>
+        </message>
+        <message>
+            <source>Minimal mean-curvature variation, sixth order: position, tangent and curvature match at the seam.</source>
+            <translation>Kleinste Änderung der mittleren Krümmung, sechste Ordnung: Lage, Tangente und Krümmung passen an der Naht.</translation>
+        </message>
+        <message>
+            <source>Willmore flow, fourth order: position and tangent match; bends as little as possible.</source>
+            <translation>Willmore-Fluss, vierte Ordnung: Lage und Tangente passen; biegt sich so wenig wie möglich.</translation>
+        </message>
+        <message>
+            <source>Surface diffusion, fourth order: position and tangent match; mean curvature spreads evenly.</source>
+            <translation>Flächendiffusion, vierte Ordnung: Lage und Tangente passen; mittlere Krümmung verteilt sich gleichmäßig.</translation>
+        </message>
+        <message>
+            <source>Mean curvature flow, second order: least area; a crease stays at the seam.</source>
+            <translation>Mittlerer Krümmungsfluss, zweite Ordnung: kleinste Fläche; an der Naht bleibt eine Falte.</translation>
+        </message>
+        <message>
+            <source>The patch does not meet the scan: there is a gap of %1.</source>
+            <translation>Der Flicken trifft den Scan nicht: es bleibt ein Spalt von %1.</translation>
+        </message>
+        <message>
+            <source>Position, tangent and curvature run through the seam.</source>
+            <translation>Lage, Tangente und Krümmung laufen durch die Naht.</translation>
+        </message>
+        <message>
+            <source>The patch meets the scan with a crease of %1° (rms).</source>
+            <translation>Der Flicken trifft den Scan mit einer Falte von %1° (rms).</translation>
+        </message>
+        <message>
+            <source>Position and tangent run through the seam; the mean curvature jumps by %1 (rms).</source>
+            <translation>Lage und Tangente laufen durch die Naht; die mittlere Krümmung springt um %1 (rms).</translation>
+        </message>
+        <message>
+            <source>No flow has run yet.</source>
+            <translation>Noch lief kein Fluss.</translation>
+        </message>
+        <message>
+            <source>The flow made the jump of curvature %1 times smaller.</source>
+            <translation>Der Fluss machte den Sprung der Krümmung %1-mal kleiner.</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 von %2</translation>
+        </message>
+        <message>
+            <source>hole %1</source>
+            <translation>Loch %1</translation>
+        </message>
+        <message>
+            <source>%1 holes</source>
+            <translation>%1 Löcher</translation>
+        </message>
+        <message>
+            <source>holes %1 and %2</source>
+            <translation>Löcher %1 und %2</translation>
+        </message>
+        <message>
+            <source>%1: %2 triangles, %3 vertices, %4 boundary loops.</source>
+            <translation>%1: %2 Dreiecke, %3 Ecken, %4 Ränder.</translation>
+        </message>
+        <message>
+            <source>Noted: %1.</source>
+            <translation>Bemerkt: %1.</translation>
+        </message>
+        <message>
+            <source>%1 polygons cut into triangles</source>
+            <translation>%1 Vielecke in Dreiecke zerlegt</translation>
+        </message>
+        <message>
+            <source>%1 faces turned round</source>
+            <translation>%1 Flächen umgedreht</translation>
+        </message>
+        <message>
+            <source>%1 degenerate faces left aside</source>
+            <translation>%1 entartete Flächen beiseitegelassen</translation>
+        </message>
+        <message>
+            <source>%1 duplicate faces left aside</source>
+            <translation>%1 doppelte Flächen beiseitegelassen</translation>
+        </message>
+        <message>
+            <source>cut along %1 non-manifold edges</source>
+            <translation>an %1 nicht-mannigfaltigen Kanten getrennt</translation>
+        </message>
+        <message>
+            <source>split at %1 non-manifold vertices</source>
+            <translation>an %1 nicht-mannigfaltigen Ecken getrennt</translation>
+        </message>
+        <message>
+            <source>%1 vertices that no face uses</source>
+            <translation>%1 Ecken ohne Fläche</translation>
+        </message>
+    </context>
+</TS>

@@ -1,0 +1,302 @@
+// What a person meets beside the stories: looks, probes, pictures, filters, help, words on every control; and how long
+// the window stands still.
+#include "driver.h"
+
+#include "dialogs/help_window.h"
+#include "dialogs/picture_dialog.h"
+#include "document/targets.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTranslator>
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+const QString bunny = QStringLiteral(LOOPMEND_SHARED_DIR "/data/bunny.ply");
+
+}  // namespace
+
+class FeatureTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void every_look_draws_another_picture();
+  void a_point_tells_its_values();
+  void pictures_of_any_size();
+  void filter_and_groups();
+  void help_is_complete();
+  void every_control_has_a_name_and_words();
+  void german_is_there();
+  void no_long_gaps_on_the_bunny();
+  void undo_keeps_within_its_memory();
+  void memory_is_given_back();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void FeatureTest::every_look_draws_another_picture() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  QList<QImage> pictures;
+  const auto shoot = [&] {
+    if (pictures.isEmpty()) {
+      settle(400);
+    } else {
+      QVERIFY(picture_changes(window, pictures.last(), 0.001));
+    }
+    settle(300);
+    pictures << window.view().picture();
+    QVERIFY(count_colors(pictures.last()) >= 40);
+  };
+  for (Qt::Key digit : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
+    key(window, digit);
+    shoot();
+  }
+  key(window, Qt::Key_W);
+  shoot();
+  key(window, Qt::Key_W);
+  key(window, Qt::Key_M);
+  shoot();
+  key(window, Qt::Key_M);
+  key(window, Qt::Key_1);
+  part<QComboBox>(window, "colorMap")->setCurrentIndex(1);
+  shoot();
+  part<QComboBox>(window, "rangeRule")->setCurrentIndex(1);
+  const double range = window.view().range();
+  part<QDoubleSpinBox>(window, "ownRange")->setValue(range / 4);
+  QCOMPARE(window.view().range(), part<QDoubleSpinBox>(window, "ownRange")->value());
+  shoot();
+  for (int i = 0; i < pictures.size(); ++i)
+    for (int k = i + 1; k < pictures.size(); ++k)
+      QVERIFY2(share_changed(pictures[i], pictures[k]) > 0.001, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
+}
+
+void FeatureTest::a_point_tells_its_values() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  window.selection().select({0});
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, window.view().canvas()->rect().center());
+  const QString words = part<QLabel>(window, "statusFigures")->text();
+  QVERIFY2(words.contains(QStringLiteral("vertex")) && words.contains(QStringLiteral("H ")), qPrintable(words));
+  QCOMPARE(window.selection().selected(), std::set<int>{0});
+  // Beside everything: the selection goes.
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, QPoint(3, 3));
+  QVERIFY(window.selection().selected().empty());
+}
+
+void FeatureTest::pictures_of_any_size() {
+  Shown shown({sample_file(folder_)});
+  PictureDialog dialog(shown.window.view(), &shown.window);
+  dialog.show();
+  const auto combo = [&](const char* name) { return dialog.findChild<QComboBox*>(QLatin1String(name)); };
+  combo("pictureSize")->setCurrentIndex(1);
+  const QString path = folder_.filePath(QStringLiteral("twice.png"));
+  QVERIFY(dialog.save(path));
+  const QImage twice(path);
+  QCOMPARE(twice.size(), shown.window.view().size() * 2);
+  QVERIFY(count_colors(twice) >= 64);
+  combo("pictureGround")->setCurrentIndex(1);
+  combo("pictureExtras")->setCurrentIndex(2);
+  QVERIFY(dialog.save(path));
+  const QImage cut_out(path);
+  QCOMPARE(qAlpha(cut_out.pixel(2, 2)), 0);
+  QCOMPARE(qAlpha(cut_out.pixel(cut_out.rect().center())), 255);
+  QVERIFY(!dialog.save(QStringLiteral("/nonexistent-folder/x.png")));
+  QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("pictureTrouble"))->isVisible());
+  settle(200);
+  QVERIFY2(count_colors(shown.window.view().picture()) >= 64, "the window's own picture is spoilt");
+}
+
+void FeatureTest::filter_and_groups() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const auto rows = [&] { return part<QTableView>(window, "holesTable")->model()->rowCount(); };
+  const int all = rows();
+  key(window, Qt::Key_L, Qt::ControlModifier);
+  QTest::keyClicks(part<QLineEdit>(window, "holesFilter"), QStringLiteral("rim"));
+  QVERIFY(rows() >= 1 && rows() < all);
+  part<QLineEdit>(window, "holesFilter")->clear();
+  const int hole = first_hole(window.document());
+  window.selection().select({hole});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  part<QComboBox>(window, "holesGroup")->setCurrentIndex(2);
+  QCOMPARE(rows(), 1);
+  QVERIFY2(window.selection().selected() == std::set<int>{hole}, "narrowing the table must not change the selection");
+  part<QComboBox>(window, "holesGroup")->setCurrentIndex(0);
+  // The rule about outer rims can be seen and changed.
+  auto* rims = part<QCheckBox>(window, "includeRims");
+  const int before = open_holes(window.document());
+  QVERIFY(rims->isEnabled());
+  rims->setChecked(true);
+  QVERIFY(open_holes(window.document()) > before);
+}
+
+void FeatureTest::help_is_complete() {
+  HelpWindow help;
+  auto* pages = help.findChild<QListWidget*>();
+  QVERIFY(pages->count() >= 6);
+  for (int row = 0; row < pages->count(); ++row) {
+    pages->setCurrentRow(row);
+    QVERIFY2(help.shown_text().size() > 200, qPrintable(pages->item(row)->text()));
+  }
+}
+
+void FeatureTest::every_control_has_a_name_and_words() {
+  Shown shown({sample_file(folder_)});
+  QStringList nameless;
+  for (QWidget* widget : shown.window.findChildren<QWidget*>()) {
+    const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox") ||
+                         widget->inherits("QAbstractSpinBox") || widget->inherits("QAbstractSlider") ||
+                         widget->inherits("QTableView");
+    // Qt's own inner parts: dock title buttons, scroll bars, the line edit within a spin box.
+    const bool inner = widget->objectName().startsWith(QStringLiteral("qt_")) || widget->objectName().isEmpty() ||
+                       widget->inherits("QScrollBar") || widget->parentWidget()->inherits("QTabBar");
+    if (!control || inner) continue;
+    const bool named = !widget->accessibleName().isEmpty();
+    const bool explained = !widget->toolTip().isEmpty() || !widget->accessibleDescription().isEmpty();
+    if (!named || !explained) nameless << widget->objectName();
+  }
+  QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QStringLiteral(", "))));
+  for (QAction* action : shown.window.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
+    if (!action->objectName().isEmpty()) QVERIFY2(!action->toolTip().isEmpty(), qPrintable(action->objectName()));
+}
+
+void FeatureTest::german_is_there() {
+  QTranslator german;
+  QVERIFY(german.load(QStringLiteral("loopmend_de"), QStringLiteral(":/translations")));
+  QCOMPARE(german.translate("loopmend::WindowActions", "&Undo"), QStringLiteral("&R\u00fcckg\u00e4ngig"));
+}
+
+void FeatureTest::no_long_gaps_on_the_bunny() {
+  if (!QFile::exists(bunny)) QSKIP("bunny.ply is not in the shared folder");
+  Shown shown;
+  MainWindow& window = shown.window;
+  GapMeter gaps;
+  QElapsedTimer clock;
+  clock.start();
+  window.open(bunny);
+  wait_until([&] { return !part<QWidget>(window, "welcome")->isVisible(); });
+  std::printf("bunny: first picture after %lld ms\n", static_cast<long long>(clock.elapsed()));
+  wait_idle(window);
+  settle(200);
+  gaps.report("bunny: open");
+  key(window, Qt::Key_N);
+  settle(600);
+  gaps.report("bunny: fly");
+  for (int x = 100; x < 500; x += 20) {
+    QTest::mouseMove(window.view().canvas(), QPoint(x, 200));
+    QCoreApplication::processEvents();
+  }
+  settle(100);
+  gaps.report("bunny: hover");
+  key(window, Qt::Key_Escape);
+  press(window, "fill");
+  wait_idle(window);
+  settle(200);
+  gaps.report("bunny: fill");
+  press(window, "run");
+  settle(1500);
+  gaps.report("bunny: run");
+  key(window, Qt::Key_Escape);
+  settle(100);
+  gaps.report("bunny: cancel");
+  press(window, "steady");
+  wait_idle(window, 300);
+  settle(200);
+  gaps.report("bunny: to steady state");
+  for (Qt::Key digit : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_1}) {
+    key(window, digit);
+    settle(150);
+  }
+  gaps.report("bunny: shadings");
+  key(window, Qt::Key_W);
+  settle(200);
+  key(window, Qt::Key_W);
+  settle(100);
+  gaps.report("bunny: wireframe");
+  for (int i = 0; i < 3; ++i) key(window, Qt::Key_Z, Qt::ControlModifier);
+  settle(200);
+  gaps.report("bunny: undo");
+}
+
+void FeatureTest::undo_keeps_within_its_memory() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  window.undo().set_budget(1);
+  const int first = first_hole(window.document());
+  for (int loop : {first, first + 1}) {
+    window.selection().select({loop});
+    press(window, "fill");
+    QVERIFY(wait_idle(window));
+  }
+  QCOMPARE(window.document().patches().size(), std::size_t(2));
+  // The latest change can always be taken back; the one before it has been forgotten.
+  QVERIFY(part<QAction>(window, "undo")->isEnabled());
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(window.document().patches().size(), std::size_t(1));
+  QVERIFY(!part<QAction>(window, "undo")->isEnabled());
+  key(window, Qt::Key_Y, Qt::ControlModifier);
+  QCOMPARE(window.document().patches().size(), std::size_t(2));
+}
+
+/// Reported: what the allocator keeps for itself is not the window's.
+void FeatureTest::memory_is_given_back() {
+  const auto megabytes = [] {
+    malloc_trim(0);
+    std::ifstream status("/proc/self/statm");
+    long pages = 0, resident = 0;
+    status >> pages >> resident;
+    return resident * sysconf(_SC_PAGESIZE) >> 20;
+  };
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const long before = megabytes();
+  window.open(write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 30));
+  QVERIFY(wait_idle(window));
+  press(window, "fill");
+  QVERIFY(wait_idle(window, 200));
+  press(window, "steady");
+  QVERIFY(wait_idle(window, 200));
+  const long full = megabytes();
+  window.workbench().open({sample_file(folder_)}, OpenMode::replace);
+  QVERIFY(wait_idle(window));
+  settle(300);
+  const long after = megabytes();
+  std::printf("memory: sample %ld MB, 900 filled holes with timelines %ld MB, sample again %ld MB\n", before, full,
+              after);
+  QVERIFY(full > before);
+  QVERIFY2(after - before < (full - before) / 2, "most of the memory should be back");
+}
+
+int main(int argc, char** argv) {
+  const QTemporaryDir home;
+  use_own_home(home.path());
+  prepare_application();
+  QApplication application(argc, argv);
+  settle_application();
+  FeatureTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "feature_test.moc"

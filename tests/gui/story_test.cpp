@@ -1,0 +1,391 @@
+// Whole stories, told to the real window by mouse and keyboard: fill one hole by eye; fill all small holes of a scan;
+// crash and recover; the same by a script; another day; several scans.
+#include "driver.h"
+
+#include "document/targets.h"
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "panels/banner.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QProcess>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+const QString plane_holes = QStringLiteral(LOOPMEND_SHARED_DIR "/data/plane_holes.obj");
+
+int filled(const Document& document) {
+  int count = 0;
+  for (int loop = 0; loop < document.loop_count(); ++loop) count += document.patch_of(loop) != nullptr;
+  return count;
+}
+
+/// The program that will be killed: fills one hole, waits for its own autosave, tells, and hangs around.
+int be_a_victim(const QString& scan) {
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  window.autosave().set_delay(0);
+  window.selection().select({first_hole(window.document())});
+  bool written = false;
+  QObject::connect(&window.autosave(), &Autosave::written, [&] { written = true; });
+  press(window, "fill");
+  if (!wait_idle(window) || !wait_until([&] { return written; }, 30)) return 1;
+  std::puts("saved");
+  std::fflush(stdout);
+  settle(60000);
+  return 1;
+}
+
+}  // namespace
+
+class StoryTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void one_hole_by_eye();
+  void all_small_holes_and_undo();
+  void thousands_of_holes();
+  void crash_and_recover();
+  void command_line_repeats_the_window();
+  void session_keeps_everything();
+  void several_scans_are_one_scene();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void StoryTest::one_hole_by_eye() {
+  Shown shown({sample_file(folder_)});
+  QVERIFY(shown.exposed && shown.ready);
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  QVERIFY(count_colors(window.view().picture()) >= 64);
+
+  // Find a hole by eye: N flies to the first one; hover it, click it.
+  key(window, Qt::Key_N);
+  settle(700);
+  const int loop = *window.selection().selected().begin();
+  key(window, Qt::Key_Escape);
+  QVERIFY(window.selection().selected().empty());
+  const QPoint at = visible_point(window, loop);
+  QVERIFY2(at.x() >= 0, "the rim cannot be hovered");
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, at);
+  QCOMPARE(window.selection().selected(), std::set<int>{loop});
+  QTest::mouseMove(window.view().canvas(), QPoint(3, 3));
+
+  // Preview another density: the picture changes, the document does not.
+  settle(500);
+  const QImage bare = window.view().picture();
+  QTest::mouseClick(part<QCheckBox>(window, "preview"), Qt::LeftButton, {}, QPoint(8, 8));
+  part<QDoubleSpinBox>(window, "density")->setValue(1.5);
+  QVERIFY(picture_changes(window, bare, 0.003));
+  QVERIFY(document.patches().empty());
+
+  // Fill, step twice, run and pause, by keys.
+  key(window, Qt::Key_F, Qt::ControlModifier);
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  QVERIFY(document.patch_of(loop)->state->recipe.density == 1.5);
+  part<QSlider>(window, "sigma")->setValue(-15);
+  for (int step = 1; step <= 2; ++step) {
+    key(window, Qt::Key_S);
+    QVERIFY(wait_idle(window));
+    QCOMPARE(document.patch_of(loop)->state->steps, step);
+  }
+  key(window, Qt::Key_Space);
+  QVERIFY(wait_until([&] { return document.patch_of(loop)->state->steps >= 4; }));
+  key(window, Qt::Key_Space);
+  QVERIFY(wait_idle(window));
+  const PatchStatePtr reached = document.patch_of(loop)->state;
+  QCOMPARE(document.patch_of(loop)->timeline->size(), static_cast<std::size_t>(reached->steps) + 1);
+
+  // Back along the timeline by keys, then undone.
+  auto* timeline = part<QSlider>(window, "timeline");
+  timeline->setFocus();
+  QTest::keyClick(timeline, Qt::Key_Home);
+  QCOMPARE(document.patch_of(loop)->state->steps, 0);
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(document.patch_of(loop)->state == reached);
+
+  // To rest; the seam is better than the filler's; accept.
+  key(window, Qt::Key_T);
+  QVERIFY(wait_idle(window, 240));
+  const OpenPatch& done = *document.patch_of(loop);
+  QVERIFY(done.state->stage == PatchStage::converged || done.state->stage == PatchStage::stalled);
+  QVERIFY(done.state->seam.front().h_jump_rms < done.state->seam_before.front().h_jump_rms);
+  key(window, Qt::Key_A);
+  QVERIFY(document.state(loop) == HoleState::accepted);
+  QVERIFY(!part<QPushButton>(window, "run")->isEnabled());
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(document.state(loop) != HoleState::accepted);
+  key(window, Qt::Key_Delete);
+  QVERIFY(document.patch_of(loop) == nullptr);
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(document.patch_of(loop) != nullptr);
+}
+
+void StoryTest::all_small_holes_and_undo() {
+  if (!QFile::exists(plane_holes)) QSKIP("plane_holes.obj is not in the shared folder");
+  Shown shown({plane_holes});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  const int all = open_holes(document);
+  QVERIFY(all >= 20);
+  settle(500);
+  const QImage before = window.view().picture();
+
+  // All but the largest: one edge less than it has.
+  int largest = 0;
+  for (const BoundaryLoop& loop : document.loops())
+    if (loop.kind == LoopKind::hole) largest = std::max(largest, loop.edges());
+  part<QDoubleSpinBox>(window, "sizeLimit")->setValue(largest - 1);
+  const int meant = static_cast<int>(loops_up_to(document, SizeMeasure::edges, largest - 1).size());
+  QVERIFY(meant > 0 && meant < all);
+  QVERIFY(part<QPushButton>(window, "fillUpTo")->text().contains(QString::number(meant)));
+  press(window, "fillUpTo");
+  QVERIFY(wait_idle(window, 240));
+  QCOMPARE(filled(document), meant);
+  QCOMPARE(open_holes(document), all - meant);
+  QVERIFY(picture_changes(window, before, 0.003));
+  window.workbench().export_to(folder_.filePath(QStringLiteral("most.ply")));
+  QVERIFY(wait_idle(window));
+  const SurfaceModel written =
+      make_surface_model(read_mesh(folder_.filePath(QStringLiteral("most.ply")).toStdString()).soup);
+  QCOMPARE(find_boundary_loops(written).size(), document.loops().size() - static_cast<std::size_t>(meant));
+
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(filled(document), 0);
+  QCOMPARE(open_holes(document), all);
+  QVERIFY2(picture_returns(window, before), "the holes are not open again");
+  QVERIFY(!part<QAction>(window, "undo")->isEnabled());
+}
+
+void StoryTest::thousands_of_holes() {
+  constexpr int across = 45;
+  Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), across)});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  QCOMPARE(document.loop_count(), across * across + 1);
+  QCOMPARE(open_holes(document), across * across);  // the rim is left out
+  GapMeter gaps;
+  key(window, Qt::Key_A, Qt::ControlModifier);
+  QCOMPARE(static_cast<int>(window.selection().selected().size()), across * across);
+  settle(300);
+  gaps.report("2025 holes: select all");
+  QTest::mouseMove(window.view().canvas(), window.view().position_of(1000, 0));
+  settle(100);
+  gaps.report("2025 holes: hover");
+  key(window, Qt::Key_Escape);
+  press(window, "fillUpTo");
+  QVERIFY(wait_idle(window, 300));
+  settle(300);
+  gaps.report("2025 holes: fill all up to");
+  QCOMPARE(filled(document), across * across);
+  part<QLineEdit>(window, "holesFilter")->setText(QStringLiteral("77"));
+  settle(100);
+  gaps.report("2025 holes: filter");
+  QCOMPARE(part<QTableView>(window, "holesTable")->model()->rowCount(), 1);
+  part<QLineEdit>(window, "holesFilter")->clear();
+  part<QTableView>(window, "holesTable")->sortByColumn(1, Qt::DescendingOrder);
+  settle(100);
+  gaps.report("2025 holes: sort");
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  settle(300);
+  gaps.report("2025 holes: undo");
+  QCOMPARE(filled(document), 0);
+}
+
+void StoryTest::crash_and_recover() {
+  const QString scan = sample_file(folder_);
+  QProcess victim;
+  victim.setProcessChannelMode(QProcess::SeparateChannels);
+  victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--victim"), scan});
+  QVERIFY(victim.waitForStarted());
+  QVERIFY(wait_until([&] { return victim.readAllStandardOutput().contains("saved"); }, 60));
+  QCOMPARE(::kill(static_cast<pid_t>(victim.processId()), SIGKILL), 0);
+  QVERIFY(victim.waitForFinished());
+
+  Shown shown;
+  MainWindow& window = shown.window;
+  window.offer_recovery();
+  auto* banner = part<Banner>(window, "banner");
+  QVERIFY(banner->isVisible());
+  QVERIFY2(banner->text().contains(QStringLiteral("sample.ply")), qPrintable(banner->text()));
+  press(window, "answerRecover");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(window.document().patches().size(), std::size_t(1));
+  const int hole = first_hole(window.document());
+  QVERIFY(window.document().patch_of(hole) != nullptr);
+  QVERIFY2(window.isWindowModified(), "recovered work is in no file yet");
+  settle(200);
+  QVERIFY(count_colors(window.view().picture()) >= 64);
+  QVERIFY2(wait_until([] { return Autosave::leftovers().empty(); }, 10),
+           "what was recovered must not be offered again");
+  QVERIFY2(QFile::exists(window.autosave().path()), "recovered work must be safe from the next crash at once");
+  // It can be worked on.
+  press(window, "steady");
+  QVERIFY(wait_idle(window, 240));
+  QVERIFY(window.document().patch_of(hole)->state->steps > 0);
+}
+
+void StoryTest::command_line_repeats_the_window() {
+  const QString scan = sample_file(folder_);
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  press(window, "steady");
+  QVERIFY(wait_idle(window, 300));
+  // One of them by another flow, in steps.
+  window.selection().select({1});
+  press(window, "reject");
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  part<QComboBox>(window, "flow")->setCurrentIndex(1);
+  part<QSlider>(window, "sigma")->setValue(0);
+  for (int step = 0; step < 3; ++step) {
+    press(window, "step");
+    QVERIFY(wait_idle(window));
+  }
+  window.selection().select({});
+  const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
+  window.workbench().export_to(by_hand);
+  QVERIFY(wait_idle(window));
+  press(window, "copyCommand");
+  const QString command = QGuiApplication::clipboard()->text();
+  QVERIFY2(command.contains(QStringLiteral("--flow wf --mode steps")), qPrintable(command));
+  QProcess shell;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("PATH"), QFileInfo(QStringLiteral(LOOPMEND_PROGRAM)).path() + QLatin1Char(':') +
+                                                 environment.value(QStringLiteral("PATH")));
+  shell.setProcessEnvironment(environment);
+  shell.start(QStringLiteral("sh"), {QStringLiteral("-e"), QStringLiteral("-c"), command});
+  QVERIFY(shell.waitForFinished(300000));
+  QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+  const TriangleSoup ours = read_mesh(by_hand.toStdString()).soup;
+  const TriangleSoup theirs = read_mesh(folder_.filePath(QStringLiteral("sample-filled.ply")).toStdString()).soup;
+  QCOMPARE(ours.points.size(), theirs.points.size());
+  QCOMPARE(ours.triangles.size(), theirs.triangles.size());
+  // Patches may come in another order; every vertex must be there, to the last bit.
+  const auto sorted = [](Points points) {
+    std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    return points;
+  };
+  QVERIFY2(sorted(ours.points) == sorted(theirs.points), "window and command line do not give the same vertices");
+}
+
+void StoryTest::session_keeps_everything() {
+  const QString path = folder_.filePath(QStringLiteral("work.loopmend"));
+  Points positions;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    window.selection().select({0, 1});
+    press(window, "fill");
+    QVERIFY(wait_idle(window));
+    window.selection().select({0});
+    press(window, "accept");
+    QVERIFY(window.isWindowModified());
+    window.workbench().save_session(path);
+    QVERIFY(wait_idle(window));
+    QVERIFY(!window.isWindowModified());
+    positions = window.document().patch_of(1)->state->patch.positions;
+    QVERIFY(window.close());
+  }
+  Shown shown({path});
+  const Document& document = shown.window.document();
+  QVERIFY(shown.ready);
+  QVERIFY(document.state(0) == HoleState::accepted);
+  QVERIFY(document.state(1) == HoleState::filled);
+  QVERIFY2(document.patch_of(1)->state->patch.positions == positions, "the patch came back with other bits");
+  QVERIFY(!shown.window.isWindowModified());
+  // A damaged session is refused in words, and nothing that is open is lost.
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const QByteArray bytes = file.readAll();
+  const QString broken = folder_.filePath(QStringLiteral("broken.loopmend"));
+  for (int size : {0, 10, 200, static_cast<int>(bytes.size()) / 2, static_cast<int>(bytes.size()) - 1}) {
+    QFile part_of(broken);
+    QVERIFY(part_of.open(QIODevice::WriteOnly));
+    part_of.write(bytes.left(size));
+    part_of.close();
+    shown.window.open(broken);
+    QVERIFY(wait_idle(shown.window));
+    QVERIFY(part<Banner>(shown.window, "banner")->text().contains(QStringLiteral("broken.loopmend")));
+    QCOMPARE(document.patches().size(), std::size_t(2));
+  }
+}
+
+void StoryTest::several_scans_are_one_scene() {
+  const QString first = sample_file(folder_);
+  const QString second = write_sheet_with_holes(folder_.filePath(QStringLiteral("small.ply")), 2);
+  Shown shown({first});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  const int loops = document.loop_count();
+  // Dropped onto the window.
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(second)});
+  QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &drop);
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.scans().size(), std::size_t(2));
+  QCOMPARE(document.loop_count(), loops + 5);
+  QVERIFY(!part<QTableView>(window, "holesTable")->isColumnHidden(7));
+  window.selection().select({0, document.first_loop_of(1) + 1});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(filled(document), 2);
+  const QString out = folder_.filePath(QStringLiteral("both.ply"));
+  window.workbench().export_to(out);
+  QVERIFY(wait_idle(window));
+  const std::size_t vertices =
+      document.scan(0)->model->soup.points.size() + document.scan(1)->model->soup.points.size();
+  QVERIFY(read_mesh(out.toStdString()).soup.points.size() > vertices);
+  // Close the second one, and take that back.
+  window.workbench().close_scan(1);
+  QCOMPARE(document.scans().size(), std::size_t(1));
+  QCOMPARE(filled(document), 1);
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.scans().size(), std::size_t(2));
+  QCOMPARE(filled(document), 2);
+}
+
+int main(int argc, char** argv) {
+  const bool victim = argc > 2 && std::strcmp(argv[1], "--victim") == 0;
+  const QTemporaryDir home;
+  if (!victim) use_own_home(home.path());  // the victim has been given its home by the test
+  prepare_application();
+  QApplication application(argc, argv);
+  settle_application();
+  if (victim) return be_a_victim(QString::fromLocal8Bit(argv[2]));
+  StoryTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "story_test.moc"
