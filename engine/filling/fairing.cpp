@@ -3,6 +3,7 @@
 #include "operators/operator_set.h"
 #include "solvers/linear_solver.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace loopmend {
@@ -34,6 +35,60 @@ Points minimal_surface_step(const Points& points, const Triangles& triangles, in
   Points result = points;
   const SparseMatrix C = clamped_cotan_stiffness(points, triangles, faces, robust_clamp);
   return solve_quadratic_form(C, result, locked, static_cast<int>(points.size())) ? result : points;
+}
+
+Points linear_fairing(const Patch& patch, FairingOrder order) {
+  std::vector<int> faces(patch.triangles.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, faces, robust_clamp);
+  const Eigen::VectorXd inverse_mass = barycentric_areas(patch.positions, patch.triangles).cwiseInverse();
+  // Rows of ΔL that have a full one-ring of data: the free vertices and the loop; on ring 2 for the third order.
+  Eigen::VectorXd rows(patch.vertex_count());
+  const int reach = order == FairingOrder::second ? 1 : 2;
+  for (int i = 0; i < patch.vertex_count(); ++i) rows[i] = patch.ring[i] <= reach ? inverse_mass[i] : 0;
+  SparseMatrix Q;
+  if (order == FairingOrder::second) {
+    Q = C * rows.asDiagonal() * C;
+  } else {
+    std::vector<int> inner;  // triangles whose three corners have a Laplacian, touching the free part or the loop
+    for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
+      const Triangle& t = patch.triangles[f];
+      if (std::max({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= reach &&
+          std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= 1)
+        inner.push_back(static_cast<int>(f));
+    }
+    const SparseMatrix inner_C = clamped_cotan_stiffness(patch.positions, patch.triangles, inner, robust_clamp);
+    const SparseMatrix L = rows.asDiagonal() * C;
+    Q = SparseMatrix(L.transpose()) * inner_C * L;
+  }
+  Points result = patch.positions;
+  return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
+}
+
+Points graph_fairing(const Patch& patch) {
+  const int count = patch.vertex_count();
+  std::vector<Eigen::Triplet<double>> all, inner;
+  const auto add = [](std::vector<Eigen::Triplet<double>>& triplets, int i, int j) {
+    triplets.emplace_back(i, i, 0.5);  // each edge is met from both of its triangles
+    triplets.emplace_back(j, j, 0.5);
+    triplets.emplace_back(i, j, -0.5);
+    triplets.emplace_back(j, i, -0.5);
+  };
+  for (const Triangle& t : patch.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int i = t[k], j = t[(k + 1) % 3];
+      add(all, i, j);
+      if (std::min(patch.ring[i], patch.ring[j]) <= 1) add(inner, i, j);
+    }
+  SparseMatrix C(count, count), C_inner(count, count);
+  C.setFromTriplets(all.begin(), all.end());
+  C_inner.setFromTriplets(inner.begin(), inner.end());
+  Eigen::VectorXd rows(count);
+  for (int i = 0; i < count; ++i) rows[i] = patch.ring[i] <= 2 && C.coeff(i, i) > 0 ? 1 / C.coeff(i, i) : 0;
+  const SparseMatrix L = rows.asDiagonal() * C;
+  const SparseMatrix Q = SparseMatrix(L.transpose()) * C_inner * L;
+  Points result = patch.positions;
+  return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
 }
 
 }  // namespace loopmend

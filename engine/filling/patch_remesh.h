@@ -7,7 +7,8 @@
 namespace loopmend {
 
 /// The patch's own triangles, the loops locked, guarded against the surroundings; target sizes from the rim.
-GuardedMesh open_for_remeshing(const Patch& patch);
+/// @param density  edges per length relative to the rim, > 0.
+GuardedMesh open_for_remeshing(const Patch& patch, double density = 1);
 
 /// The same patch with the interior of `mesh`; fixed vertices and surroundings are those of `patch`.
 Patch with_interior(const Patch& patch, const GuardedMesh& mesh);
