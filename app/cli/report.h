@@ -16,6 +16,9 @@ namespace loopmend {
 nlohmann::ordered_json input_json(const std::filesystem::path& path, const ImportReport& import,
                                   const ModelRepairs& repairs);
 
+/// The figures of a seam; null where there is none.
+nlohmann::ordered_json seam_json(const SeamReport& seam);
+
 /// Number, edges, lengths and kind of a loop.
 nlohmann::ordered_json loop_json(const BoundaryLoop& loop);
 
