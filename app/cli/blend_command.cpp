@@ -6,7 +6,6 @@
 
 #include "core/version.h"
 #include "evolution/blend_loops.h"
-#include "io/atomic_file.h"
 
 #include <chrono>
 #include <cstdio>
@@ -17,17 +16,6 @@ namespace loopmend {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-void check_paths(const BlendCommand& command) {
-  check_mesh_writable(command.output);
-  const std::string& report = command.words.report;
-  if (report.empty() || report == "-") return;
-  std::vector<std::filesystem::path> meshes = command.inputs;
-  meshes.push_back(command.output);
-  for (const std::filesystem::path& mesh : meshes)
-    if (same_file(mesh, report)) throw UsageError("--report " + report + " would overwrite the mesh " + mesh.string());
-  check_writable(report);
-}
 
 /// Points bit for bit, triangles in their order up to their sense.
 bool starts_with(const TriangleSoup& result, const TriangleSoup& input) {
@@ -90,7 +78,7 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
 
 int run_blend(const BlendCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_paths(command);
+  check_outputs(command.inputs, command.output, command.words.report);
   OpenedParts parts = open_parts(command.inputs);
   const std::vector<NamedLoop> loops = choose_part_loops(parts.joined, command.loops);
   std::vector<BoundaryLoop> bare;

@@ -29,15 +29,55 @@ void add_blend(CLI::App& app, BlendCommand& command) {
       exit_codes_help);
 }
 
+void add_interpolate(CLI::App& app, InterpolateCommand& command) {
+  CLI::App* interpolate =
+      app.add_subcommand("interpolate", "Find a smooth surface through the vertices of a polyhedron");
+  interpolate->add_option("POLY", command.input, "Polyhedron to read (PLY, STL, OBJ, OFF)")->required();
+  interpolate->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
+  interpolate->add_option("--subdivide", command.subdivide, "Each triangle into 4^K")
+      ->type_name("K")
+      ->capture_default_str();
+  interpolate->add_option("--fixed", command.fixed, "File of vertex numbers, 0-based: go through these alone")
+      ->type_name("FILE");
+  interpolate->add_flag_callback(
+      "--open", [&command] { command.rim = PolyhedronRim::keep; },
+      "Take an open polyhedron; the edges of its rims stay where they are");
+  add_flow_options(*interpolate, command.words, DensityOption::leave_out);
+  interpolate->footer(std::string("The fixed vertices come first in the output, in their order, bit-identical.\n"
+                                  "Examples:\n"
+                                  "  loopmend interpolate dodecahedron.off -o ball.ply\n"
+                                  "  loopmend interpolate hull.obj -o body.ply --subdivide 4 --open\n") +
+                      exit_codes_help);
+}
+
+void add_evolve(CLI::App& app, EvolveCommand& command) {
+  CLI::App* evolve = app.add_subcommand("evolve", "Evolve a region of a mesh with its surroundings fixed");
+  evolve->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
+  evolve->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
+  evolve->add_option("--region", command.region, "File of the region's vertex numbers, 0-based")->type_name("FILE");
+  evolve->add_option("--where", command.where, "The region by a condition on x, y, z, H or K, such as z>0.725")
+      ->type_name("CONDITION");
+  add_flow_options(*evolve, command.words, DensityOption::leave_out);
+  evolve->footer(std::string("Vertices and faces keep their numbers; all outside the region are bit-identical.\n"
+                             "Examples:\n"
+                             "  loopmend evolve part.ply -o fair.ply --region bump.txt\n"
+                             "  loopmend evolve terrain.ply -o flat.ply --where 'z>0.725' --flow wf --report -\n") +
+                 exit_codes_help);
+}
+
 }  // namespace
 
-void PaperCommands::add_to(CLI::App& app) { add_blend(app, blend_); }
+void PaperCommands::add_to(CLI::App& app) {
+  add_blend(app, blend_);
+  add_interpolate(app, interpolate_);
+  add_evolve(app, evolve_);
+}
 
 std::optional<int> PaperCommands::run(const CLI::App& app, const std::string& command_line) {
-  if (app.got_subcommand("blend")) {
-    blend_.command_line = command_line;
-    return run_blend(blend_);
-  }
+  blend_.command_line = interpolate_.command_line = evolve_.command_line = command_line;
+  if (app.got_subcommand("blend")) return run_blend(blend_);
+  if (app.got_subcommand("interpolate")) return run_interpolate(interpolate_);
+  if (app.got_subcommand("evolve")) return run_evolve(evolve_);
   return std::nullopt;
 }
 

@@ -3,6 +3,8 @@
 
 #include "flow_words.h"
 
+#include "filling/subdivide_polyhedron.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,8 +20,27 @@ struct BlendCommand {
   std::string command_line;  ///< as typed, for the report
 };
 
+struct InterpolateCommand {
+  std::filesystem::path input, output;
+  int subdivide = 3;            ///< each triangle into 4^k
+  std::filesystem::path fixed;  ///< file of vertex numbers; empty: all
+  PolyhedronRim rim = PolyhedronRim::refuse;
+  FlowWords words;
+  std::string command_line;
+};
+
+struct EvolveCommand {
+  std::filesystem::path input, output;
+  std::filesystem::path region;  ///< file of vertex numbers
+  std::string where;             ///< or a condition; see vertices_where
+  FlowWords words;
+  std::string command_line;
+};
+
 /// @returns an ExitCode. @throws ReadError, WriteError, UsageError, InvalidArgument.
 int run_blend(const BlendCommand& command);
+int run_interpolate(const InterpolateCommand& command);
+int run_evolve(const EvolveCommand& command);
 
 /// Options of all of them, and which one to run.
 class PaperCommands {
@@ -30,6 +51,8 @@ class PaperCommands {
 
  private:
   BlendCommand blend_;
+  InterpolateCommand interpolate_;
+  EvolveCommand evolve_;
 };
 
 }  // namespace loopmend

@@ -64,15 +64,14 @@ TEST_F(CliBlend, JoinsTheFacingEndsOfTwoFiles) {
 }
 
 TEST_F(CliBlend, ARingThatIsMissingInOneFileByNumbers) {
-  write("tube.ply", cut(make_cylinder(6, 32), [](const Vec3& p) { return std::abs(p.z() - 3) < 0.7; }));
+  // Wider towards the top, so that the loops are numbered from there.
+  write("tube.ply", cut(make_revolution([](double z) { return 1 + 0.01 * z; }, 0, 6, 32, 30),
+                        [](const Vec3& p) { return std::abs(p.z() - 3) < 0.7; }));
   expect_refused(blend(path("tube.ply")), 2, "4 loops, not two");
-  const json info = json::parse(loopmend_program("info " + path("tube.ply") + "--json -").out);
-  ASSERT_EQ(info["loops"].size(), 4u);
-  // All four are equally long; the gap's loops are found by trying.
-  int joined_pairs = 0;
-  for (const char* pair : {"1:1,1:2", "1:2,1:3", "1:3,1:4", "1:1,1:4", "1:1,1:3", "1:2,1:4"})
-    joined_pairs += blend(path("tube.ply") + "--quiet --loops " + pair).code == 0;
-  EXPECT_GE(joined_pairs, 1);
+  const Outcome run = blend(path("tube.ply") + "--loops 1:2,1:3");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json info = json::parse(loopmend_program("info " + path("out.ply") + "--json -").out);
+  EXPECT_EQ(info["loops"].size(), 2u);
 }
 
 TEST_F(CliBlend, AnInsideOutPartIsTurnedRoundAndSaid) {

@@ -31,7 +31,7 @@ TEST(BlendLoops, TubesAtOddAnglesConverge) {
            {test::tube_towards({1, 0, 0}), test::tube_towards({0, 1, 0}), test::tube_towards({0, 0, 1})},
            {test::tube_towards({1, 0.1, 0}, 1.8), test::tube_towards({-1, 0.3, 0.2}, 1.5, 0.5),
             test::tube_towards({0.3, 1, 0.2}, 1.6, 0.6), test::tube_towards({0.1, -1, 0.8}, 1.7, 0.7)},
-           test::six_tubes(24)}) {
+           six_tubes(24)}) {
     SurfaceModel model = test::tubes_model(tubes);
     const SurfaceModel before = model;
     const BlendResult result = blend_loops(model, test::inner_rims(model, tubes), {}, {});
@@ -84,7 +84,7 @@ TEST(BlendLoops, AnInsideOutPartIsTurnedRound) {
 }
 
 TEST(BlendLoops, OnCancelTheModelIsAsItWas) {
-  const std::vector<TubeShape> tubes = test::six_tubes(24);
+  const std::vector<TubeShape> tubes = six_tubes(24);
   SurfaceModel model = test::tubes_model(tubes);
   const std::size_t faces = model.soup.triangles.size();
   CancelToken cancel;

@@ -63,7 +63,7 @@ TEST(BridgeLoops, ThreeFourAndSixTubesAtRightAndOddAngles) {
       {tube_towards({1, 0, 0}), tube_towards({-0.6, 1, 0}, 1.7, 0.5), tube_towards({-0.3, -0.5, 1}, 2, 1)});
   expect_valid_bridge({tube_towards({1, 0.1, 0}, 1.8), tube_towards({-1, 0.3, 0.2}, 1.5, 0.5),
                        tube_towards({0.3, 1, 0.2}, 1.6, 0.6), tube_towards({0.1, -1, 0.8}, 1.7, 0.7)});
-  expect_valid_bridge(test::six_tubes(24));
+  expect_valid_bridge(six_tubes(24));
 }
 
 TEST(BridgeLoops, FindsTheTubeThatIsInsideOut) {

@@ -29,12 +29,4 @@ inline std::vector<BoundaryLoop> inner_rims(const SurfaceModel& model, const std
   return rims;
 }
 
-/// Six tubes along the axes (Fig. 5.2d).
-inline std::vector<TubeShape> six_tubes(int around) {
-  std::vector<TubeShape> tubes;
-  for (int axis = 0; axis < 3; ++axis)
-    for (int sign : {1, -1}) tubes.push_back(tube_towards(sign * Vec3::Unit(axis), 1.5, 0.8, around));
-  return tubes;
-}
-
 }  // namespace loopmend::test
