@@ -2,7 +2,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
-#include "paper_commands.h"
+#include "paper/paper_commands.h"
 
 #include "core/version.h"
 

@@ -1,8 +1,8 @@
-#include "commands.h"
-#include "exit_codes.h"
-#include "open_model.h"
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/open_model.h"
+#include "cli/report.h"
 #include "paper_commands.h"
-#include "report.h"
 #include "vertex_selection.h"
 
 #include "core/version.h"

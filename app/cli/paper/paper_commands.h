@@ -37,10 +37,24 @@ struct EvolveCommand {
   std::string command_line;
 };
 
+struct CompareCommand {
+  std::vector<std::filesystem::path> inputs;
+  std::filesystem::path output;  ///< folder
+  std::string loops;             ///< as in BlendCommand
+  std::filesystem::path region;  ///< as in EvolveCommand
+  std::string where;
+  FlowWords words;
+  std::string command_line;
+};
+
 /// @returns an ExitCode. @throws ReadError, WriteError, UsageError, InvalidArgument.
 int run_blend(const BlendCommand& command);
 int run_interpolate(const InterpolateCommand& command);
 int run_evolve(const EvolveCommand& command);
+int run_compare(const CompareCommand& command);
+
+/// @throws WriteError if the folder cannot be made or written to.
+void make_output_folder(const std::filesystem::path& folder);
 
 /// Options of all of them, and which one to run.
 class PaperCommands {
@@ -53,6 +67,7 @@ class PaperCommands {
   BlendCommand blend_;
   InterpolateCommand interpolate_;
   EvolveCommand evolve_;
+  CompareCommand compare_;
 };
 
 }  // namespace loopmend

@@ -1,6 +1,6 @@
 #include "part_loops.h"
 
-#include "commands.h"
+#include "cli/commands.h"
 
 #include "mesh/loop_facing.h"
 

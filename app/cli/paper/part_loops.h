@@ -1,7 +1,7 @@
 // Which loops of which files a command means.
 #pragma once
 
-#include "open_model.h"
+#include "cli/open_model.h"
 
 #include "mesh/join_parts.h"
 

@@ -1,8 +1,8 @@
-#include "commands.h"
-#include "exit_codes.h"
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/report.h"
 #include "paper_commands.h"
 #include "part_loops.h"
-#include "report.h"
 
 #include "core/version.h"
 #include "evolution/blend_loops.h"

@@ -65,19 +65,45 @@ void add_evolve(CLI::App& app, EvolveCommand& command) {
                  exit_codes_help);
 }
 
+void add_compare(CLI::App& app, CompareCommand& command) {
+  CLI::App* compare = app.add_subcommand("compare", "Run MCF, SDF, WF and MMCVF from one start, side by side");
+  compare->add_option("IN", command.inputs, "Meshes to read: one with holes, or parts to be blended")->required();
+  compare->add_option("-o,--output", command.output, "Folder to write to; made if need be")
+      ->type_name("DIR")
+      ->required();
+  compare->add_option("--loops", command.loops, "Blend these loops, as FILE:LOOP")->type_name("1:2,2:1,...");
+  compare->add_option("--region", command.region, "Compare in a region: file of vertex numbers")->type_name("FILE");
+  compare->add_option("--where", command.where, "Compare in a region: condition, such as z>0.725")
+      ->type_name("CONDITION");
+  add_flow_options(*compare, command.words, DensityOption::offer);
+  compare->remove_option(compare->get_option("--flow"));
+  compare->remove_option(compare->get_option("--ascii"));
+  compare->footer(
+      "Written: start.ply and a mesh for each flow; compare.png with one range of colours; the section of H across "
+      "the\n"
+      "seam as profile.csv and profile.svg; energies and seam figures as table.csv and table.md.\n"
+      "MCF takes at most 40 small steps: it has no steady state between tubes.\n"
+      "Examples:\n"
+      "  loopmend compare scan.ply -o flows\n"
+      "  loopmend compare a.ply b.ply c.ply -o flows\n"
+      "  loopmend compare graph.ply -o flows --where 'z>0.725'");
+}
+
 }  // namespace
 
 void PaperCommands::add_to(CLI::App& app) {
   add_blend(app, blend_);
   add_interpolate(app, interpolate_);
   add_evolve(app, evolve_);
+  add_compare(app, compare_);
 }
 
 std::optional<int> PaperCommands::run(const CLI::App& app, const std::string& command_line) {
-  blend_.command_line = interpolate_.command_line = evolve_.command_line = command_line;
+  blend_.command_line = interpolate_.command_line = evolve_.command_line = compare_.command_line = command_line;
   if (app.got_subcommand("blend")) return run_blend(blend_);
   if (app.got_subcommand("interpolate")) return run_interpolate(interpolate_);
   if (app.got_subcommand("evolve")) return run_evolve(evolve_);
+  if (app.got_subcommand("compare")) return run_compare(compare_);
   return std::nullopt;
 }
 

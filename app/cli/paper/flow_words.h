@@ -1,9 +1,9 @@
 // The options of a flow as words on the command line, shared by the commands that evolve a patch.
 #pragma once
 
+#include "cli/progress_line.h"
 #include "evolution/fill_loops.h"
 #include "io/write_mesh.h"
-#include "progress_line.h"
 
 #include <string>
 

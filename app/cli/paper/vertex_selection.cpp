@@ -1,6 +1,6 @@
 #include "vertex_selection.h"
 
-#include "commands.h"
+#include "cli/commands.h"
 
 #include "analysis/curvature_field.h"
 
