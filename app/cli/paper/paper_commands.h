@@ -47,11 +47,18 @@ struct CompareCommand {
   std::string command_line;
 };
 
+struct ReproduceCommand {
+  std::vector<std::string> figures;  ///< "all", "fig5.1a", ...
+  std::filesystem::path output;      ///< folder
+  bool quiet = false;
+};
+
 /// @returns an ExitCode. @throws ReadError, WriteError, UsageError, InvalidArgument.
 int run_blend(const BlendCommand& command);
 int run_interpolate(const InterpolateCommand& command);
 int run_evolve(const EvolveCommand& command);
 int run_compare(const CompareCommand& command);
+int run_reproduce(const ReproduceCommand& command);
 
 /// @throws WriteError if the folder cannot be made or written to.
 void make_output_folder(const std::filesystem::path& folder);
@@ -68,6 +75,7 @@ class PaperCommands {
   InterpolateCommand interpolate_;
   EvolveCommand evolve_;
   CompareCommand compare_;
+  ReproduceCommand reproduce_;
 };
 
 }  // namespace loopmend
