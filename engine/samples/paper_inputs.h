@@ -31,7 +31,7 @@ TriangleSoup make_sphere_wireframe();
 /// Fig. 5.2(a), (d), (g): tubes that leave the origin along +x, +y, +z (1074); along all six half-axes (1470); and a T
 /// (800). What the paper blended is only in its pictures: these are our reading of them.
 std::vector<TubeShape> three_tubes();
-std::vector<TubeShape> six_tubes(int around = 51);
+std::vector<TubeShape> six_tubes(int around = 50);
 std::vector<TubeShape> tee_tubes();
 
 /// Fig. 5.3(a): a head-like closed surface with holes in nose, face and jaw. 432.

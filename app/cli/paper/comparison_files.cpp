@@ -153,8 +153,9 @@ void write_comparison(const ComparisonStart& start, const FlowComparison& compar
   }
   std::vector<Panel> panels;
   for (std::size_t k = 0; k < models.size(); ++k) {
-    panels.push_back({&models[k], upper_name(comparison.runs[k].flow) +
-                                      format(": jump of H at the seam %.3g", comparison.runs[k].wide_jump)});
+    const FlowRun& run = comparison.runs[k];
+    panels.push_back({&models[k], upper_name(run.flow) + format(": jump of H %.3g", overall(run.seams).jump) +
+                                      format(" (wide fits %.3g)", run.wide_jump)});
   }
   RenderOptions options;
   // The colours are those that suit MMCVF: MCF's extremes would leave the others pale.

@@ -93,7 +93,7 @@ void add_reproduce(CLI::App& app, ReproduceCommand& command) {
   CLI::App* reproduce = app.add_subcommand("reproduce", "Run the experiments of the paper and write a report");
   reproduce
       ->add_option("FIGURE", command.figures,
-                   "all, or fig5.1a fig5.1d fig5.2a fig5.2d fig5.2g fig5.3 fig5.4 fig5.5 fig5.6")
+                   "all, or fig5.1a fig5.1d fig5.2a fig5.2d fig5.2g fig5.3 fig5.4 fig5.5 fig5.6 table5.1")
       ->required();
   reproduce->add_option("-o,--output", command.output, "Folder to write to; made if need be")
       ->type_name("DIR")
