@@ -66,7 +66,7 @@ FlowComparison compare_flows(const Patch& start, const EvolutionOptions& base,
     if (progress) progress(flow);
     FlowRun run;
     run.flow = flow;
-    run.evolved = evolve_patch(start, options_for(flow, base), nullptr, cancel);
+    run.evolved = run_flow(start, options_for(flow, base), nullptr, cancel);
     run.energies = patch_energies(run.evolved.patch);
     run.seams = seam_reports(run.evolved.patch);
     run.wide_jump = wide_curvature_jump(run.evolved.patch);

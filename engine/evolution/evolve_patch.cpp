@@ -8,25 +8,6 @@ namespace loopmend {
 
 namespace {
 
-EvolvedPatch run_once(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
-                      const CancelToken& cancel) {
-  Evolution evolution(start, options);
-  EvolvedPatch result;
-  result.status = evolution.run(on_step, cancel);
-  result.message = evolution.message();
-  result.patch = evolution.patch();
-  result.quality = patch_quality(result.patch);
-  result.history = evolution.history();
-  result.steps = static_cast<int>(result.history.size());
-  result.bending = evolution.bending();
-  result.energy = {evolution.initial_energy(), evolution.energy()};
-  for (const StepRecord& step : result.history) {
-    result.seconds.assemble += step.assemble_seconds;
-    result.seconds.solve += step.solve_seconds;
-  }
-  return result;
-}
-
 bool is_good(const EvolvedPatch& result) { return result.is_valid() && result.status != EvolutionStatus::failed; }
 
 /// Valid before invalid, finished before stalled, then the lower energy.
@@ -47,14 +28,33 @@ FillerQuality patch_quality(const Patch& patch) {
   return quality;
 }
 
+EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+                      const CancelToken& cancel) {
+  Evolution evolution(start, options);
+  EvolvedPatch result;
+  result.status = evolution.run(on_step, cancel);
+  result.message = evolution.message();
+  result.patch = evolution.patch();
+  result.quality = patch_quality(result.patch);
+  result.history = evolution.history();
+  result.steps = static_cast<int>(result.history.size());
+  result.bending = evolution.bending();
+  result.energy = {evolution.initial_energy(), evolution.energy()};
+  for (const StepRecord& step : result.history) {
+    result.seconds.assemble += step.assemble_seconds;
+    result.seconds.solve += step.solve_seconds;
+  }
+  return result;
+}
+
 EvolvedPatch evolve_patch(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                           const CancelToken& cancel) {
-  EvolvedPatch result = run_once(start, options, on_step, cancel);
+  EvolvedPatch result = run_flow(start, options, on_step, cancel);
   if (is_good(result) || cancel.cancelled()) return result;
   Patch smooth = start;
   smooth.positions = linear_fairing(start, FairingOrder::third);
   if (smooth.positions == start.positions) return result;
-  EvolvedPatch second = run_once(smooth, options, on_step, cancel);
+  EvolvedPatch second = run_flow(smooth, options, on_step, cancel);
   return better(second, result) ? second : result;
 }
 

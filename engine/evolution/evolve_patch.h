@@ -29,9 +29,13 @@ struct EvolvedPatch {
 /// Folds, cuts and angles of a patch with the rings around it.
 FillerQuality patch_quality(const Patch& patch);
 
-/// Runs the flow from the patch as it is. Where that ends folded, cut or stalled, runs it again from the third-order
-/// linear fairing, and takes the better end.
+/// Runs the flow from the patch as it is, once.
 /// @throws InvalidArgument as Evolution.
+EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+                      const CancelToken& cancel);
+
+/// The same; where that ends folded, cut or stalled, again from the third-order linear fairing, and the better end is
+/// taken.
 EvolvedPatch evolve_patch(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                           const CancelToken& cancel);
 
