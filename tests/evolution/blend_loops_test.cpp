@@ -56,6 +56,43 @@ TEST(BlendLoops, ARingThatIsMissingFromACylinderComesBack) {
   EXPECT_EQ(find_boundary_loops(model).size(), 2u);
 }
 
+/// Radius of the unduloid with H = −1/2 · 2/(0.7 + 1.3) between its neck 0.7 at z = 0 and its belly 1.3, by the midpoint
+/// rule for r″ from r/√(1 + r′²) = (r² + 0.7 · 1.3)/(0.7 + 1.3).
+double unduloid_radius(double z) {
+  static const std::vector<double> table = [] {
+    const auto acceleration = [](double r) {
+      const double p = r * r + 0.91, w = 2 * r / p;
+      return w * 2 * (0.91 - r * r) / (p * p);
+    };
+    std::vector<double> radius;
+    double r = 0.7, v = 0;
+    for (int i = 0; i <= 50000; ++i) {
+      radius.push_back(r);
+      const double middle = r + v * 5e-5, speed = v + acceleration(r) * 5e-5;
+      r += speed * 1e-4;
+      v += acceleration(middle) * 1e-4;
+    }
+    return radius;
+  }();
+  return table[static_cast<std::size_t>(std::lround(std::abs(z) * 1e4))];
+}
+
+TEST(BlendLoops, ARingThatIsMissingFromAnUnduloidComesBack) {
+  SurfaceModel model = make_surface_model(
+      cut(make_revolution(unduloid_radius, -2, 4, 60, 60), [](const Vec3& p) { return std::abs(p.z() - 1) < 0.7; }));
+  std::vector<BoundaryLoop> gap;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    if (std::abs(loop.center.z() - 1) < 1.5) gap.push_back(loop);
+  ASSERT_EQ(gap.size(), 2u);
+  const double diameter = std::max(gap[0].diameter, gap[1].diameter);
+  const BlendResult result = blend_loops(model, gap, {}, {});
+  expect_good(result);
+  EXPECT_LT(rms(*result.patch, [](const Vec3& p) { return std::hypot(p.x(), p.y()) - unduloid_radius(p.z()); }),
+            1e-4 * diameter);
+  for (const SeamReport& seam : result.seams_after)
+    EXPECT_LT(seam.h_jump_rms_times_diameter, 0.036);  // the best peer's
+}
+
 TEST(BlendLoops, IslandsInAHoleStayWhereTheyAre) {
   SurfaceModel model = make_surface_model(cut(make_icosphere(5), [](const Vec3& p) {
     return p.z() > 0.6 && (p - Vec3(0.4, 0, 0.9).normalized()).norm() > 0.15 &&

@@ -73,7 +73,7 @@ TEST(PaperClaims, TheHeadsHolesAreFilledWithoutAJumpOfH) {
 /// Fig. 5.5: the jump falls with the triangles for MMCVF; for SDF and WF it belongs to the surface.
 TEST(PaperClaims, OnSixTubesTheJumpFallsUnderRefinementForMmcvfAlone) {
   std::map<FlowKind, std::vector<double>> wide, close;
-  for (int around : {32, 64}) {
+  for (int around : {28, 56}) {
     const Patch start = six_tube_start(around);
     for (FlowKind flow : {FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
       EvolutionOptions options;
