@@ -123,12 +123,6 @@ void remesh_once(GuardedMesh& mesh) {
   for (int sweep = 0; sweep < 3; ++sweep) mesh.smooth_tangentially();
 }
 
-void relax_once(GuardedMesh& mesh) {
-  mesh.move_towards(minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked()));
-  mesh.flip_to_delaunay();
-  mesh.smooth_tangentially();
-}
-
 template <class Phase>
 void try_phase(Patch& best, double density, const Phase& phase) {
   GuardedMesh mesh = open_for_remeshing(best, density);
@@ -163,8 +157,25 @@ Patch remeshed(Patch bridge, double density, const CancelToken& cancel) {
   return bridge;
 }
 
+/// Part of the way from the fair shape to the minimal surface, all vertices together: going further pinches, and moving
+/// them one by one leaves the patch crumpled.
 Patch membrane(Patch bridge, double density, const CancelToken& cancel) {
-  for (int k = 0; k < membrane_rounds && !cancel.cancelled(); ++k) try_phase(bridge, density, relax_once);
+  for (int k = 0; k < membrane_rounds && !cancel.cancelled(); ++k) {
+    const GuardedMesh mesh = open_for_remeshing(bridge, density);
+    const Points goal = minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked());
+    for (double share : {0.5, 0.25, 0.1}) {
+      Patch next = bridge;
+      for (int i = 0; i < bridge.free_count; ++i)
+        next.positions[i] += share * (goal[static_cast<std::size_t>(mesh.locked() + i)] - bridge.positions[i]);
+      if (badness(assess(next)) > badness(assess(bridge))) continue;
+      bridge = std::move(next);
+      break;
+    }
+    try_phase(bridge, density, [](GuardedMesh& open) {
+      open.flip_to_delaunay();
+      open.smooth_tangentially();
+    });
+  }
   return bridge;
 }
 
@@ -250,7 +261,6 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
   check_loops(loops);
   BridgeOutcome outcome;
   std::optional<Start> best;
-  Patch before_fairing;
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
   for (const auto& [first, shape] : first_bridges(empty_patch(model, loops), ends, options.density)) {
     const double vertices = expected_vertices(first, options.density);
@@ -259,14 +269,12 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
                         " million vertices: a lower density needs fewer";
       return outcome;
     }
-    Patch patch = remeshed(first, options.density, cancel);
-    Start start(patch);
+    Start start(remeshed(first, options.density, cancel));
     const bool ready = shape == FirstBridge::Shape::smooth && badness(start.quality) == 0;
     if (!ready) start = faired(std::move(start), options.density, cancel);
     if (cancel.cancelled()) return {};
     if (best && !start.better_than(*best)) continue;
     best = std::move(start);
-    before_fairing = std::move(patch);
     if (ready) break;
   }
   if (!best) {
@@ -274,8 +282,7 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
     return outcome;
   }
   if (badness(best->quality) > 0) outcome.message = "the bridge has " + faults(best->quality) + " left";
-  outcome.bridge =
-      Bridge{membrane(std::move(before_fairing), options.density, cancel), std::move(best->patch), best->quality};
+  outcome.bridge = Bridge{membrane(best->patch, options.density, cancel), best->patch, best->quality};
   return outcome;
 }
 

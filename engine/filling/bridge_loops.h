@@ -13,8 +13,8 @@ namespace loopmend {
 
 /// One patch with all loops, in two shapes.
 struct Bridge {
-  Patch membrane;         ///< relaxed to a membrane: the paper's initial surface, and what a person sees first
-  Patch start;            ///< where the flow begins: minimal surfaces between tubes pinch (NUMERICS §7)
+  Patch membrane;  ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
+  Patch start;     ///< where the flow begins: minimal surfaces between tubes pinch (NUMERICS §7)
   FillerQuality quality;  ///< of the start
 };
 
