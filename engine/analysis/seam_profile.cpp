@@ -121,7 +121,7 @@ std::vector<ProfilePoint> seam_profile(const Patch& patch, int loop, int edge, d
   if (edge < 0 || edge >= count) throw InvalidArgument("the loop has no edge " + std::to_string(edge));
   const int a = rim[edge], b = rim[(edge + 1) % count];
   std::vector<ProfilePoint> profile = Side(patch, triangles_around(patch)).walk(a, b, reach);
-  for (ProfilePoint& p : profile) p.distance = -p.distance;
+  for (ProfilePoint& p : profile) p.distance = 0 - p.distance;  // no −0
   std::reverse(profile.begin(), profile.end());
   const std::vector<ProfilePoint> inside = Side(patch, own_triangles(patch)).walk(a, b, reach);
   profile.insert(profile.end(), inside.begin(), inside.end());
