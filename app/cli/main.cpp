@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
+#include "paper/paper_commands.h"
 
 #include "core/version.h"
 
@@ -177,6 +178,8 @@ int run(int argc, char** argv) {
   CLI::App* sample = app.add_subcommand("sample", "Write the embedded sample, a scan-like relief with holes");
   sample->add_option("-o,--output", sample_output, "Mesh to write")->required();
   add_render(app, render);
+  PaperCommands paper;
+  paper.add_to(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -188,6 +191,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("info")) return run_info(info);
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
+  if (const auto code = paper.run(app, quoted_command_line(argc, argv))) return *code;
   take_words(words, fill);
   fill.command_line = quoted_command_line(argc, argv);
   return run_fill(fill);

@@ -1,5 +1,7 @@
 #include "report.h"
 
+#include "commands.h"
+
 #include "io/atomic_file.h"
 
 #include <cmath>
@@ -14,14 +16,14 @@ namespace {
 /// JSON knows no NaN: null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+}  // namespace
+
 Json seam_json(const SeamReport& seam) {
   return {
       {"g0_gap", number(seam.g0_gap)},         {"g1_rms_deg", number(seam.g1_rms_deg)},
       {"g1_max_deg", number(seam.g1_max_deg)}, {"h_jump_rms", number(seam.h_jump_rms)},
       {"h_jump_max", number(seam.h_jump_max)}, {"h_jump_rms_times_diameter", number(seam.h_jump_rms_times_diameter)}};
 }
-
-}  // namespace
 
 Json input_json(const std::filesystem::path& path, const ImportReport& import, const ModelRepairs& repairs) {
   return {{"path", path.string()},
@@ -63,6 +65,30 @@ Json loop_json(const LoopResult& result) {
   json["seam_before"] = seam_json(result.seam_before);
   json["seam_after"] = seam_json(result.seam_after);
   return json;
+}
+
+Json evolved_json(const EvolvedPatch& evolved) {
+  return {{"status", to_string(evolved.status)},
+          {"message", evolved.message},
+          {"free_vertices", evolved.patch.free_count},
+          {"steps", evolved.steps},
+          {"bending", evolved.bending},
+          {"energy", {{"initial", number(evolved.energy.initial)}, {"final", number(evolved.energy.final)}}},
+          {"seconds", {{"assemble", evolved.seconds.assemble}, {"solve", evolved.seconds.solve}}},
+          {"folds", evolved.quality.folds},
+          {"self_intersections", evolved.quality.self_intersections},
+          {"min_angle_deg", evolved.quality.min_angle_deg}};
+}
+
+void check_outputs(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& output,
+                   const std::string& report) {
+  check_mesh_writable(output);
+  if (report.empty() || report == "-") return;
+  std::vector<std::filesystem::path> meshes = inputs;
+  meshes.push_back(output);
+  for (const std::filesystem::path& mesh : meshes)
+    if (same_file(mesh, report)) throw UsageError("--report " + report + " would overwrite the mesh " + mesh.string());
+  check_writable(report);
 }
 
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {

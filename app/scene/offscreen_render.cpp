@@ -196,4 +196,43 @@ void render_before_after(const SurfaceModel& before, const SurfaceModel& after, 
   window->Finalize();
 }
 
+void render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options,
+                   const std::filesystem::path& path) {
+  check(options);
+  if (panels.empty() || columns < 1) throw InvalidArgument("a picture needs at least one panel and one column.");
+  const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+  const int width = supersampling * options.width, height = supersampling * options.height;
+  const auto window = make_offscreen_window(width, height);
+  const double ratio =
+      0.5 * (pixel_ratio(options.width, options.height) + pixel_ratio(options.width / columns, options.height / rows));
+  const Vec3 origin = scene_origin(panels.front().model->soup);
+  std::vector<std::unique_ptr<Picture>> pictures;
+  std::vector<float> all_H;
+  for (const Panel& panel : panels) {
+    pictures.push_back(std::make_unique<Picture>());
+    pictures.back()->scene.set_pixel_ratio(ratio);
+    fill_scene(*pictures.back(), *panel.model, options, origin);
+    all_H.insert(all_H.end(), pictures.back()->shape->H.begin(), pictures.back()->shape->H.end());
+    window->AddRenderer(pictures.back()->scene.renderer());
+  }
+  for (std::size_t k = 0; k + 1 < panels.size(); ++k) pictures[k]->scene.set_legend(LegendPlace::none);
+  const int strip =
+      is_colored(options.shading) ? give_legend_room(pictures.back()->scene, window, ratio, width, height) : 0;
+  const int panel_width = (width - strip) / columns, panel_height = height / rows;
+  aim(pictures.front()->scene, *pictures.front()->shape, *panels.front().model,
+      static_cast<double>(panel_width) / panel_height);
+  const double room = static_cast<double>(panel_width) / width;
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    MeshScene& scene = pictures[k]->scene;
+    const double column = static_cast<double>(static_cast<int>(k) % columns), row = static_cast<int>(k) / columns;
+    scene.renderer()->SetViewport(column * room, 1 - (row + 1) / rows, (column + 1) * room, 1 - row / rows);
+    scene.renderer()->SetActiveCamera(pictures.front()->scene.renderer()->GetActiveCamera());
+    scene.set_range(options.h_range.value_or(symmetric_range(all_H)));
+    add_caption(scene.renderer(), panels[k].caption.c_str(), ratio, panel_height);
+  }
+  pictures.front()->scene.renderer()->ResetCameraClippingRange();
+  write_png(window, options, path);
+  window->Finalize();
+}
+
 }  // namespace loopmend

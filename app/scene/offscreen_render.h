@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace loopmend {
 
@@ -26,5 +27,17 @@ void render_to_png(const SurfaceModel& model, const RenderOptions& options, cons
 /// @throws as render_to_png.
 void render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options,
                          const std::filesystem::path& path);
+
+/// One surface of several that are shown together.
+struct Panel {
+  const SurfaceModel* model = nullptr;
+  std::string caption;
+};
+
+/// Surfaces in a grid: one camera (that of the first), one colour range (over all of them), one legend.
+/// @param columns  ≥ 1.
+/// @throws as render_to_png; InvalidArgument without a panel.
+void render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options,
+                   const std::filesystem::path& path);
 
 }  // namespace loopmend

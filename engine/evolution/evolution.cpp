@@ -151,7 +151,6 @@ void Evolution::Impl::prepare(Patch first) {
   room = room_around(start, room_beyond_start);
   state = make_state(start, objective, stencil);
   start_folds = state.folds;
-  allowed_folds = start_folds + std::max(2, state.patch.free_count / 200);
   start_edge_length = edge_length();
 }
 
@@ -173,6 +172,8 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   objective = wanted;
   if (!history.empty() || wanted.flow != FlowKind::mmcvf || wanted.bending > 0)
     state = make_state(std::move(state.patch), objective, stencil, state.topology);
+  const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
+  allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
   decay_rate = slowest_decay_rate(options.flow, state.patch);
   if (!(decay_rate > 0)) decay_rate = 1;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
@@ -227,8 +228,10 @@ void Evolution::Impl::care_for_mesh(double limit) {
 bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   const bool worn = state.folds > 0 || edge_length() > 1.05 * start_edge_length ||
                     min_angle_deg(state.patch.positions, state.patch.triangles, state.patch.patch_triangles) < 30;
-  FairedState faired = linearly_faired(state, objective, stencil,
-                                       worn && !history.empty() ? FairingMesh::remeshed : FairingMesh::kept, cancel);
+  const FairingMesh mesh = options.triangles == PatchTriangles::kept ? FairingMesh::fixed
+                           : worn && !history.empty()                ? FairingMesh::remeshed
+                                                                     : FairingMesh::kept;
+  FairedState faired = linearly_faired(state, objective, stencil, mesh, cancel);
   if (!acceptable(faired.state, state.measure)) return false;
   if (faired.state.measure > 0.5 * state.measure && faired.state.folds == 0) fairings_left = 0;
   StepRecord record;

@@ -19,6 +19,12 @@ enum class EvolutionMode {
   steps,   ///< the paper's semi-implicit scheme, §4, one step of size sigma after another
 };
 
+/// What may become of the patch's triangles on the way to the steady state of MMCVF. Edges are flipped in any case.
+enum class PatchTriangles {
+  free,  ///< a patch that grows is remeshed
+  kept,  ///< vertices neither come nor go, but to mend folds
+};
+
 struct EvolutionOptions {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steady;
@@ -26,6 +32,7 @@ struct EvolutionOptions {
       10;  ///< time step, dimensionless, 1e-6..1e8: tau = sigma / (slowest decay rate of the flow); steps only
   int max_steps = 60;  ///< accepted steps of one run()
   SolverKind solver = SolverKind::automatic;
+  PatchTriangles triangles = PatchTriangles::free;
   /// MMCVF to the steady state minimises ∫‖∇H‖² + β/R² ∫H², R the patch's radius: β = 0 is the pure flow, 60 to 150 suits
   /// rough scans. Empty: as the roughness of the surroundings asks for, 0 where they are smooth.
   std::optional<double> bending;

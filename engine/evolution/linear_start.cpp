@@ -13,7 +13,8 @@ FairedState linearly_faired(const EvolutionState& state, const Objective& object
   Stopwatch watch;
   FairedState result;
   Patch patch = mesh == FairingMesh::remeshed ? remeshed(state.patch) : state.patch;
-  for (int attempt = 0; attempt < 3; ++attempt) {
+  const int attempts = mesh == FairingMesh::fixed ? 2 : 3;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
     if (attempt == 2) patch = remeshed(result.state.patch);
     result.assemble_seconds += watch.lap();
     Patch faired = patch;

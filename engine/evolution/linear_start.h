@@ -7,7 +7,8 @@
 namespace loopmend {
 
 enum class FairingMesh {
-  kept,      ///< the triangles stay
+  fixed,     ///< the triangles stay, come what may
+  kept,      ///< they stay unless the fairing folds them
   remeshed,  ///< brought back to the size of the rim's edges first
 };
 

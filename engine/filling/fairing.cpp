@@ -60,4 +60,30 @@ Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
   return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
 }
 
+Points graph_fairing(const Patch& patch) {
+  const int count = patch.vertex_count();
+  std::vector<Eigen::Triplet<double>> all, inner;
+  const auto add = [](std::vector<Eigen::Triplet<double>>& triplets, int i, int j) {
+    triplets.emplace_back(i, i, 0.5);  // each edge is met from both of its triangles
+    triplets.emplace_back(j, j, 0.5);
+    triplets.emplace_back(i, j, -0.5);
+    triplets.emplace_back(j, i, -0.5);
+  };
+  for (const Triangle& t : patch.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int i = t[k], j = t[(k + 1) % 3];
+      add(all, i, j);
+      if (std::min(patch.ring[i], patch.ring[j]) <= 1) add(inner, i, j);
+    }
+  SparseMatrix C(count, count), C_inner(count, count);
+  C.setFromTriplets(all.begin(), all.end());
+  C_inner.setFromTriplets(inner.begin(), inner.end());
+  Eigen::VectorXd rows(count);
+  for (int i = 0; i < count; ++i) rows[i] = patch.ring[i] <= 2 && C.coeff(i, i) > 0 ? 1 / C.coeff(i, i) : 0;
+  const SparseMatrix L = rows.asDiagonal() * C;
+  const SparseMatrix Q = SparseMatrix(L.transpose()) * C_inner * L;
+  Points result = patch.positions;
+  return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
+}
+
 }  // namespace loopmend

@@ -15,4 +15,8 @@ Points minimal_surface_step(const Points& points, const Triangles& triangles, in
 /// @returns positions of all vertices, fixed ones bit-identical; the present positions if the solve fails.
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp);
 
+/// The third order with all weights one: the triangles' shapes do not count, so that pinched necks and slivers of the
+/// present shape leave no trace (NUMERICS §7). @returns as linear_fairing.
+Points graph_fairing(const Patch& patch);
+
 }  // namespace loopmend

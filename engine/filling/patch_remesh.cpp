@@ -9,27 +9,32 @@ namespace loopmend {
 
 namespace {
 
+/// Fixed vertices of the patch's own triangles: those on the loops, and those that stand alone among free ones.
 int rim_size(const Patch& patch) {
   int rim = 0;
-  for (const auto& loop : patch.loops) rim += static_cast<int>(loop.size());
+  while (patch.free_count + rim < patch.vertex_count() && patch.ring[patch.free_count + rim] == 1) ++rim;
   return rim;
 }
 
-/// Mean length of the edges of the surroundings at each rim vertex.
+/// Mean length of the edges at each rim vertex: of those in the surroundings, or of all where there are none.
 std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
-  std::vector<double> sum(rim, 0), count(rim, 0);
-  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f)
+  std::vector<double> outside(rim, 0), inside(rim, 0), outside_count(rim, 0), inside_count(rim, 0);
+  for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
+    const bool own = static_cast<int>(f) < patch.patch_triangles;
     for (int k = 0; k < 3; ++k) {
       const int a = patch.triangles[f][k], b = patch.triangles[f][(k + 1) % 3];
       const double length = (patch.positions[a] - patch.positions[b]).norm();
-      for (int v : {a, b})
-        if (v - patch.free_count < rim) {
-          sum[v - patch.free_count] += length;
-          count[v - patch.free_count] += 1;
-        }
+      for (int v : {a, b}) {
+        const int i = v - patch.free_count;
+        if (i < 0 || i >= rim) continue;
+        (own ? inside : outside)[i] += length;
+        (own ? inside_count : outside_count)[i] += 1;
+      }
     }
-  for (int i = 0; i < rim; ++i) sum[i] /= std::max(1.0, count[i]);
-  return sum;
+  }
+  for (int i = 0; i < rim; ++i)
+    outside[i] = outside_count[i] > 0 ? outside[i] / outside_count[i] : inside[i] / std::max(1.0, inside_count[i]);
+  return outside;
 }
 
 }  // namespace

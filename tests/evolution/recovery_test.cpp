@@ -1,5 +1,5 @@
 // Constant-mean-curvature surfaces come back exactly, up to the discretisation, however large the opening.
-#include "bench/known_surfaces.h"
+#include "bench/problems/known_surfaces.h"
 #include "mesh/quality.h"
 #include "support/patches.h"
 

@@ -1,0 +1,108 @@
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/report.h"
+#include "paper_commands.h"
+#include "part_loops.h"
+
+#include "core/version.h"
+#include "evolution/blend_loops.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+
+namespace loopmend {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Points bit for bit, triangles in their order up to their sense.
+bool starts_with(const TriangleSoup& result, const TriangleSoup& input) {
+  if (std::memcmp(result.points.data(), input.points.data(), input.points.size() * sizeof(Vec3)) != 0) return false;
+  for (std::size_t f = 0; f < input.triangles.size(); ++f) {
+    const Triangle& t = input.triangles[f];
+    if (result.triangles[f] != t && result.triangles[f] != Triangle{t[0], t[2], t[1]}) return false;
+  }
+  return true;
+}
+
+Json blend_report(const BlendCommand& command, const OpenedParts& parts, const std::vector<NamedLoop>& loops,
+                  const BlendResult& result) {
+  Json json;
+  json["version"] = version();
+  json["command_line"] = command.command_line;
+  for (std::size_t k = 0; k < parts.paths.size(); ++k)
+    json["inputs"].push_back(input_json(parts.paths[k], parts.imports[k], parts.repairs[k]));
+  json["status"] = to_string(result.status);
+  json["message"] = result.message;
+  json["turned_faces"] = result.turned_faces;
+  json["free_vertices"] = result.patch ? result.patch->free_count : 0;
+  json["folds"] = result.quality.folds;
+  json["self_intersections"] = result.quality.self_intersections;
+  json["min_angle_deg"] = result.quality.min_angle_deg;
+  json["steps"] = result.steps;
+  json["bending"] = result.bending;
+  json["energy"] = {{"initial", result.energy.initial}, {"final", result.energy.final}};
+  json["seconds"] = {{"bridge", result.seconds.bridge},
+                     {"assemble", result.seconds.assemble},
+                     {"solve", result.seconds.solve},
+                     {"total", result.seconds.total}};
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    Json loop = loop_json(loops[k].loop);
+    loop["name"] = loops[k].name;
+    if (k < result.seams_after.size()) {
+      loop["seam_before"] = seam_json(result.seams_before[k]);
+      loop["seam_after"] = seam_json(result.seams_after[k]);
+    }
+    json["loops"].push_back(std::move(loop));
+  }
+  return json;
+}
+
+void print_summary(std::FILE* out, const BlendCommand& command, const std::vector<NamedLoop>& loops,
+                   const BlendResult& result, double seconds) {
+  if (result.turned_faces > 0)
+    std::fprintf(out, "%zu faces were turned round: their inside faced the gap.\n", result.turned_faces);
+  std::fprintf(out, "%6s  %6s  %21s  %21s\n", "loop", "edges", "angle at seam, deg", "jump of H x diameter");
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    std::fprintf(out, "%6s  %6d  %9.4f -> %8.4f  %9.4f -> %8.4f\n", loops[k].name.c_str(), loops[k].loop.edges(),
+                 result.seams_before[k].g1_rms_deg, result.seams_after[k].g1_rms_deg,
+                 result.seams_before[k].h_jump_rms_times_diameter, result.seams_after[k].h_jump_rms_times_diameter);
+  std::fprintf(out, "%zu loops joined by %d new vertices: %s after %d steps%s%s; %s written in %.2f s\n", loops.size(),
+               result.patch->free_count, to_string(result.status), result.steps, result.message.empty() ? "" : ", ",
+               result.message.c_str(), command.output.c_str(), seconds);
+}
+
+}  // namespace
+
+int run_blend(const BlendCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  check_outputs(command.inputs, command.output, command.words.report);
+  OpenedParts parts = open_parts(command.inputs);
+  const std::vector<NamedLoop> loops = choose_part_loops(parts.joined, command.loops);
+  std::vector<BoundaryLoop> bare;
+  for (const NamedLoop& loop : loops) bare.push_back(loop.loop);
+  ProgressLine(command.words.verbosity()).say("joining " + std::to_string(loops.size()) + " loops");
+  SurfaceModel model = parts.joined.model;
+  const BlendResult result = blend_loops(model, bare, options_of(command.words), CancelToken());
+  if (result.status == LoopStatus::failed) {
+    std::fprintf(stderr, "loopmend: the loops were not joined: %s. Nothing was written.\n", result.message.c_str());
+    return exit_loops_failed;
+  }
+  if (!starts_with(model.soup, parts.joined.model.soup))
+    throw std::logic_error("the surroundings of a patch were changed: nothing was written");
+  write_mesh(command.output, model.soup, command.words.encoding());
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!command.words.report.empty()) {
+    Json json = blend_report(command, parts, loops, result);
+    json["exterior_unchanged"] = true;
+    json["total_seconds"] = seconds;
+    write_report(command.words.report, json);
+  }
+  if (!command.words.quiet)
+    print_summary(command.words.report == "-" ? stderr : stdout, command, loops, result, seconds);
+  return exit_done;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,82 @@
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/open_model.h"
+#include "cli/report.h"
+#include "paper_commands.h"
+#include "vertex_selection.h"
+
+#include "analysis/seam_report.h"
+#include "core/version.h"
+#include "evolution/evolve_patch.h"
+#include "mesh/region.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace loopmend {
+
+namespace {
+
+void print_summary(std::FILE* out, const EvolveCommand& command, const Region& region, const EvolvedPatch& evolved,
+                   double seconds) {
+  if (region.held_at_boundary > 0)
+    std::fprintf(out, "%d vertices of the region lie on the surface's boundary: they stay.\n", region.held_at_boundary);
+  if (evolved.patch.free_count != region.patch.free_count)
+    std::fprintf(out, "The region was remeshed: %d vertices instead of %d.\n", evolved.patch.free_count,
+                 region.patch.free_count);
+  const std::vector<SeamReport> before = seam_reports(region.patch), after = seam_reports(evolved.patch);
+  std::fprintf(out, "%5s  %21s  %21s\n", "rim", "angle at seam, deg", "jump of H x diameter");
+  for (std::size_t k = 0; k < after.size() && k < 40; ++k)
+    std::fprintf(out, "%5zu  %9.4f -> %8.4f  %9.4f -> %8.4f\n", k + 1, before[k].g1_rms_deg, after[k].g1_rms_deg,
+                 before[k].h_jump_rms_times_diameter, after[k].h_jump_rms_times_diameter);
+  std::fprintf(out, "%d vertices: %s after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
+               evolved.patch.free_count, to_string(evolved.status), evolved.steps, evolved.energy.initial,
+               evolved.energy.final, evolved.message.empty() ? "" : ", ", evolved.message.c_str(),
+               command.output.c_str(), seconds);
+}
+
+}  // namespace
+
+int run_evolve(const EvolveCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  check_outputs({command.input}, command.output, command.words.report);
+  if (command.region.empty() == command.where.empty())
+    throw UsageError("a region is given by --region FILE or by --where CONDITION: one of the two");
+  if (command.words.flow == "none") throw UsageError("--flow none would leave the region as it is");
+  const OpenedModel opened = open_model(command.input);
+  const std::vector<int> vertices =
+      command.where.empty() ? read_vertex_numbers(command.region) : vertices_where(opened.model, command.where);
+  const Region region = make_region(opened.model, vertices);
+  ProgressLine(command.words.verbosity())
+      .say("evolving a region of " + std::to_string(region.patch.free_count) + " vertices");
+  EvolutionOptions options = *options_of(command.words).evolution;
+  options.triangles = PatchTriangles::kept;  // the file's numbering is to stay
+  const EvolvedPatch evolved = evolve_patch(region.patch, options, nullptr, CancelToken());
+  const FillerQuality before = patch_quality(region.patch);
+  if (evolved.quality.folds > before.folds || evolved.quality.self_intersections > before.self_intersections) {
+    std::fprintf(stderr,
+                 "loopmend: the flow would leave %d folded edges and %d self-intersections in the region: nothing was "
+                 "written.\n",
+                 evolved.quality.folds, evolved.quality.self_intersections);
+    return exit_loops_failed;
+  }
+  write_mesh(command.output, with_region(opened.model, region, evolved.patch), command.words.encoding());
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!command.words.report.empty()) {
+    nlohmann::ordered_json json = evolved_json(evolved);
+    json["version"] = version();
+    json["command_line"] = command.command_line;
+    json["input"] = input_json(command.input, opened.import, opened.model.repairs);
+    json["held_at_boundary"] = region.held_at_boundary;
+    json["remeshed"] = evolved.patch.free_count != region.patch.free_count;
+    for (const SeamReport& seam : seam_reports(region.patch)) json["seams_before"].push_back(seam_json(seam));
+    for (const SeamReport& seam : seam_reports(evolved.patch)) json["seams_after"].push_back(seam_json(seam));
+    json["total_seconds"] = seconds;
+    write_report(command.words.report, json);
+  }
+  if (!command.words.quiet)
+    print_summary(command.words.report == "-" ? stderr : stdout, command, region, evolved, seconds);
+  return exit_done;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,75 @@
+#include "flow_words.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <sstream>
+
+namespace loopmend {
+
+namespace {
+
+/// Like CLI::Range, but NaN is out of range, and the numbers in the message are readable.
+CLI::Validator between(double low, double high) {
+  return CLI::Validator(
+      [low, high](std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return std::string();
+        std::ostringstream words;
+        words << "takes a number from " << low << " to " << high << ", not '" << text << "'";
+        return words.str();
+      },
+      "NUMBER");
+}
+
+}  // namespace
+
+void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density) {
+  command.add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first shape")
+      ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
+      ->capture_default_str();
+  command.add_option("--mode", words.mode, "steady: straight to the steady state; steps: the semi-implicit scheme")
+      ->check(CLI::IsMember({"steady", "steps"}))
+      ->capture_default_str();
+  command.add_option("--steps", words.steps, "At most so many steps (default 60)")->check(between(1, 1e6));
+  command.add_option("--sigma", words.sigma, "Size of a step, dimensionless: 10 is large, 0.1 shows the flow at work")
+      ->check(between(1e-6, 1e8))
+      ->capture_default_str();
+  command.add_option("--solver", words.solver, "Linear solver of the steps")
+      ->check(CLI::IsMember({"auto", "direct", "gmres"}))
+      ->capture_default_str();
+  if (density == DensityOption::offer)
+    command.add_option("--density", words.density, "Vertices along a length, relative to the surroundings")
+        ->check(between(0.1, 10))
+        ->capture_default_str();
+  command.add_option("--report", words.report, "Write a JSON report to FILE, or to standard output for -")
+      ->type_name("FILE|-");
+  command.add_flag("--ascii", words.ascii, "Write PLY or STL as text");
+  command.add_flag("--quiet", words.quiet, "No progress and no summary");
+}
+
+EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow) {
+  static const std::map<std::string, SolverKind> solvers{
+      {"auto", SolverKind::automatic}, {"direct", SolverKind::direct}, {"gmres", SolverKind::gmres}};
+  EvolutionOptions options;
+  options.flow = flow;
+  options.mode = words.mode == "steps" ? EvolutionMode::steps : EvolutionMode::steady;
+  options.solver = solvers.at(words.solver);
+  options.sigma = words.sigma;
+  if (words.steps > 0) options.max_steps = words.steps;
+  return options;
+}
+
+FillOptions options_of(const FlowWords& words) {
+  static const std::map<std::string, FlowKind> flows{
+      {"mmcvf", FlowKind::mmcvf}, {"wf", FlowKind::wf}, {"sdf", FlowKind::sdf}, {"mcf", FlowKind::mcf}};
+  FillOptions options;
+  options.filler.density = words.density;
+  if (words.flow == "none")
+    options.evolution.reset();
+  else
+    options.evolution = evolution_of(words, flows.at(words.flow));
+  return options;
+}
+
+}  // namespace loopmend

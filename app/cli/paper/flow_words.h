@@ -1,0 +1,38 @@
+// The options of a flow as words on the command line, shared by the commands that evolve a patch.
+#pragma once
+
+#include "cli/progress_line.h"
+#include "evolution/fill_loops.h"
+#include "io/write_mesh.h"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace loopmend {
+
+struct FlowWords {
+  std::string flow = "mmcvf", mode = "steady", solver = "auto";
+  int steps = 0;  ///< 0: the default
+  double sigma = 10;
+  double density = 1;
+  std::string report;  ///< file or "-"; empty: none
+  bool ascii = false, quiet = false;
+
+  Encoding encoding() const { return ascii ? Encoding::ascii : Encoding::binary; }
+  Verbosity verbosity() const { return quiet ? Verbosity::quiet : Verbosity::normal; }
+};
+
+enum class DensityOption { offer, leave_out };
+
+/// --flow, --mode, --steps, --sigma, --solver, --report, --ascii, --quiet, and --density where offered.
+void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density);
+
+FillOptions options_of(const FlowWords& words);
+
+/// The time step and the number of steps alone, for commands that choose the flow themselves.
+EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow);
+
+}  // namespace loopmend

@@ -1,0 +1,55 @@
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/open_model.h"
+#include "cli/report.h"
+#include "paper_commands.h"
+#include "vertex_selection.h"
+
+#include "core/version.h"
+#include "evolution/interpolate_points.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace loopmend {
+
+int run_interpolate(const InterpolateCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  check_outputs({command.input}, command.output, command.words.report);
+  const OpenedModel opened = open_model(command.input);
+  SubdivisionOptions subdivision;
+  subdivision.subdivisions = command.subdivide;
+  subdivision.rim = command.rim;
+  if (!command.fixed.empty()) subdivision.fixed = read_vertex_numbers(command.fixed);
+  ProgressLine(command.words.verbosity()).say("interpolating " + command.input.string());
+  const Interpolation result =
+      interpolate_points(opened.model, subdivision, options_of(command.words).evolution, CancelToken());
+  const EvolvedPatch& evolved = result.evolved;
+  if (!evolved.is_valid()) {
+    std::fprintf(stderr,
+                 "loopmend: no valid surface was found: the best one has %d folded edges and %d self-intersections. "
+                 "Nothing was written.\n",
+                 evolved.quality.folds, evolved.quality.self_intersections);
+    return exit_loops_failed;
+  }
+  write_mesh(command.output, result.surface, command.words.encoding());
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!command.words.report.empty()) {
+    nlohmann::ordered_json json = evolved_json(evolved);
+    json["version"] = version();
+    json["command_line"] = command.command_line;
+    json["input"] = input_json(command.input, opened.import, opened.model.repairs);
+    json["fixed_vertices"] = result.fixed_count;
+    json["total_seconds"] = seconds;
+    write_report(command.words.report, json);
+  }
+  if (!command.words.quiet)
+    std::fprintf(command.words.report == "-" ? stderr : stdout,
+                 "%d vertices fixed, %d found: %s after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
+                 result.fixed_count, evolved.patch.free_count, to_string(evolved.status), evolved.steps,
+                 evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
+                 evolved.message.c_str(), command.output.c_str(), seconds);
+  return exit_done;
+}
+
+}  // namespace loopmend

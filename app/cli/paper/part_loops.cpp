@@ -1,0 +1,111 @@
+#include "part_loops.h"
+
+#include "cli/commands.h"
+
+#include "mesh/loop_facing.h"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+namespace loopmend {
+
+namespace {
+
+std::string name_of(std::size_t part, std::size_t loop) {
+  return std::to_string(part + 1) + ":" + std::to_string(loop + 1);
+}
+
+/// A number from 1 to `count`, or 0.
+std::size_t number_in(const std::string& text, std::size_t count) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && value <= count ? value : 0;
+}
+
+NamedLoop loop_named(const JoinedParts& parts, const std::string& word) {
+  const std::size_t colon = word.find(':');
+  if (colon == std::string::npos)
+    throw UsageError("--loops takes FILE:LOOP,FILE:LOOP,..., such as 1:2,2:1, not '" + word + "'");
+  const std::size_t part = number_in(word.substr(0, colon), parts.loops.size());
+  if (part == 0)
+    throw UsageError("--loops " + word + ": there is no file " + word.substr(0, colon) + "; " +
+                     std::to_string(parts.loops.size()) + " were given");
+  const auto& loops = parts.loops[part - 1];
+  const std::size_t loop = number_in(word.substr(colon + 1), loops.size());
+  if (loop == 0)
+    throw UsageError("--loops " + word + ": file " + std::to_string(part) + " has " + std::to_string(loops.size()) +
+                     " loops; 'loopmend info' lists them");
+  return {word, loops[loop - 1]};
+}
+
+Vec3 middle_of(const JoinedParts& parts, std::size_t part) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = parts.first_point[part]; i < parts.first_point[part + 1]; ++i) sum += parts.model.soup.points[i];
+  return sum / static_cast<double>(parts.first_point[part + 1] - parts.first_point[part]);
+}
+
+/// How well a loop looks at a place: near, and the surface goes on towards it.
+double facing_score(const JoinedParts& parts, const BoundaryLoop& loop, const Vec3& place) {
+  const Vec3 way = place - loop.center;
+  const double distance = way.norm();
+  if (!(distance > 0)) return 0;
+  return -distance * (2 - loop_facing(parts.model, loop).onward.dot(way) / distance);
+}
+
+std::vector<NamedLoop> facing_loops(const JoinedParts& parts) {
+  std::vector<NamedLoop> chosen;
+  for (std::size_t k = 0; k < parts.loops.size(); ++k) {
+    const auto& loops = parts.loops[k];
+    if (loops.empty())
+      throw UsageError("file " + std::to_string(k + 1) + " is closed: it has no loop that could be joined to others");
+    Vec3 others = Vec3::Zero();
+    for (std::size_t l = 0; l < parts.loops.size(); ++l)
+      if (l != k) others += middle_of(parts, l) / static_cast<double>(parts.loops.size() - 1);
+    std::size_t best = 0;
+    for (std::size_t l = 1; l < loops.size(); ++l)
+      if (facing_score(parts, loops[l], others) > facing_score(parts, loops[best], others)) best = l;
+    chosen.push_back({name_of(k, best), loops[best]});
+  }
+  return chosen;
+}
+
+}  // namespace
+
+OpenedParts open_parts(const std::vector<std::filesystem::path>& paths) {
+  OpenedParts parts;
+  std::vector<TriangleSoup> soups;
+  for (const std::filesystem::path& path : paths) {
+    OpenedModel opened = open_model(path);
+    parts.paths.push_back(path);
+    parts.imports.push_back(opened.import);
+    parts.repairs.push_back(opened.model.repairs);
+    soups.push_back(std::move(opened.model.soup));
+  }
+  parts.joined = join_parts(soups);
+  return parts;
+}
+
+std::vector<NamedLoop> choose_part_loops(const JoinedParts& parts, const std::string& words) {
+  std::vector<NamedLoop> chosen;
+  if (!words.empty()) {
+    std::istringstream stream(words);
+    for (std::string word; std::getline(stream, word, ',');) chosen.push_back(loop_named(parts, word));
+  } else if (parts.loops.size() > 1) {
+    chosen = facing_loops(parts);
+  } else {
+    const auto& loops = parts.loops.front();
+    if (loops.size() != 2)
+      throw UsageError("the file has " + std::to_string(loops.size()) +
+                       " loops, not two: name those to be joined, such as --loops 1:1,1:2");
+    for (std::size_t l = 0; l < 2; ++l) chosen.push_back({name_of(0, l), loops[l]});
+  }
+  if (chosen.size() < 2) throw UsageError("a blend needs at least two loops: --loops names one");
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (chosen[k].loop.number == chosen[l].loop.number)
+        throw UsageError("--loops names loop " + chosen[k].name + " twice");
+  return chosen;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,83 @@
+#include "evolution/compare_flows.h"
+
+#include "energy/curvature_energy.h"
+#include "operators/operator_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double mcf_sigma = 0.1;
+constexpr int mcf_steps = 40;
+
+/// Far enough to see both sides of the seam: half the diameter of the first loop.
+double profile_reach(const Patch& patch) {
+  double diameter = 0;
+  for (int v : patch.loops.front())
+    for (int w : patch.loops.front()) diameter = std::max(diameter, (patch.positions[v] - patch.positions[w]).norm());
+  return 0.6 * diameter * patch.scale;
+}
+
+int widest_jump(const std::vector<FlowRun>& runs) {
+  std::vector<double> sum(runs.front().evolved.patch.loops.front().size(), 0);
+  for (const FlowRun& run : runs) {
+    if (run.flow == FlowKind::mcf) continue;  // its jump is everywhere
+    const std::vector<double> jumps = seam_jumps(run.evolved.patch, 0);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      if (std::isfinite(jumps[i])) sum[i] += jumps[i];
+  }
+  return static_cast<int>(std::max_element(sum.begin(), sum.end()) - sum.begin());
+}
+
+}  // namespace
+
+PatchEnergies patch_energies(const Patch& patch) {
+  const Topology topology(patch.vertex_count(), patch.triangles);
+  std::vector<char> wanted(patch.vertex_count());
+  for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= 4;
+  const OperatorSet ops = compute_operators(patch.positions, patch.triangles, topology, Stencil::two_ring, wanted);
+  PatchEnergies energies;
+  energies.area = patch_area(patch) * patch.scale * patch.scale;
+  energies.bending = energy_value(patch, {0, 1}, ops.H);
+  energies.variation = energy_value(patch, {1, 0}, ops.H) / (patch.scale * patch.scale);
+  return energies;
+}
+
+EvolutionOptions options_for(FlowKind flow, const EvolutionOptions& base) {
+  EvolutionOptions options = base;
+  options.flow = flow;
+  if (flow != FlowKind::mcf || base.mode == EvolutionMode::steps) return options;
+  options.mode = EvolutionMode::steps;
+  options.sigma = mcf_sigma;
+  options.max_steps = std::min(base.max_steps, mcf_steps);
+  return options;
+}
+
+FlowComparison compare_flows(const Patch& start, const EvolutionOptions& base,
+                             const std::function<void(FlowKind)>& progress, const CancelToken& cancel) {
+  FlowComparison comparison;
+  comparison.start = patch_energies(start);
+  comparison.start_seams = seam_reports(start);
+  for (FlowKind flow : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
+    if (cancel.cancelled()) return comparison;
+    if (progress) progress(flow);
+    FlowRun run;
+    run.flow = flow;
+    run.evolved = run_flow(start, options_for(flow, base), nullptr, cancel);
+    run.energies = patch_energies(run.evolved.patch);
+    run.seams = seam_reports(run.evolved.patch);
+    run.wide_jump = wide_curvature_jump(run.evolved.patch);
+    comparison.runs.push_back(std::move(run));
+  }
+  if (start.loops.empty()) return comparison;
+  comparison.profile_edge = widest_jump(comparison.runs);
+  for (const FlowRun& run : comparison.runs)
+    comparison.profiles.push_back(
+        seam_profile(run.evolved.patch, 0, comparison.profile_edge, profile_reach(run.evolved.patch)));
+  return comparison;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,47 @@
+// The four flows from one start (paper Fig. 5.5, 5.6). What `loopmend compare` calls.
+#pragma once
+
+#include "analysis/seam_profile.h"
+#include "analysis/seam_report.h"
+#include "evolution/evolve_patch.h"
+
+#include <functional>
+#include <vector>
+
+namespace loopmend {
+
+/// Of one shape, mesh units.
+struct PatchEnergies {
+  double area = 0;       ///< length²
+  double bending = 0;    ///< ∫H² dA, no unit
+  double variation = 0;  ///< ∫‖∇H‖² dA, 1/length²
+};
+PatchEnergies patch_energies(const Patch& patch);
+
+struct FlowRun {
+  FlowKind flow = FlowKind::mmcvf;
+  EvolvedPatch evolved;
+  PatchEnergies energies;
+  std::vector<SeamReport> seams;  ///< one for each loop
+  double wide_jump = 0;           ///< wide_curvature_jump of the result, 1/length
+};
+
+struct FlowComparison {
+  PatchEnergies start;
+  std::vector<SeamReport> start_seams;
+  std::vector<FlowRun> runs;  ///< MCF, SDF, WF, MMCVF
+  int profile_edge = 0;       ///< of loop 0: where the jump of H, summed over the flows, is widest
+  std::vector<std::vector<ProfilePoint>> profiles;  ///< of each run, across that edge
+};
+
+/// The options for one flow. MCF takes small steps: between tubes it has no steady state, and large steps fail where the
+/// surface is strongly curved (NUMERICS §10).
+EvolutionOptions options_for(FlowKind flow, const EvolutionOptions& base);
+
+/// Runs the flows one after another, each from `start` itself.
+/// @param base      its flow does not count.
+/// @param progress  called before each flow.
+FlowComparison compare_flows(const Patch& start, const EvolutionOptions& base,
+                             const std::function<void(FlowKind)>& progress, const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,61 @@
+#include "evolution/evolve_patch.h"
+
+#include "filling/fairing.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
+
+namespace loopmend {
+
+namespace {
+
+bool is_good(const EvolvedPatch& result) { return result.is_valid() && result.status != EvolutionStatus::failed; }
+
+/// Valid before invalid, finished before stalled, then the lower energy.
+bool better(const EvolvedPatch& a, const EvolvedPatch& b) {
+  if (a.is_valid() != b.is_valid()) return a.is_valid();
+  if (is_good(a) != is_good(b)) return is_good(a);
+  return a.energy.final < b.energy.final;
+}
+
+}  // namespace
+
+FillerQuality patch_quality(const Patch& patch) {
+  FillerQuality quality;
+  quality.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  quality.self_intersections =
+      static_cast<int>(self_intersections(patch.positions, patch.triangles, patch.patch_triangles).size());
+  quality.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
+  return quality;
+}
+
+EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+                      const CancelToken& cancel) {
+  Evolution evolution(start, options);
+  EvolvedPatch result;
+  result.status = evolution.run(on_step, cancel);
+  result.message = evolution.message();
+  result.patch = evolution.patch();
+  result.quality = patch_quality(result.patch);
+  result.history = evolution.history();
+  result.steps = static_cast<int>(result.history.size());
+  result.bending = evolution.bending();
+  result.energy = {evolution.initial_energy(), evolution.energy()};
+  for (const StepRecord& step : result.history) {
+    result.seconds.assemble += step.assemble_seconds;
+    result.seconds.solve += step.solve_seconds;
+  }
+  return result;
+}
+
+EvolvedPatch evolve_patch(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+                          const CancelToken& cancel) {
+  EvolvedPatch result = run_flow(start, options, on_step, cancel);
+  if (is_good(result) || cancel.cancelled()) return result;
+  Patch smooth = start;
+  smooth.positions = linear_fairing(start, 0, robust_clamp);
+  if (smooth.positions == start.positions) return result;
+  EvolvedPatch second = run_flow(smooth, options, on_step, cancel);
+  return better(second, result) ? second : result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,50 @@
+#include "evolution/interpolate_points.h"
+
+#include <algorithm>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int coarsest = 2;  ///< 4² triangles each: the fewest in which a face can bulge
+
+void add_effort(const EvolvedPatch& before, EvolvedPatch& after) {
+  after.steps += before.steps;
+  after.seconds.assemble += before.seconds.assemble;
+  after.seconds.solve += before.seconds.solve;
+  after.energy.initial = before.energy.initial;
+  after.history.insert(after.history.begin(), before.history.begin(), before.history.end());
+}
+
+}  // namespace
+
+Interpolation interpolate_points(const SurfaceModel& polyhedron, const SubdivisionOptions& subdivision,
+                                 const std::optional<EvolutionOptions>& evolution, const CancelToken& cancel) {
+  Interpolation result;
+  const PolyhedronPatch finest = subdivide_polyhedron(polyhedron, subdivision);
+  result.initial = polyhedron_surface(finest, finest.patch);
+  result.fixed_count = static_cast<int>(finest.fixed.size());
+  result.surface = result.initial;
+  result.evolved.patch = finest.patch;
+  if (!evolution) {
+    result.evolved.quality = patch_quality(finest.patch);
+    return result;
+  }
+  SubdivisionOptions coarse = subdivision;
+  coarse.subdivisions = std::min(coarsest, subdivision.subdivisions);
+  PolyhedronPatch level = subdivide_polyhedron(polyhedron, coarse);
+  EvolutionOptions options = *evolution;
+  options.triangles = PatchTriangles::kept;  // the subdivision was asked for
+  result.evolved = evolve_patch(level.patch, options, nullptr, cancel);
+  for (int k = coarse.subdivisions; k < subdivision.subdivisions && !cancel.cancelled(); ++k) {
+    level = split_further(level, result.evolved.patch);
+    EvolvedPatch finer = evolve_patch(level.patch, options, nullptr, cancel);
+    add_effort(result.evolved, finer);
+    result.evolved = std::move(finer);
+  }
+  result.surface = polyhedron_surface(level, result.evolved.patch);
+  result.fixed_count = static_cast<int>(level.fixed.size());
+  return result;
+}
+
+}  // namespace loopmend

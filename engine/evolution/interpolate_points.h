@@ -1,0 +1,22 @@
+// Point interpolation from end to end. What `loopmend interpolate` calls.
+#pragma once
+
+#include "evolution/evolve_patch.h"
+#include "filling/subdivide_polyhedron.h"
+
+namespace loopmend {
+
+struct Interpolation {
+  TriangleSoup initial;  ///< the subdivided polyhedron: the paper's initial surface
+  TriangleSoup surface;  ///< fixed vertices first (see PolyhedronPatch::fixed), then the new ones
+  int fixed_count = 0;
+  EvolvedPatch evolved;  ///< of the finest subdivision; times and steps are sums over all
+};
+
+/// Subdivides and evolves from coarse to fine: the shape is found where there are few vertices, and each finer
+/// subdivision starts from it. With evolution options empty the surface is the subdivided polyhedron.
+/// @throws InvalidArgument as subdivide_polyhedron and Evolution.
+Interpolation interpolate_points(const SurfaceModel& polyhedron, const SubdivisionOptions& subdivision,
+                                 const std::optional<EvolutionOptions>& evolution, const CancelToken& cancel);
+
+}  // namespace loopmend

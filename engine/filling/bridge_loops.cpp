@@ -1,0 +1,290 @@
+#include "filling/bridge_loops.h"
+
+#include "core/error.h"
+#include "filling/bridge_topology.h"
+#include "filling/fairing.h"
+#include "filling/patch_remesh.h"
+#include "mesh/loop_facing.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
+#include "operators/operator_set.h"
+
+#include <algorithm>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int remesh_rounds = 5;
+constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart (FILLING.md)
+constexpr int fairing_rounds = 4;
+constexpr double most_vertices = 2e6;
+
+std::vector<BridgeEnd> ends_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<BridgeEnd> ends;
+  for (const BoundaryLoop& loop : loops) {
+    const LoopFacing facing = loop_facing(model, loop);
+    BridgeEnd end{{}, facing.axis, facing.onward, facing.conormals};
+    for (int v : loop.vertices) end.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+    ends.push_back(std::move(end));
+  }
+  return ends;
+}
+
+void check_loops(const std::vector<BoundaryLoop>& loops) {
+  if (loops.size() < 2) throw InvalidArgument("a blend needs at least two loops, not " + std::to_string(loops.size()));
+  std::set<int> seen;
+  for (const BoundaryLoop& loop : loops) {
+    const std::string name = "loop " + std::to_string(loop.number);
+    if (loop.kind == LoopKind::touching)
+      throw InvalidArgument(name + " touches another loop, or itself, at a vertex: it cannot be joined to others");
+    if (loop.kind == LoopKind::crack || loop.kind == LoopKind::cut)
+      throw InvalidArgument(name + " is no hole but a " + to_string(loop.kind) + ": it cannot be joined to others");
+    if (!(loop.diameter > 0)) throw InvalidArgument("all vertices of " + name + " are in one place");
+    if (!seen.insert(loop.vertices.front()).second) throw InvalidArgument(name + " is named twice");
+  }
+}
+
+/// The loops and their rings without anything between them.
+Patch empty_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<LoopFiller> fillers;
+  for (const BoundaryLoop& loop : loops) {
+    fillers.emplace_back();
+    for (int v : loop.vertices) fillers.back().points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  }
+  return make_patch(model, loops, fillers);
+}
+
+Patch with_triangles(const Patch& empty, const Triangles& own) {
+  Patch patch = empty;
+  patch.triangles.insert(patch.triangles.begin(), own.begin(), own.end());
+  patch.patch_triangles = static_cast<int>(own.size());
+  return patch;
+}
+
+FillerQuality assess(const Patch& patch) {
+  FillerQuality quality;
+  quality.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  quality.self_intersections =
+      static_cast<int>(self_intersections(patch.positions, patch.triangles, patch.patch_triangles).size());
+  quality.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
+  return quality;
+}
+
+int badness(const FillerQuality& quality) { return quality.folds + quality.self_intersections; }
+
+/// The patch over a bridge with vertices of its own, given in mesh units.
+Patch with_sweep(const Patch& empty, const SweptBridge& swept) {
+  int rim = 0;
+  for (const auto& loop : empty.loops) rim += static_cast<int>(loop.size());
+  Points points(empty.positions.begin(), empty.positions.begin() + rim);
+  for (std::size_t i = rim; i < swept.points.size(); ++i) points.push_back(empty.to_frame(swept.points[i]));
+  return with_interior(empty, GuardedMesh(points, swept.triangles, rim, {}, [](const Vec3&) { return 1.0; }));
+}
+
+double mean_rim_edge(const std::vector<BridgeEnd>& ends) {
+  double length = 0, count = 0;
+  for (const BridgeEnd& end : ends)
+    for (std::size_t i = 0; i < end.points.size(); ++i, ++count)
+      length += (end.points[(i + 1) % end.points.size()] - end.points[i]).norm();
+  return length / count;
+}
+
+/// A first bridge; its shape is kept as the flow's start where it runs on smoothly from both sides already.
+struct FirstBridge {
+  Patch patch;
+  enum class Shape { smooth, angular } shape;
+};
+
+/// What to try, best first: the sweep between two loops; the hull; the strip, which suits wavy rims.
+std::vector<FirstBridge> first_bridges(const Patch& empty, const std::vector<BridgeEnd>& ends, double density) {
+  std::vector<FirstBridge> bridges;
+  const auto add = [&](const Triangles& triangles) {
+    if (triangles.empty()) return;
+    Patch patch = with_triangles(empty, triangles);
+    // A strip edge that is there already, as an edge of the surroundings, leaves a triangle out.
+    if (open_for_remeshing(patch).triangles().size() == triangles.size())
+      bridges.push_back({std::move(patch), FirstBridge::Shape::angular});
+  };
+  if (ends.size() == 2)
+    bridges.push_back({with_sweep(empty, bridge_by_sweep(ends[0], ends[1], mean_rim_edge(ends) / density)),
+                       FirstBridge::Shape::smooth});
+  add(bridge_by_hull(ends));
+  if (ends.size() == 2) add(bridge_by_strip(ends[0].points, ends[1].points));
+  return bridges;
+}
+
+void remesh_once(GuardedMesh& mesh) {
+  mesh.split_long_edges();
+  mesh.flip_to_delaunay();
+  mesh.collapse_short_edges();
+  mesh.flip_to_delaunay();
+  for (int sweep = 0; sweep < 3; ++sweep) mesh.smooth_tangentially();
+}
+
+template <class Phase>
+void try_phase(Patch& best, const Phase& phase) {
+  GuardedMesh mesh = open_for_remeshing(best);
+  phase(mesh);
+  Patch next = with_interior(best, mesh);
+  if (badness(assess(next)) <= badness(assess(best))) best = std::move(next);
+}
+
+/// ∫‖∇H‖² over the patch and the two rings around it: of two starts the smoother one is nearer to the goal.
+double unfairness(const Patch& patch) {
+  const Topology topology(patch.vertex_count(), patch.triangles);
+  std::vector<char> wanted(patch.vertex_count());
+  std::vector<int> faces;
+  for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= 3;
+  for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
+    const Triangle& t = patch.triangles[f];
+    if (std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= 2) faces.push_back(static_cast<int>(f));
+  }
+  const OperatorSet ops = compute_operators(patch.positions, patch.triangles, topology, Stencil::two_ring, wanted);
+  return ops.H.dot(cotan_stiffness(patch.positions, patch.triangles, faces) * ops.H);
+}
+
+Patch remeshed(Patch bridge, const CancelToken& cancel) {
+  try_phase(bridge, [&](GuardedMesh& mesh) {
+    for (int k = 0; k < remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
+  });
+  for (int attempt = 0; attempt < 3 && badness(assess(bridge)) > 0 && !cancel.cancelled(); ++attempt)
+    try_phase(bridge, [](GuardedMesh& mesh) {
+      mesh.untangle();
+      remesh_once(mesh);
+    });
+  return bridge;
+}
+
+/// Part of the way from the fair shape to the minimal surface, all vertices together: going further pinches, and moving
+/// them one by one leaves the patch crumpled.
+Patch membrane(Patch bridge, const CancelToken& cancel) {
+  for (int k = 0; k < membrane_rounds && !cancel.cancelled(); ++k) {
+    const GuardedMesh mesh = open_for_remeshing(bridge);
+    const Points goal = minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked());
+    for (double share : {0.5, 0.25, 0.1}) {
+      Patch next = bridge;
+      for (int i = 0; i < bridge.free_count; ++i)
+        next.positions[i] += share * (goal[static_cast<std::size_t>(mesh.locked() + i)] - bridge.positions[i]);
+      if (badness(assess(next)) > badness(assess(bridge))) continue;
+      bridge = std::move(next);
+      break;
+    }
+    try_phase(bridge, [](GuardedMesh& open) {
+      open.flip_to_delaunay();
+      open.smooth_tangentially();
+    });
+  }
+  return bridge;
+}
+
+/// A patch with the two figures by which starts are compared.
+struct Start {
+  explicit Start(Patch p) : patch(std::move(p)), quality(assess(patch)), unfair(unfairness(patch)) {}
+  bool better_than(const Start& other) const {
+    const int a = badness(quality), b = badness(other.quality);
+    return a != b ? a < b : unfair < other.unfair;
+  }
+  Patch patch;
+  FillerQuality quality;
+  double unfair;
+};
+
+/// Linear fairing of third order, remeshed under guard, as often as it makes the patch fairer; first without regard to
+/// the triangles' shapes, which pinched necks have spoilt.
+Start faired(Start best, const CancelToken& cancel) {
+  const auto take = [&](Points positions) {
+    Patch next = best.patch;
+    next.positions = std::move(positions);
+    try_phase(next, [](GuardedMesh& mesh) {
+      mesh.untangle();
+      remesh_once(mesh);
+      remesh_once(mesh);
+    });
+    Start trial(std::move(next));
+    if (!trial.better_than(best)) return false;
+    best = std::move(trial);
+    return true;
+  };
+  take(graph_fairing(best.patch));
+  for (int round = 0; round < fairing_rounds && !cancel.cancelled(); ++round)
+    if (!take(linear_fairing(best.patch, 0, robust_clamp))) break;
+  return best;
+}
+
+/// Vertices of equilateral triangles over the area of the first triangulation.
+double expected_vertices(const Patch& bridge, double density) {
+  double area = 0;
+  for (int f = 0; f < bridge.patch_triangles; ++f) {
+    const Triangle& t = bridge.triangles[f];
+    area +=
+        (bridge.positions[t[1]] - bridge.positions[t[0]]).cross(bridge.positions[t[2]] - bridge.positions[t[0]]).norm();
+  }
+  double edges = 0, length = 0;
+  for (const auto& loop : bridge.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i, ++edges)
+      length += (bridge.positions[loop[i]] - bridge.positions[loop[(i + 1) % loop.size()]]).norm();
+  const double size = length / edges / density;
+  return area / 2 / (0.866 * size * size);
+}
+
+std::string faults(const FillerQuality& quality) {
+  std::string text;
+  if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
+  if (quality.self_intersections > 0)
+    text += (text.empty() ? "" : " and ") + std::to_string(quality.self_intersections) + " self-intersections";
+  return text;
+}
+
+}  // namespace
+
+std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  const std::vector<BridgeEnd> ends = ends_of(model, loops);
+  Vec3 center = Vec3::Zero();
+  for (const BoundaryLoop& loop : loops) center += loop.center / static_cast<double>(loops.size());
+  std::vector<int> opposed;
+  if (loops.size() == 2 && (turning_sense(ends[0], center) == 0 || turning_sense(ends[1], center) == 0)) {
+    // An island and its hole: seen from above, one loop runs round one way, the other the other way.
+    if (ends[0].axis.dot(ends[1].axis) > 0) opposed.push_back(1);
+    return opposed;
+  }
+  const int first = turning_sense(ends.front(), center);
+  for (std::size_t k = 1; k < ends.size(); ++k)
+    if (turning_sense(ends[k], center) * first < 0) opposed.push_back(static_cast<int>(k));
+  return opposed;
+}
+
+BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                           const FillerOptions& options, const CancelToken& cancel) {
+  check(options);
+  check_loops(loops);
+  BridgeOutcome outcome;
+  std::optional<Start> best;
+  const std::vector<BridgeEnd> ends = ends_of(model, loops);
+  for (auto& [first, shape] : first_bridges(empty_patch(model, loops), ends, options.density)) {
+    first.density = options.density;
+    const double vertices = expected_vertices(first, options.density);
+    if (vertices > most_vertices) {
+      outcome.message = "the patch would need about " + std::to_string(static_cast<long>(vertices / 1e6)) +
+                        " million vertices: a lower density needs fewer";
+      return outcome;
+    }
+    Start start(remeshed(first, cancel));
+    const bool ready = shape == FirstBridge::Shape::smooth && badness(start.quality) == 0;
+    if (!ready) start = faired(std::move(start), cancel);
+    if (cancel.cancelled()) return {};
+    if (best && !start.better_than(*best)) continue;
+    best = std::move(start);
+    if (ready) break;
+  }
+  if (!best) {
+    outcome.message = "no surface that joins these loops was found: they do not face a common middle, nor each other";
+    return outcome;
+  }
+  if (badness(best->quality) > 0) outcome.message = "the bridge has " + faults(best->quality) + " left";
+  outcome.bridge = Bridge{membrane(best->patch, cancel), best->patch, best->quality};
+  return outcome;
+}
+
+}  // namespace loopmend

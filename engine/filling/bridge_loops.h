@@ -1,0 +1,37 @@
+// From two or more loops to the G0 patch that joins them: topology, guarded remeshing, one or two relaxations.
+#pragma once
+
+#include "core/cancel.h"
+#include "filling/loop_filler.h"
+#include "mesh/patch.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// One patch with all loops, in two shapes.
+struct Bridge {
+  Patch membrane;  ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
+  Patch start;     ///< where the flow begins: minimal surfaces between tubes pinch (NUMERICS §7)
+  FillerQuality quality;  ///< of the start
+};
+
+struct BridgeOutcome {
+  std::optional<Bridge> bridge;  ///< empty when none was found, or when cancelled
+  std::string message;           ///< why there is none, or what is left to wish; empty when all is well
+};
+
+/// Joins the loops by one surface without further rims: a tube between two, a pair of trousers between three, ... The
+/// loops' surroundings must agree in orientation (find_opposed_loops). Reads the model, never changes it.
+/// @param loops  at least two, none twice; of kind hole or outer_rim.
+/// @throws InvalidArgument for fewer than two loops, a loop given twice or of another kind, a density out of range.
+BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                           const FillerOptions& options, const CancelToken& cancel);
+
+/// Loops whose surroundings lie the other way round than those of the first loop, so that no two-sided surface joins
+/// them. @returns indices into `loops`, ascending; empty when all agree.
+std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+}  // namespace loopmend

@@ -1,0 +1,167 @@
+#include "filling/bridge_topology.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+namespace loopmend {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+constexpr double pi = std::numbers::pi;
+constexpr double surely = 0.05;        ///< below this cosine a sense is not told from a sense of the other kind
+constexpr double widest_cap = 1.3;     ///< radians: less than a hemisphere
+constexpr double room_between = 0.85;  ///< share of the angle between two directions that their caps may take together
+
+Vec3 mean_of(const Points& points) {
+  return std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size());
+}
+
+/// Which way the surface goes on at a loop: its conormals, helped by the way to the centre where these cancel.
+Vec3 way_on(const BridgeEnd& end, const Vec3& center) {
+  const Vec3 way = center - mean_of(end.points);
+  const double distance = way.norm();
+  return distance > 0 ? Vec3(end.onward + 0.5 * way / distance) : end.onward;
+}
+
+/// A circle on the unit sphere that stands for a loop.
+struct Cap {
+  Vec3 direction;
+  double radius;              ///< angular
+  std::vector<double> angle;  ///< of each vertex, about the direction
+};
+
+/// Fractions of the perimeter at each vertex, 0 at the first.
+std::vector<double> chord_fractions(const Points& points) {
+  std::vector<double> at(points.size(), 0);
+  double length = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    at[i] = length;
+    length += (points[(i + 1) % points.size()] - points[i]).norm();
+  }
+  for (double& x : at) x /= length;
+  return at;
+}
+
+/// Angles by chord length, turned so that they agree as well as they can with those of the real vertices, the loop's
+/// plane being laid square to the direction.
+std::vector<double> cap_angles(const BridgeEnd& end, const Vec3& direction, int sense) {
+  const Vec3 e1 = direction.unitOrthogonal(), e2 = direction.cross(e1), center = mean_of(end.points);
+  const Eigen::Quaterniond lay = Eigen::Quaterniond::FromTwoVectors(-sense * end.axis, direction);
+  std::vector<double> angle = chord_fractions(end.points);
+  double cosine = 0, sine = 0;
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    angle[i] *= -sense * 2 * pi;
+    const Vec3 real = lay * (end.points[i] - center);
+    const double difference = std::atan2(real.dot(e2), real.dot(e1)) - angle[i], weight = real.norm();
+    cosine += weight * std::cos(difference);
+    sine += weight * std::sin(difference);
+  }
+  const double phase = std::atan2(sine, cosine);
+  for (double& a : angle) a += phase;
+  return angle;
+}
+
+/// Where the loops see each other from: the mean of their centres, moved the way the surfaces go on.
+Vec3 meeting_point(const std::vector<BridgeEnd>& ends) {
+  Vec3 center = Vec3::Zero(), onward = Vec3::Zero();
+  for (const BridgeEnd& end : ends) center += mean_of(end.points) / static_cast<double>(ends.size());
+  double distance = 0;
+  for (const BridgeEnd& end : ends) {
+    onward += end.onward / static_cast<double>(ends.size());
+    distance += (mean_of(end.points) - center).norm() / static_cast<double>(ends.size());
+  }
+  return center + distance * onward;
+}
+
+std::vector<Cap> caps_of(const std::vector<BridgeEnd>& ends, const Vec3& center) {
+  std::vector<Cap> caps;
+  for (const BridgeEnd& end : ends) {
+    const Vec3 from = mean_of(end.points) - center;
+    const double distance = from.norm();
+    if (!(distance > 0) || end.axis.isZero()) return {};
+    const int sense = turning_sense(end, center);
+    if (sense == 0) return {};
+    double radius = 0;
+    for (const Vec3& p : end.points) radius += (p - center - from).norm() / static_cast<double>(end.points.size());
+    caps.push_back({from / distance, std::min(widest_cap, std::atan2(radius, distance)), {}});
+    caps.back().angle = cap_angles(end, caps.back().direction, sense);
+  }
+  double share = 1;
+  for (std::size_t k = 0; k < caps.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l) {
+      const double apart = std::acos(std::clamp(caps[k].direction.dot(caps[l].direction), -1.0, 1.0));
+      share = std::min(share, room_between * apart / (caps[k].radius + caps[l].radius));
+    }
+  if (share < 0.02) return {};  // two loops lie in one direction
+  for (Cap& cap : caps) cap.radius *= share;
+  return caps;
+}
+
+/// Facets of the convex hull of points on a sphere, outwards. Each point is a corner of it.
+Triangles hull_of(const Points& points) {
+  std::vector<Kernel::Point_3> input;
+  std::map<std::tuple<double, double, double>, int> number;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    input.emplace_back(points[i].x(), points[i].y(), points[i].z());
+    number.emplace(std::tuple(points[i].x(), points[i].y(), points[i].z()), static_cast<int>(i));
+  }
+  CGAL::Surface_mesh<Kernel::Point_3> hull;
+  CGAL::convex_hull_3(input.begin(), input.end(), hull);
+  Triangles triangles;
+  for (const auto face : hull.faces()) {
+    std::vector<int> corners;
+    for (const auto v : hull.vertices_around_face(hull.halfedge(face))) {
+      const auto& p = hull.point(v);
+      corners.push_back(number.at(std::tuple(p.x(), p.y(), p.z())));
+    }
+    if (corners.size() != 3) return {};
+    triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  return triangles;
+}
+
+}  // namespace
+
+int turning_sense(const BridgeEnd& end, const Vec3& center) {
+  const double cosine = end.axis.dot(way_on(end, center));
+  return cosine > surely ? 1 : cosine < -surely ? -1 : 0;
+}
+
+Triangles bridge_by_hull(const std::vector<BridgeEnd>& ends) {
+  const std::vector<Cap> caps = caps_of(ends, meeting_point(ends));
+  if (caps.size() < 2) return {};
+  Points points;
+  std::vector<int> owner;
+  std::size_t edges = 0;
+  for (std::size_t k = 0; k < caps.size(); ++k) {
+    const Vec3 e1 = caps[k].direction.unitOrthogonal(), e2 = caps[k].direction.cross(e1);
+    for (double angle : caps[k].angle) {
+      const Vec3 round = std::cos(angle) * e1 + std::sin(angle) * e2;
+      points.push_back(std::cos(caps[k].radius) * caps[k].direction + std::sin(caps[k].radius) * round);
+      owner.push_back(static_cast<int>(k));
+    }
+    edges += caps[k].angle.size();
+  }
+  Triangles triangles;
+  const int sense = turning_sense(ends.front(), meeting_point(ends));
+  for (Triangle t : hull_of(points)) {
+    if (owner[t[0]] == owner[t[1]] && owner[t[1]] == owner[t[2]]) continue;
+    if (sense < 0) std::swap(t[1], t[2]);
+    triangles.push_back(t);
+  }
+  // A sphere with k holes whose vertices all lie on the holes.
+  return triangles.size() == edges + 2 * caps.size() - 4 ? triangles : Triangles{};
+}
+
+}  // namespace loopmend

@@ -1,0 +1,39 @@
+// Point interpolation (paper §5, Fig. 5.4): a polyhedron with its faces subdivided, the vertices to be interpolated fixed.
+#pragma once
+
+#include "mesh/patch.h"
+#include "mesh/surface_model.h"
+
+#include <vector>
+
+namespace loopmend {
+
+enum class PolyhedronRim {
+  refuse,  ///< an open polyhedron is an error: a face may have been forgotten
+  keep,    ///< the edges of its rims are subdivided, and stay where they are
+};
+
+struct SubdivisionOptions {
+  int subdivisions = 3;    ///< k, 1..8: each triangle into 4^k
+  std::vector<int> fixed;  ///< input vertices (0-based) to be interpolated, at least 4; empty: all
+  PolyhedronRim rim = PolyhedronRim::refuse;
+};
+
+/// A patch without surroundings. Fixed vertices are of ring 1: those interpolated, in input order, then those on rims.
+struct PolyhedronPatch {
+  Patch patch;
+  Points fixed;  ///< places of the fixed vertices in mesh units, bit for bit as given
+};
+
+/// @throws InvalidArgument for options out of range, fewer than 4 vertices, a polyhedron that is no manifold or lies in
+/// one plane, and rims where these are refused.
+PolyhedronPatch subdivide_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& options);
+
+/// The same problem with every triangle of an evolved state split into four by the middles of its edges; the edges of rims
+/// stay straight.
+PolyhedronPatch split_further(const PolyhedronPatch& start, const Patch& evolved);
+
+/// The surface after the patch has evolved: fixed vertices first, as in PolyhedronPatch::fixed, then the free ones.
+TriangleSoup polyhedron_surface(const PolyhedronPatch& start, const Patch& evolved);
+
+}  // namespace loopmend

@@ -1,0 +1,19 @@
+// Where a boundary loop lies, which way it turns, and which way the surface would go on beyond it.
+#pragma once
+
+#include "mesh/boundary_loops.h"
+
+namespace loopmend {
+
+struct LoopFacing {
+  Vec3 center;    ///< mean of the loop's vertices, mesh units
+  double radius;  ///< mean distance from the centre, mesh units
+  Vec3 axis;      ///< unit: the loop runs counter-clockwise about it; zero for a loop that encloses no area
+  Points
+      conormals;  ///< at each vertex of the loop: unit, tangent to the surface, square to the loop, out of the surface
+  Vec3 onward;    ///< mean conormal: norm 1 at the end of a tube, 0 at a hole in a plane
+};
+
+LoopFacing loop_facing(const SurfaceModel& model, const BoundaryLoop& loop);
+
+}  // namespace loopmend

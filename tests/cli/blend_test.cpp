@@ -1,0 +1,111 @@
+#include "cli/run_program.h"
+
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
+#include "support/tubes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+
+namespace loopmend {
+namespace {
+
+using nlohmann::json;
+using test::loopmend_program;
+using test::Outcome;
+using testing::HasSubstr;
+
+class CliBlend : public testing::Test {
+ protected:
+  void write(const std::string& name, const TriangleSoup& soup) const { write_mesh(work / name, soup); }
+  /// Quoted for the shell, with a blank behind.
+  std::string path(const std::string& name) const {
+    std::string text = "'";
+    text.append((work / name).string()).append("' ");
+    return text;
+  }
+  Outcome blend(const std::string& arguments) const {
+    std::string line = "blend ";
+    line.append(arguments).append(" -o ").append(path("out.ply"));
+    return loopmend_program(line);
+  }
+  void expect_refused(const Outcome& run, int code, const std::string& words) const {
+    EXPECT_EQ(run.code, code) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("loopmend: "));
+    EXPECT_THAT(run.err, HasSubstr(words));
+    EXPECT_FALSE(std::filesystem::exists(work / "out.ply"));
+  }
+  test::Workspace work;
+  const TriangleSoup up = make_tube({{0, 0, 1}, {0, 0, 1}, 1, 2, 24});
+  const TriangleSoup side = make_tube({{1.5, 0, 0}, {1, 0, 0}, 0.6, 2, 20});
+};
+
+TEST_F(CliBlend, JoinsTheFacingEndsOfTwoFiles) {
+  write("up.ply", up);
+  write("side.ply", side);
+  const Outcome run = blend(path("up.ply") + path("side.ply") + "--report -");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(run.out);
+  EXPECT_EQ(report["status"], "converged");
+  EXPECT_EQ(report["folds"], 0);
+  EXPECT_EQ(report["self_intersections"], 0);
+  ASSERT_EQ(report["loops"].size(), 2u);
+  EXPECT_EQ(report["loops"][0]["edges"], 24);
+  EXPECT_LT(report["loops"][0]["seam_after"]["h_jump_rms"], report["loops"][0]["seam_before"]["h_jump_rms"]);
+  const TriangleSoup result = read_mesh(work / "out.ply").soup;
+  ASSERT_GT(result.points.size(), up.points.size() + side.points.size());
+  EXPECT_EQ(std::memcmp(result.points.data(), up.points.data(), up.points.size() * sizeof(Vec3)), 0);
+  EXPECT_EQ(std::memcmp(result.points.data() + up.points.size(), side.points.data(), side.points.size() * sizeof(Vec3)),
+            0);
+}
+
+TEST_F(CliBlend, ARingThatIsMissingInOneFileByNumbers) {
+  // Wider towards the top, so that the loops are numbered from there.
+  write("tube.ply", cut(make_revolution([](double z) { return 1 + 0.01 * z; }, 0, 6, 32, 30),
+                        [](const Vec3& p) { return std::abs(p.z() - 3) < 0.7; }));
+  expect_refused(blend(path("tube.ply")), 2, "4 loops, not two");
+  const Outcome run = blend(path("tube.ply") + "--loops 1:2,1:3");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json info = json::parse(loopmend_program("info " + path("out.ply") + "--json -").out);
+  EXPECT_EQ(info["loops"].size(), 2u);
+}
+
+TEST_F(CliBlend, AnInsideOutPartIsTurnedRoundAndSaid) {
+  TriangleSoup turned = side;
+  for (Triangle& t : turned.triangles) std::swap(t[1], t[2]);
+  write("up.ply", up);
+  write("side.ply", turned);
+  const Outcome run = blend(path("up.ply") + path("side.ply"));
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr(std::to_string(side.triangles.size()) + " faces were turned round"));
+}
+
+TEST_F(CliBlend, RefusesWhatCannotBeJoinedWithASentence) {
+  write("up.ply", up);
+  write("side.ply", side);
+  write("across.ply", make_tube({{-2, 0, 2}, {1, 0, 0}, 0.5, 4, 20}));
+  write("closed.ply", make_icosphere(2));
+  expect_refused(blend(path("up.ply") + path("across.ply")), 2, "overlap");
+  expect_refused(blend(path("up.ply") + path("closed.ply")), 2, "is closed");
+  expect_refused(blend(path("up.ply") + path("side.ply") + "--loops 1:1,3:1"), 2, "there is no file 3");
+  expect_refused(blend(path("up.ply") + path("side.ply") + "--loops 1:1,2:7"), 2, "has 2 loops");
+  expect_refused(blend(path("up.ply") + path("side.ply") + "--loops 1:1,1:1"), 2, "twice");
+  expect_refused(blend(path("up.ply") + path("side.ply") + "--loops 1:1"), 2, "at least two");
+  expect_refused(blend(path("up.ply") + path("side.ply") + "--loops one"), 2, "FILE:LOOP");
+  expect_refused(blend(path("up.ply") + path("missing.ply")), 3, "missing.ply");
+}
+
+TEST_F(CliBlend, LoopsThatCannotBeJoinedAreTold) {
+  // The far end of a tube and the rim of another one behind it: every bridge would run through the first tube.
+  write("up.ply", up);
+  write("near.ply", make_tube({{0, 0, 0.2}, {0, 0, -1}, 0.9, 0.6, 24}));
+  const Outcome run = blend(path("up.ply") + path("near.ply") + "--loops 1:1,2:1");
+  if (run.code != 0) expect_refused(run, 1, "Nothing was written");
+}
+
+}  // namespace
+}  // namespace loopmend

@@ -1,0 +1,75 @@
+#include "cli/run_program.h"
+
+#include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
+#include "samples/paper_inputs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace loopmend {
+namespace {
+
+using nlohmann::json;
+using test::loopmend_program;
+using test::Outcome;
+using testing::HasSubstr;
+
+class CliCompare : public testing::Test {
+ protected:
+  Outcome run(const std::string& command, const std::string& arguments) const {
+    std::string line = command;
+    line.append(" -o '").append((work / "flows").string()).append("' ").append(arguments);
+    return loopmend_program(line);
+  }
+  std::string path(const std::string& name) const {
+    std::string text = "'";
+    text.append((work / name).string()).append("' ");
+    return text;
+  }
+  test::Workspace work;
+};
+
+TEST_F(CliCompare, WritesMeshesPictureProfileAndTables) {
+  write_mesh(work / "ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; }));
+  const Outcome outcome = run("compare", path("ball.ply") + "--report -");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* file : {"start.ply", "mcf.ply", "sdf.ply", "wf.ply", "mmcvf.ply", "compare.png", "profile.csv",
+                           "profile.svg", "table.csv", "table.md"})
+    EXPECT_GT(std::filesystem::file_size(work / "flows" / file), 100u) << file;
+  const json report = json::parse(outcome.out);
+  ASSERT_EQ(report["flows"].size(), 4u);
+  EXPECT_EQ(report["flows"][3]["flow"], "mmcvf");
+  // The sphere is a steady state of all but MCF.
+  EXPECT_LT(report["flows"][3]["h_jump_wide"], 0.1 * report["flows"][0]["h_jump_wide"].get<double>());
+  EXPECT_THAT(test::text_of(work / "flows" / "table.md"), HasSubstr("MMCVF | converged"));
+  EXPECT_THAT(test::text_of(work / "flows" / "profile.svg"), HasSubstr("<svg"));
+}
+
+TEST_F(CliCompare, RefusesASurfaceWithoutHoles) {
+  write_mesh(work / "closed.ply", make_icosphere(2));
+  const Outcome outcome = run("compare", path("closed.ply"));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("no hole"));
+  EXPECT_FALSE(std::filesystem::exists(work / "flows"));
+}
+
+TEST_F(CliCompare, ReproduceOneFigure) {
+  const Outcome outcome = run("reproduce", "fig5.4");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("fig5.4    reproduced"));
+  for (const char* file : {"index.html", "report.md", "fig5.4.png", "fig5.4-result.ply"})
+    EXPECT_GT(std::filesystem::file_size(work / "flows" / file), 100u) << file;
+  EXPECT_THAT(test::text_of(work / "flows" / "index.html"), HasSubstr("A dodecahedron"));
+}
+
+TEST_F(CliCompare, ReproduceRefusesAFigureThatIsNone) {
+  const Outcome outcome = run("reproduce", "fig9");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("no figure 'fig9'"));
+  EXPECT_FALSE(std::filesystem::exists(work / "flows"));
+}
+
+}  // namespace
+}  // namespace loopmend

@@ -1,0 +1,134 @@
+#include "evolution/blend_loops.h"
+
+#include "core/error.h"
+#include "support/patches.h"
+#include "support/tubes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace loopmend {
+namespace {
+
+template <class Distance>
+double rms(const Patch& patch, const Distance& distance) {
+  double sum = 0;
+  for (int i = 0; i < patch.free_count; ++i) sum += std::pow(distance(patch.to_mesh(patch.positions[i])), 2);
+  return std::sqrt(sum / patch.free_count);
+}
+
+void expect_good(const BlendResult& result) {
+  EXPECT_EQ(result.status, LoopStatus::converged) << result.message;
+  EXPECT_EQ(result.quality.folds, 0);
+  EXPECT_EQ(result.quality.self_intersections, 0);
+}
+
+TEST(BlendLoops, TubesAtOddAnglesConverge) {
+  for (const std::vector<TubeShape>& tubes : std::vector<std::vector<TubeShape>>{
+           {test::tube_towards({1, 0, 0}, 2), test::tube_towards({0, 1, 0}, 2)},
+           {test::tube_towards({1, 0, 0}, 2), test::tube_towards({0.5, 0.8, 0.2}, 2, 0.5)},
+           {test::tube_towards({1, 0, 0}), test::tube_towards({0, 1, 0}), test::tube_towards({0, 0, 1})},
+           {test::tube_towards({1, 0.1, 0}, 1.8), test::tube_towards({-1, 0.3, 0.2}, 1.5, 0.5),
+            test::tube_towards({0.3, 1, 0.2}, 1.6, 0.6), test::tube_towards({0.1, -1, 0.8}, 1.7, 0.7)},
+           six_tubes(24)}) {
+    SurfaceModel model = test::tubes_model(tubes);
+    const SurfaceModel before = model;
+    const BlendResult result = blend_loops(model, test::inner_rims(model, tubes), {}, {});
+    expect_good(result);
+    EXPECT_LT(result.energy.final, result.energy.initial);
+    EXPECT_EQ(find_boundary_loops(model).size(), tubes.size());
+    EXPECT_EQ(
+        std::memcmp(model.soup.points.data(), before.soup.points.data(), before.soup.points.size() * sizeof(Vec3)), 0);
+  }
+}
+
+TEST(BlendLoops, ARingThatIsMissingFromACylinderComesBack) {
+  SurfaceModel model =
+      make_surface_model(cut(make_cylinder(6, 60), [](const Vec3& p) { return std::abs(p.z() - 3) < 0.7; }));
+  std::vector<BoundaryLoop> gap;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    if (std::abs(loop.center.z() - 3) < 2) gap.push_back(loop);
+  const BlendResult result = blend_loops(model, gap, {}, {});
+  expect_good(result);
+  EXPECT_LT(rms(*result.patch, [](const Vec3& p) { return std::hypot(p.x(), p.y()) - 1; }), 5e-5 * 2);
+  for (const SeamReport& seam : result.seams_after) EXPECT_LT(seam.h_jump_rms_times_diameter, 0.005);
+  EXPECT_EQ(find_boundary_loops(model).size(), 2u);
+}
+
+/// Radius of the unduloid with H = −1/2 · 2/(0.7 + 1.3) between its neck 0.7 at z = 0 and its belly 1.3, by the midpoint
+/// rule for r″ from r/√(1 + r′²) = (r² + 0.7 · 1.3)/(0.7 + 1.3).
+double unduloid_radius(double z) {
+  static const std::vector<double> table = [] {
+    const auto acceleration = [](double r) {
+      const double p = r * r + 0.91, w = 2 * r / p;
+      return w * 2 * (0.91 - r * r) / (p * p);
+    };
+    std::vector<double> radius;
+    double r = 0.7, v = 0;
+    for (int i = 0; i <= 50000; ++i) {
+      radius.push_back(r);
+      const double middle = r + v * 5e-5, speed = v + acceleration(r) * 5e-5;
+      r += speed * 1e-4;
+      v += acceleration(middle) * 1e-4;
+    }
+    return radius;
+  }();
+  return table[static_cast<std::size_t>(std::lround(std::abs(z) * 1e4))];
+}
+
+TEST(BlendLoops, ARingThatIsMissingFromAnUnduloidComesBack) {
+  SurfaceModel model = make_surface_model(
+      cut(make_revolution(unduloid_radius, -2, 4, 60, 60), [](const Vec3& p) { return std::abs(p.z() - 1) < 0.7; }));
+  std::vector<BoundaryLoop> gap;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    if (std::abs(loop.center.z() - 1) < 1.5) gap.push_back(loop);
+  ASSERT_EQ(gap.size(), 2u);
+  const double diameter = std::max(gap[0].diameter, gap[1].diameter);
+  const BlendResult result = blend_loops(model, gap, {}, {});
+  expect_good(result);
+  EXPECT_LT(rms(*result.patch, [](const Vec3& p) { return std::hypot(p.x(), p.y()) - unduloid_radius(p.z()); }),
+            1e-4 * diameter);
+  for (const SeamReport& seam : result.seams_after)
+    EXPECT_LT(seam.h_jump_rms_times_diameter, 0.036);  // the best peer's
+}
+
+TEST(BlendLoops, IslandsInAHoleStayWhereTheyAre) {
+  SurfaceModel model = make_surface_model(cut(make_icosphere(5), [](const Vec3& p) {
+    return p.z() > 0.6 && (p - Vec3(0.4, 0, 0.9).normalized()).norm() > 0.15 &&
+           (p - Vec3(-0.4, 0.1, 0.9).normalized()).norm() > 0.15;
+  }));
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(loops.size(), 3u);
+  const BlendResult result = blend_loops(model, loops, {}, {});
+  expect_good(result);
+  EXPECT_LT(rms(*result.patch, [](const Vec3& p) { return p.norm() - 1; }), 1e-5);
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+}
+
+TEST(BlendLoops, AnInsideOutPartIsTurnedRound) {
+  const TriangleSoup a = make_tube({{0, 0, 1}, {0, 0, 1}, 1, 2, 24});
+  TriangleSoup b = make_tube({{0, 0, -1}, {0, 0, -1}, 1, 2, 24});
+  for (Triangle& t : b.triangles) std::swap(t[1], t[2]);
+  SurfaceModel model = make_surface_model(joined({a, b}));
+  std::vector<BoundaryLoop> loops;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    if (std::abs(loop.center.z()) < 1.5) loops.push_back(loop);
+  if (loops.front().center.z() < 0) std::swap(loops[0], loops[1]);
+  const BlendResult result = blend_loops(model, loops, {}, {});
+  expect_good(result);
+  EXPECT_EQ(result.turned_faces, b.triangles.size());
+}
+
+TEST(BlendLoops, OnCancelTheModelIsAsItWas) {
+  const std::vector<TubeShape> tubes = six_tubes(24);
+  SurfaceModel model = test::tubes_model(tubes);
+  const std::size_t faces = model.soup.triangles.size();
+  CancelToken cancel;
+  cancel.cancel();
+  EXPECT_FALSE(blend_loops(model, test::inner_rims(model, tubes), {}, cancel).patch);
+  EXPECT_EQ(model.soup.triangles.size(), faces);
+}
+
+}  // namespace
+}  // namespace loopmend
