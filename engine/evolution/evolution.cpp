@@ -180,7 +180,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   mu = decay_rate / (2 * first_gauss_newton_sigma);
   small_moves = 0;
   last_bold_move = 0;
-  fairings_left = history.empty() ? most_fairings : 0;
+  fairings_left = history.empty() && options.start != SteadyStart::as_given ? most_fairings : 0;
   start_measure = lowest_measure = state.measure;
   general = make_general_solver(options.solver);
   spd = make_spd_solver();
@@ -231,7 +231,7 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   const FairingMesh mesh = options.triangles == PatchTriangles::kept ? FairingMesh::fixed
                            : worn && !history.empty()                ? FairingMesh::remeshed
                                                                      : FairingMesh::kept;
-  FairedState faired = linearly_faired(state, objective, stencil, mesh, cancel);
+  FairedState faired = linearly_faired(state, objective, stencil, mesh, options.start, cancel);
   if (!acceptable(faired.state, state.measure)) return false;
   if (faired.state.measure > 0.5 * state.measure && faired.state.folds == 0) fairings_left = 0;
   StepRecord record;

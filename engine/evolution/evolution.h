@@ -25,6 +25,13 @@ enum class PatchTriangles {
   kept,  ///< vertices neither come nor go, but to mend folds
 };
 
+/// From where MMCVF sets out for the steady state.
+enum class SteadyStart {
+  faired,         ///< from linear fairings of the patch, while they lower the energy
+  evenly_faired,  ///< the same, as if all triangles were equilateral: where slivers spoil the first
+  as_given,
+};
+
 struct EvolutionOptions {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steady;
@@ -33,6 +40,7 @@ struct EvolutionOptions {
   int max_steps = 60;  ///< accepted steps of one run()
   SolverKind solver = SolverKind::automatic;
   PatchTriangles triangles = PatchTriangles::free;
+  SteadyStart start = SteadyStart::faired;
   /// MMCVF to the steady state minimises ∫‖∇H‖² + β/R² ∫H², R the patch's radius: β = 0 is the pure flow, 60 to 150 suits
   /// rough scans. Empty: as the roughness of the surroundings asks for, 0 where they are smooth.
   std::optional<double> bending;

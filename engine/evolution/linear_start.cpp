@@ -9,8 +9,9 @@
 namespace loopmend {
 
 FairedState linearly_faired(const EvolutionState& state, const Objective& objective, Stencil stencil, FairingMesh mesh,
-                            const CancelToken& cancel) {
+                            SteadyStart start, const CancelToken& cancel) {
   Stopwatch watch;
+  const bool even = start == SteadyStart::evenly_faired;
   FairedState result;
   Patch patch = mesh == FairingMesh::remeshed ? remeshed(state.patch) : state.patch;
   const int attempts = mesh == FairingMesh::fixed ? 2 : 3;
@@ -18,7 +19,7 @@ FairedState linearly_faired(const EvolutionState& state, const Objective& object
     if (attempt == 2) patch = remeshed(result.state.patch);
     result.assemble_seconds += watch.lap();
     Patch faired = patch;
-    faired.positions = linear_fairing(patch, objective.bending, attempt == 0 ? robust_clamp : even_clamp);
+    faired.positions = linear_fairing(patch, objective.bending, even || attempt > 0 ? even_clamp : robust_clamp);
     result.solve_seconds += watch.lap();
     result.move = 0;
     for (int i = 0; i < patch.free_count; ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "evolution/evolution.h"
 #include "evolution/state.h"
 
 namespace loopmend {
@@ -21,6 +22,6 @@ struct FairedState {
 /// The patch after one linear fairing of the objective. Where that folds it: the same with even weights, then on the mesh
 /// that remeshing makes of what came out. The caller judges whether it is an improvement.
 FairedState linearly_faired(const EvolutionState& state, const Objective& objective, Stencil stencil, FairingMesh mesh,
-                            const CancelToken& cancel);
+                            SteadyStart start, const CancelToken& cancel);
 
 }  // namespace loopmend

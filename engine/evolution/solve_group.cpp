@@ -55,6 +55,32 @@ bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptio
   return true;
 }
 
+/// Straight ways take fewer steps; those that take more may have ended in a bubble.
+constexpr int suspiciously_many_steps = 12;
+
+/// The flow from its ordinary start; where that fails or takes long, from other starts too. The lowest energy counts
+/// among what converged: several steady states may exist, and inflated ones are high where the right one is smooth.
+/// @returns true if a result may be kept.
+bool from_the_best_start(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
+                         const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
+  bool kept = evolve_once(site, filler, options, on_step, cancel, result);
+  if (options.flow != FlowKind::mmcvf || options.mode != EvolutionMode::steady || options.start != SteadyStart::faired)
+    return kept;
+  for (const SteadyStart start : {SteadyStart::evenly_faired, SteadyStart::as_given}) {
+    const bool converged = kept && result.status == LoopStatus::converged;
+    if ((converged && result.steps <= suspiciously_many_steps) || cancel.cancelled()) return kept;
+    EvolutionOptions other = options;
+    other.start = start;
+    Evolved second;
+    if (!evolve_once(site, filler, other, on_step, cancel, second)) continue;
+    const bool second_converged = second.status == LoopStatus::converged;
+    if (kept && (converged != second_converged ? converged : result.final_energy <= second.final_energy)) continue;
+    result = std::move(second);
+    kept = true;
+  }
+  return kept;
+}
+
 }  // namespace
 
 Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
@@ -65,7 +91,7 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
     return result;
   }
-  if (evolve_once(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
+  if (from_the_best_start(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
     for (double bending : {60.0, 300.0}) {
       EvolutionOptions gentler = options;

@@ -179,7 +179,7 @@ int GuardedMesh::split_long_edges() {
       const Vec3 middle = (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
       const VH v = mesh_.add_vertex(middle);
       size_.resize(mesh_.n_vertices());
-      size_[v.idx()] = coarser_ * target_size_(middle);
+      size_[v.idx()] = std::min(target(e), coarser_ * target_size_(middle));
       mesh_.split(e, v);
       rim_normal_.resize(mesh_.n_edges(), Vec3::Zero());
       update_normals_around(v);
