@@ -28,6 +28,7 @@ constexpr int most_fairings = 6;  ///< linear steps before the first Gauss-Newto
 constexpr int most_trials = 12;   ///< before the step is given up
 constexpr int steps_with_mesh_care = 15;
 constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
+constexpr int most_dampings = 6;         ///< of the trials of a step, because it would go too far
 constexpr double longest_move = 0.3;     ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
 constexpr double near_move = 1;          ///< in mean edge lengths
 constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below
@@ -283,11 +284,12 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
   if (!solved) return trial;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
   trial.promised = -system.half_gradient.dot(s.col(0));
-  // So far the linear model is worth nothing: a shorter step first, which smooths what is rough.
-  if (trial.move * edge_length() > longest_move * radius()) return trial;
+  // So far the linear model is worth nothing: more damping first, which smooths what is rough; then a part of the way.
+  const double reach = longest_move * radius() / (trial.move * edge_length());
+  if (reach < 1 && record.rejections < most_dampings) return trial;
   for (double share : {1.0, 0.5, 0.25}) {
     if (cancel.cancelled()) return trial;
-    const Eigen::VectorXd move = share * s.col(0);
+    const Eigen::VectorXd move = std::min(1.0, reach) * share * s.col(0);
     EvolutionState next = displaced(state, objective, stencil, move);
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();
