@@ -221,7 +221,7 @@ void render_panels(const std::vector<Panel>& panels, int columns, const RenderOp
   const int panel_width = (width - strip) / columns, panel_height = height / rows;
   aim(pictures.front()->scene, *pictures.front()->shape, *panels.front().model,
       static_cast<double>(panel_width) / panel_height);
-  const double room = static_cast<double>(panel_width) / width;
+  const double room = static_cast<double>(width - strip) / width / columns;
   for (std::size_t k = 0; k < panels.size(); ++k) {
     MeshScene& scene = pictures[k]->scene;
     const double column = static_cast<double>(static_cast<int>(k) % columns), row = static_cast<int>(k) / columns;
