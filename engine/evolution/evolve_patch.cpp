@@ -1,8 +1,7 @@
 #include "evolution/evolve_patch.h"
 
 #include "filling/fairing.h"
-#include "mesh/quality.h"
-#include "mesh/self_intersections.h"
+#include "filling/patch_quality.h"
 
 namespace loopmend {
 
@@ -18,15 +17,6 @@ bool better(const EvolvedPatch& a, const EvolvedPatch& b) {
 }
 
 }  // namespace
-
-FillerQuality patch_quality(const Patch& patch) {
-  FillerQuality quality;
-  quality.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
-  quality.self_intersections =
-      static_cast<int>(self_intersections(patch.positions, patch.triangles, patch.patch_triangles).size());
-  quality.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
-  return quality;
-}
 
 EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                       const CancelToken& cancel) {

@@ -26,9 +26,6 @@ struct EvolvedPatch {
   bool is_valid() const { return quality.folds == 0 && quality.self_intersections == 0; }
 };
 
-/// Folds, cuts and angles of a patch with the rings around it.
-FillerQuality patch_quality(const Patch& patch);
-
 /// Runs the flow from the patch as it is, once.
 /// @throws InvalidArgument as Evolution.
 EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,

@@ -1,6 +1,7 @@
 #include "evolution/interpolate_points.h"
 
 #include <algorithm>
+#include "filling/patch_quality.h"
 
 namespace loopmend {
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "filling/bridge_topology.h"
 #include "filling/fairing.h"
+#include "filling/patch_quality.h"
 #include "filling/patch_remesh.h"
 #include "mesh/loop_facing.h"
 #include "mesh/quality.h"
@@ -63,15 +64,6 @@ Patch with_triangles(const Patch& empty, const Triangles& own) {
   return patch;
 }
 
-FillerQuality assess(const Patch& patch) {
-  FillerQuality quality;
-  quality.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
-  quality.self_intersections =
-      static_cast<int>(self_intersections(patch.positions, patch.triangles, patch.patch_triangles).size());
-  quality.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
-  return quality;
-}
-
 int badness(const FillerQuality& quality) { return quality.folds + quality.self_intersections; }
 
 /// The patch over a bridge with vertices of its own, given in mesh units.
@@ -128,7 +120,7 @@ void try_phase(Patch& best, const Phase& phase) {
   GuardedMesh mesh = open_for_remeshing(best);
   phase(mesh);
   Patch next = with_interior(best, mesh);
-  if (badness(assess(next)) <= badness(assess(best))) best = std::move(next);
+  if (badness(patch_quality(next)) <= badness(patch_quality(best))) best = std::move(next);
 }
 
 /// ∫‖∇H‖² over the patch and the two rings around it: of two starts the smoother one is nearer to the goal.
@@ -149,7 +141,7 @@ Patch remeshed(Patch bridge, const CancelToken& cancel) {
   try_phase(bridge, [&](GuardedMesh& mesh) {
     for (int k = 0; k < remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
   });
-  for (int attempt = 0; attempt < 3 && badness(assess(bridge)) > 0 && !cancel.cancelled(); ++attempt)
+  for (int attempt = 0; attempt < 3 && badness(patch_quality(bridge)) > 0 && !cancel.cancelled(); ++attempt)
     try_phase(bridge, [](GuardedMesh& mesh) {
       mesh.untangle();
       remesh_once(mesh);
@@ -167,7 +159,7 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
       Patch next = bridge;
       for (int i = 0; i < bridge.free_count; ++i)
         next.positions[i] += share * (goal[static_cast<std::size_t>(mesh.locked() + i)] - bridge.positions[i]);
-      if (badness(assess(next)) > badness(assess(bridge))) continue;
+      if (badness(patch_quality(next)) > badness(patch_quality(bridge))) continue;
       bridge = std::move(next);
       break;
     }
@@ -181,7 +173,7 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
 
 /// A patch with the two figures by which starts are compared.
 struct Start {
-  explicit Start(Patch p) : patch(std::move(p)), quality(assess(patch)), unfair(unfairness(patch)) {}
+  explicit Start(Patch p) : patch(std::move(p)), quality(patch_quality(patch)), unfair(unfairness(patch)) {}
   bool better_than(const Start& other) const {
     const int a = badness(quality), b = badness(other.quality);
     return a != b ? a < b : unfair < other.unfair;

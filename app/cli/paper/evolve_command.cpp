@@ -8,6 +8,7 @@
 #include "analysis/seam_report.h"
 #include "core/version.h"
 #include "evolution/evolve_patch.h"
+#include "filling/patch_quality.h"
 #include "mesh/region.h"
 
 #include <chrono>
