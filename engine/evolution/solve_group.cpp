@@ -81,6 +81,20 @@ bool from_the_best_start(const FillSite& site, const Patch& filler, const Evolut
   return kept;
 }
 
+/// What to try where the flow spoils the patch: bending energy blended in, then lower orders, which bulge less.
+std::vector<EvolutionOptions> gentler_options(const EvolutionOptions& options) {
+  std::vector<EvolutionOptions> gentler;
+  for (double bending : {60.0, 300.0}) {
+    gentler.push_back(options);
+    gentler.back().bending = bending;
+  }
+  gentler.push_back(options);
+  gentler.back().rim = RimTrust::smooth;
+  gentler.push_back(options);
+  gentler.back().continuity = SeamContinuity::tangent;
+  return gentler;
+}
+
 }  // namespace
 
 Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
@@ -93,11 +107,8 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
   }
   if (from_the_best_start(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
-    for (double bending : {60.0, 300.0}) {
-      EvolutionOptions gentler = options;
-      gentler.bending = bending;
+    for (const EvolutionOptions& gentler : gentler_options(options))
       if (evolve_once(site, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
-    }
   }
   result.final_energy = result.initial_energy;
   result.steps = 0;
