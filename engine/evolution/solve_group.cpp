@@ -1,5 +1,7 @@
 #include "evolution/solve_group.h"
 
+#include "rim/white_noise.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -33,10 +35,19 @@ void take_figures(const Evolution& evolution, Evolved& result) {
   result.final_energy = evolution.energy();
 }
 
+/// True if the flow should meet the surroundings without their noise.
+bool sees_noise(const Patch& filler, const EvolutionOptions& options) {
+  const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
+                      options.rim == RimTrust::automatic && !options.bending &&
+                      options.continuity == SeamContinuity::curvature;
+  return judged && rim_roughness(filler).kind == Surroundings::noisy;
+}
+
 /// One run of the flow from the filler. @returns true if its result may be kept.
 bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
                  const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
-  Evolution evolution(filler, options);
+  const bool noisy = sees_noise(filler, options);
+  Evolution evolution(noisy ? without_noise(filler) : filler, options);
   const EvolutionStatus status = evolution.run(on_step, cancel);
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
@@ -44,11 +55,12 @@ bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptio
     result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
     return false;
   }
-  if (!no_worse(judge(site, evolution.patch()), judge(site, filler))) {
+  Patch patch = noisy ? with_noise_again(evolution.patch(), filler) : evolution.patch();
+  if (!no_worse(judge(site, patch), judge(site, filler))) {
     result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
     return false;
   }
-  result.patch = evolution.patch();
+  result.patch = std::move(patch);
   result.status = status_after(status);
   result.message = evolution.message();
   result.bending = evolution.bending();
@@ -150,6 +162,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   const PatchVerdict verdict = judge(site, evolved.patch);
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
   const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
+  const RimRoughness roughness = rim_roughness(*first.patch);
   FinishedPatch finished;
   for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
     const auto found = std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {
@@ -159,6 +172,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
     result.seam_before = before[p];
     result.seam_after = after[p];
     result.free_vertices = free[p];
+    result.rim = rim_summary(*first.patch, static_cast<int>(p), roughness);
     if (verdict.total() == 0)
       take_result(evolved, result);
     else
