@@ -44,11 +44,14 @@ bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptio
     result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
     return false;
   }
-  if (!no_worse(judge(site, evolution.patch()), judge(site, filler))) {
+  PatchVerdict verdict = judge(site, evolution.patch());
+  const bool clean = verdict.folds == 0 && verdict.total() == 0;
+  if (!clean && !no_worse(verdict, judge(site, filler))) {
     result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
     return false;
   }
   result.patch = evolution.patch();
+  result.verdict = std::move(verdict);
   result.status = status_after(status);
   result.message = evolution.message();
   result.bending = evolution.bending();
@@ -89,6 +92,7 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
   result.patch = filler;
   if (filler.free_count == 0) {
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    result.verdict = judge(site, filler);
     return result;
   }
   if (from_the_best_start(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
@@ -99,6 +103,7 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
       if (evolve_once(site, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
     }
   }
+  result.verdict = judge(site, filler);
   result.final_energy = result.initial_energy;
   result.steps = 0;
   return result;
@@ -132,11 +137,15 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   }
   if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
-  evolved.patch = *first.patch;
-  if (options.evolution) evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
+  if (options.evolution) {
+    evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
+  } else {
+    evolved.patch = *first.patch;
+    evolved.verdict = judge(site, evolved.patch);
+  }
   if (cancel.cancelled()) return outcome;
 
-  const PatchVerdict verdict = judge(site, evolved.patch);
+  const PatchVerdict& verdict = evolved.verdict;
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
   const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
   FinishedPatch finished;
