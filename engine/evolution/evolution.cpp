@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "energy/curvature_energy.h"
+#include "evolution/coarse_patch.h"
 #include "evolution/linear_start.h"
 #include "evolution/mesh_care.h"
 #include "evolution/state.h"
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace loopmend {
 
@@ -38,6 +40,8 @@ constexpr double newton_tolerance = 1 + 1e-9;
 constexpr int rough_passes = 4;         ///< of rim_blend: one of second order, three that weigh the rim
 constexpr int most_passes = 12;         ///< of the fairings for position or tangent, which are iterated to their end
 constexpr double small_move = 1e-3;     ///< in mean edge lengths: no eye sees it
+constexpr double settled_move = 2e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it
+constexpr int most_coarse_steps = 12;   ///< straight ways take fewer; a longer one may lead to a bubble
 constexpr double smallest_step = 1e-6;  ///< relative to the step that was asked for: below, the flow has stalled
 
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
@@ -57,6 +61,16 @@ Eigen::AlignedBox3d room_around(const Patch& patch, double share) {
     for (int v : loop) box.extend(patch.positions[v]);
   const Vec3 margin = Vec3::Constant(share * box.diagonal().norm());
   return {box.min() - margin, box.max() + margin};
+}
+
+/// How far the middle of the free vertices has come, patch frame: where vertices come and go, the only way to tell.
+double way_of_centroid(const Patch& from, const Patch& to) {
+  const auto centroid = [](const Patch& patch) {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < patch.free_count; ++i) sum += patch.positions[i];
+    return Vec3(sum / patch.free_count);
+  };
+  return (centroid(from) - centroid(to)).norm();
 }
 
 /// What came of one Gauss-Newton solve.
@@ -111,11 +125,12 @@ struct Evolution::Impl {
   bool smooth_surroundings = false;  ///< fits of all widths agree on the curvature: it can be trusted to high order
   double blend = 0;                  ///< αR² of the order blend in force
   std::optional<RimRoughness> rim;   ///< of the surroundings; MMCVF to the steady state only
-  int blends_left = 0;        ///< linear fairings that are the whole way: on rough rims, or for less than curvature
-  double decay_rate = 0;      ///< patch frame
-  double sigma = 0;           ///< of the next semi-implicit step; falls on rejection, recovers
-  double mu = 0;              ///< of the next Gauss-Newton step
-  int fairings_left = 0;      ///< linear fairing steps that may still be tried before Gauss-Newton
+  int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
+  double decay_rate = 0;  ///< patch frame
+  double sigma = 0;       ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;          ///< of the next Gauss-Newton step
+  bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
+  int fairings_left = 0;           ///< linear fairing steps that may still be tried before Gauss-Newton
   double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
   int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
   double start_measure = 0;   ///< at the last set_options
@@ -132,6 +147,9 @@ struct Evolution::Impl {
   bool replace_if_good(Patch patch, double limit);
   bool fairing_step(const CancelToken& cancel);
   void blend_step();
+  bool coarse_step(const CancelToken& cancel);
+  void take_start(EvolutionState next, StepRecord record, double move);
+  double decay();
   bool go_over_to_cubic_fits();
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
@@ -194,17 +212,26 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
     state = make_state(std::move(state.patch), objective, stencil, state.topology);
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
-  decay_rate = slowest_decay_rate(options.flow, state.patch);
-  if (!(decay_rate > 0)) decay_rate = 1;
+  decay_rate = 0;
+  mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
-  mu = decay_rate / (2 * first_gauss_newton_sigma);
   small_moves = 0;
   last_bold_move = 0;
   fairings_left = history.empty() && options.start != SteadyStart::as_given ? most_fairings : 0;
+  coarse_start_left = history.empty() && newton && options.start == SteadyStart::faired &&
+                      options.triangles == PatchTriangles::free && worth_coarsening(state.patch);
   start_measure = lowest_measure = state.measure;
   general = make_general_solver(options.solver);
   spd = make_spd_solver();
   stop(EvolutionStatus::ready, "");
+}
+
+/// The slowest decay rate, found when it is first asked for.
+double Evolution::Impl::decay() {
+  if (decay_rate > 0) return decay_rate;
+  decay_rate = slowest_decay_rate(options.flow, state.patch);
+  if (!(decay_rate > 0)) decay_rate = 1;
+  return decay_rate;
 }
 
 bool Evolution::Impl::acceptable(const EvolutionState& next, double limit) const {
@@ -218,7 +245,7 @@ void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen
   record.step = static_cast<int>(history.size()) + 1;
   record.max_move = s.cwiseAbs().maxCoeff() / edge_length();
   record.sigma = used_sigma;
-  record.tau = used_sigma / decay_rate * std::pow(state.patch.scale, order_of(options.flow));
+  record.tau = used_sigma / decay() * std::pow(state.patch.scale, order_of(options.flow));
   state = std::move(next);
   record.energy = shown_energy(options.flow, state);
   history.push_back(record);
@@ -255,14 +282,44 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   if (!acceptable(faired.state, state.measure)) return false;
   if (faired.state.measure > 0.5 * state.measure && faired.state.folds == 0) fairings_left = 0;
   StepRecord record;
-  record.step = static_cast<int>(history.size()) + 1;
   record.assemble_seconds = faired.assemble_seconds;
   record.solve_seconds = faired.solve_seconds;
-  state = std::move(faired.state);
+  take_start(std::move(faired.state), record, faired.move);
+  return true;
+}
+
+/// A better start has been found: the way to the steady state goes on from there.
+void Evolution::Impl::take_start(EvolutionState next, StepRecord record, double move) {
+  state = std::move(next);
   room = room_around(state.patch, room_beyond_fairing);
-  record.max_move = faired.move / edge_length();
+  record.step = static_cast<int>(history.size()) + 1;
+  record.max_move = move / edge_length();
   record.energy = shown_energy(options.flow, state);
   history.push_back(record);
+}
+
+/// The steady state of a coarse copy, in place of the linear fairings: near enough for one or two Gauss-Newton steps.
+/// @returns false if there was none, or it does not lower the energy; then the state is as it was.
+bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
+  Stopwatch watch;
+  EvolutionOptions coarse_options = options;
+  coarse_options.max_steps = most_coarse_steps;
+  coarse_options.bending = blend;
+  Evolution coarse(coarsened(state.patch), coarse_options);
+  const EvolutionStatus outcome = coarse.run(nullptr, cancel);
+  StepRecord record;
+  record.solve_seconds = watch.lap();
+  if (outcome != EvolutionStatus::converged) return false;
+  const Impl& there = *coarse.impl_;
+  EvolutionState next = make_state(refined(there.state, state.patch.grading), objective, there.stencil);
+  record.assemble_seconds = watch.lap();
+  if (!acceptable(next, state.measure)) return false;
+  if (there.stencil != stencil)
+    initial_energy = shown_energy(options.flow, make_state(start, objective, there.stencil));
+  stencil = there.stencil;
+  decay_rate = there.decay_rate;
+  fairings_left = 0;
+  take_start(std::move(next), record, way_of_centroid(there.start, there.state.patch));
   return true;
 }
 
@@ -343,7 +400,7 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();
     if (!good) continue;
-    accept(std::move(next), record, move, decay_rate / (2 * mu));
+    accept(std::move(next), record, move, decay() / (2 * mu));
     trial.accepted = true;
     return trial;
   }
@@ -355,6 +412,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   StepRecord record;
   record.assemble_seconds = watch.lap();
+  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
@@ -363,13 +421,14 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     if (trial.accepted) {
       const double move = history.back().max_move;
       // Gauss-Newton steps shrink ever faster: two bold ones tell how far the next would go.
-      const bool next_small = mu <= decay_rate && record.rejections == 0 && move < 0.1 * last_bold_move &&
+      const bool next_small = mu <= decay() && record.rejections == 0 && move < 0.1 * last_bold_move &&
                               move * move / last_bold_move < 0.1 * small_move;
-      last_bold_move = mu <= decay_rate && record.rejections == 0 ? move : 0;
-      const bool small = move < 0.1 * small_move || next_small;
+      last_bold_move = mu <= decay() && record.rejections == 0 ? move : 0;
+      const double settled = std::max(0.1 * small_move, settled_move * radius() / edge_length());
+      const bool small = move < settled || next_small;
       small_moves = small ? small_moves + 1 : 0;
-      const bool bold = mu <= decay_rate;
-      mu = std::max(0.2 * mu, 1e-8 * decay_rate);
+      const bool bold = mu <= decay();
+      mu = std::max(0.2 * mu, 1e-8 * decay());
       if (small && (bold || small_moves >= 3)) return finish();
       if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
       return care_for_mesh(1.2 * state.measure);
@@ -398,11 +457,11 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   for (int trial = 0; trial < most_trials; ++trial) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
     if (trial == 2 && has_energy(options.flow)) {
-      mu = decay_rate / (2 * sigma);
+      mu = decay() / (2 * sigma);
       sigma = std::min(wanted, 100 * sigma);
       return gauss_newton_step(cancel);
     }
-    const double tau = sigma / decay_rate;
+    const double tau = sigma / decay();
     Eigen::VectorXd s;
     const SolveReport report = general->solve(identity - tau * system.jacobian, tau * system.velocity, s);
     record.solve_seconds += watch.lap();
@@ -446,6 +505,10 @@ void Evolution::step(const CancelToken& cancel) {
   const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
   if (!newton) return impl_->semi_implicit_step(cancel);
   if (impl_->blends_left > 0) return impl_->blend_step();
+  if (std::exchange(impl_->coarse_start_left, false)) {
+    if (impl_->coarse_step(cancel)) return;
+    if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
+  }
   if (impl_->fairings_left-- > 0) {
     if (impl_->fairing_step(cancel)) return;
     impl_->fairings_left = 0;

@@ -29,7 +29,7 @@ enum class PatchTriangles {
 
 /// From where MMCVF sets out for the steady state.
 enum class SteadyStart {
-  faired,         ///< from linear fairings of the patch, while they lower the energy
+  faired,         ///< from linear fairings while they lower the energy; large patches from the end of a coarse copy
   evenly_faired,  ///< the same, as if all triangles were equilateral: where slivers spoil the first
   as_given,
 };
@@ -75,8 +75,8 @@ const char* to_string(EvolutionStatus status);
 /// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
 /// With bending blended in, what falls is the blend; the energy shown is still ∫‖∇H‖² dA alone, and may rise a little.
 /// Near a smooth steady state the fits go over from quadratics to cubics, and the energy is measured anew by these.
-/// Linear fairing steps have sigma = tau = 0: those at the beginning of the way to the steady state, and all on rough
-/// surroundings, where the energy shown need not fall.
+/// Linear fairings, and the coarse start of a large patch, are steps with sigma = tau = 0; the latter's max_move is that of
+/// the middle of the patch. On rough surroundings all steps are such, and the energy shown need not fall.
 struct StepRecord {
   int step = 0;         ///< from 1
   double energy = 0;    ///< after the step

@@ -47,7 +47,9 @@ bool sees_noise(const Patch& filler, const EvolutionOptions& options) {
 bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
                  const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
   const bool noisy = sees_noise(filler, options);
-  Evolution evolution(noisy ? without_noise(filler) : filler, options);
+  EvolutionOptions in_force = options;
+  if (noisy) in_force.bending = 0;  // what is left without the noise is smooth
+  Evolution evolution(noisy ? without_noise(filler, site.model) : filler, in_force);
   const EvolutionStatus status = evolution.run(on_step, cancel);
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
@@ -56,11 +58,14 @@ bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptio
     return false;
   }
   Patch patch = noisy ? with_noise_again(evolution.patch(), filler) : evolution.patch();
-  if (!no_worse(judge(site, patch), judge(site, filler))) {
+  PatchVerdict verdict = judge(site, patch);
+  const bool clean = verdict.folds == 0 && verdict.total() == 0;
+  if (!clean && !no_worse(verdict, judge(site, filler))) {
     result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
     return false;
   }
   result.patch = std::move(patch);
+  result.verdict = std::move(verdict);
   result.status = status_after(status);
   result.message = evolution.message();
   result.bending = evolution.bending();
@@ -93,17 +98,15 @@ bool from_the_best_start(const FillSite& site, const Patch& filler, const Evolut
   return kept;
 }
 
-/// What to try where the flow spoils the patch: bending energy blended in, then lower orders, which bulge less.
-std::vector<EvolutionOptions> gentler_options(const EvolutionOptions& options) {
-  std::vector<EvolutionOptions> gentler;
-  for (double bending : {60.0, 300.0}) {
-    gentler.push_back(options);
-    gentler.back().bending = bending;
-  }
-  gentler.push_back(options);
-  gentler.back().rim = RimTrust::smooth;
-  gentler.push_back(options);
-  gentler.back().continuity = SeamContinuity::tangent;
+/// What to try where the flow spoils the patch: bending energy blended in, and lower orders, which bulge less. On rough
+/// surroundings these come first.
+std::vector<EvolutionOptions> gentler_options(const Patch& filler, const EvolutionOptions& options) {
+  std::vector<EvolutionOptions> gentler(4, options);
+  gentler[0].bending = 60;
+  gentler[1].bending = 300;
+  gentler[2].rim = RimTrust::smooth;
+  gentler[3].continuity = SeamContinuity::tangent;
+  if (rim_roughness(filler).kind == Surroundings::rough) std::reverse(gentler.begin(), gentler.end());
   return gentler;
 }
 
@@ -115,13 +118,15 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
   result.patch = filler;
   if (filler.free_count == 0) {
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    result.verdict = judge(site, filler);
     return result;
   }
   if (from_the_best_start(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
-    for (const EvolutionOptions& gentler : gentler_options(options))
+    for (const EvolutionOptions& gentler : gentler_options(filler, options))
       if (evolve_once(site, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
   }
+  result.verdict = judge(site, filler);
   result.final_energy = result.initial_energy;
   result.steps = 0;
   return result;
@@ -155,11 +160,15 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   }
   if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
-  evolved.patch = *first.patch;
-  if (options.evolution) evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
+  if (options.evolution) {
+    evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
+  } else {
+    evolved.patch = *first.patch;
+    evolved.verdict = judge(site, evolved.patch);
+  }
   if (cancel.cancelled()) return outcome;
 
-  const PatchVerdict verdict = judge(site, evolved.patch);
+  const PatchVerdict& verdict = evolved.verdict;
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
   const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
   const RimRoughness roughness = rim_roughness(*first.patch);

@@ -287,7 +287,7 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
     if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
     return outcome;
   }
-  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, options.density);
+  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
   Candidate best;
   for (const Candidate& candidate : candidates) {
     Candidate refined = refine(site, size, candidate, vertices > from_coarse_to_fine, cancel);

@@ -6,12 +6,56 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 namespace loopmend {
 
 namespace {
 
-constexpr int fitted_rings = 5;
+constexpr int least_rings = 4, most_rings = 10;
+constexpr double more_than_noise = 1.1;  ///< residual of wider fits over that of the narrowest, where shape shows in it
+
+/// The surface around a patch, far enough for the widest fits at its outermost ring. Patch frame.
+struct WideSurroundings {
+  Points points;
+  Triangles triangles;
+  std::vector<int> place;  ///< of the patch's fixed vertex free_count + k in `points`
+};
+
+WideSurroundings wide_surroundings(const Patch& patch, const SurfaceModel& model) {
+  WideSurroundings wide;
+  std::unordered_map<int, int> index;
+  const auto place_of = [&](int view_vertex) {
+    const auto [entry, added] = index.try_emplace(view_vertex, static_cast<int>(wide.points.size()));
+    if (added) wide.points.push_back(patch.to_frame(model.mesh.point(TriMesh::VertexHandle(view_vertex))));
+    return entry->second;
+  };
+  std::vector<int> front;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
+    wide.place.push_back(place_of(patch.view_vertex[i]));
+    front.push_back(patch.view_vertex[i]);
+  }
+  for (int ring = 0; ring < most_rings; ++ring) {
+    std::vector<int> next;
+    for (int v : front)
+      for (const auto w : model.mesh.vv_range(TriMesh::VertexHandle(v)))
+        if (index.count(w.idx()) == 0) {
+          place_of(w.idx());
+          next.push_back(w.idx());
+        }
+    front = std::move(next);
+  }
+  for (const auto face : model.mesh.faces()) {
+    Triangle t;
+    int k = 0;
+    for (const auto v : model.mesh.fv_range(face)) {
+      const auto found = index.find(v.idx());
+      if (found != index.end()) t[k++] = found->second;
+    }
+    if (k == 3) wide.triangles.push_back(t);
+  }
+  return wide;
+}
 
 /// Moves the fixed vertices to `places` (of vertex free_count + k) and carries the free ones along.
 void move_fixed(Patch& patch, const Points& places) {
@@ -28,19 +72,33 @@ void move_fixed(Patch& patch, const Points& places) {
 
 }  // namespace
 
-Patch without_noise(const Patch& patch) {
-  const Triangles around(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
-  const Topology topology(patch.vertex_count(), around);
-  const Points normals = angle_weighted_normals(patch.positions, around);
-  std::vector<char> mark(patch.vertex_count(), 0);
-  Points places(patch.positions.begin() + patch.free_count, patch.positions.end());
-  for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
-    if (normals[i].isZero()) continue;
-    const auto fit = fit_cubic(patch.positions, topology, i, normals[i], fitted_rings, Outliers::weighted_down, mark);
-    if (fit) places[i - patch.free_count] += fit->coefficients[0] * fit->normal;
+Patch without_noise(const Patch& patch, const SurfaceModel& model) {
+  const WideSurroundings wide = wide_surroundings(patch, model);
+  const Topology topology(static_cast<int>(wide.points.size()), wide.triangles);
+  const Points normals = angle_weighted_normals(wide.points, wide.triangles);
+  std::vector<char> mark(wide.points.size(), 0);
+  Points best;
+  double least = 0;
+  for (int rings = least_rings; rings <= most_rings; rings += 2) {
+    Points places;
+    std::vector<double> residuals;
+    for (int v : wide.place) {
+      places.push_back(wide.points[v]);
+      if (normals[v].isZero()) continue;
+      const auto fit = fit_cubic(wide.points, topology, v, normals[v], rings, Outliers::weighted_down, mark);
+      if (!fit) continue;
+      places.back() += fit->coefficients[0] * fit->normal;
+      residuals.push_back(fit->residual);
+    }
+    if (residuals.empty()) return patch;
+    const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
+    std::nth_element(residuals.begin(), middle, residuals.end());
+    if (rings > least_rings && *middle > more_than_noise * least) break;
+    least = rings > least_rings ? std::min(least, *middle) : *middle;
+    best = std::move(places);
   }
   Patch result = patch;
-  move_fixed(result, places);
+  move_fixed(result, best);
   return result;
 }
 
