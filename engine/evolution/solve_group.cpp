@@ -1,5 +1,6 @@
 #include "evolution/solve_group.h"
 
+#include "mesh/quality.h"
 #include "rim/white_noise.h"
 
 #include <algorithm>
@@ -40,7 +41,11 @@ bool sees_noise(const Patch& filler, const EvolutionOptions& options) {
   const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
                       options.rim == RimTrust::automatic && !options.bending &&
                       options.continuity == SeamContinuity::curvature;
-  return judged && rim_roughness(filler).kind == Surroundings::noisy;
+  if (!judged) return false;
+  constexpr double least_noise = 2e-3;  // in mean edges: below, fits err by more than the noise
+  const RimRoughness rim = rim_roughness(filler);
+  return rim.kind == Surroundings::noisy &&
+         rim.noise > least_noise * mean_edge_length(filler.positions, filler.triangles, filler.patch_triangles);
 }
 
 /// One run of the flow from the filler. @returns true if its result may be kept.

@@ -12,9 +12,9 @@ TEST(RimFits, OfASphereAreExactAndSaySo) {
   const Patch patch = test::start_of(test::open_sphere(5, 0.8));
   for (const RimFit& fit : rim_fits(patch, 0)) {
     ASSERT_TRUE(fit.valid);
-    EXPECT_NEAR(fit.H / patch.scale, -1, 2e-3);
+    EXPECT_NEAR(fit.H / patch.scale, -1, 6e-3);  // second order in the width of three rings, 0.12
     EXPECT_LT(fit.H_sigma / patch.scale, 1e-2);
-    EXPECT_LT(fit.gradient / (patch.scale * patch.scale), 0.05);
+    EXPECT_LT(fit.gradient / (patch.scale * patch.scale), 0.1);
   }
 }
 
