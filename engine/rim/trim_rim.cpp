@@ -29,14 +29,31 @@ std::optional<RimFault> fault_of(const SurfaceModel& model, int view_face) {
   for (const auto f : model.mesh.ff_range(TriMesh::FaceHandle(view_face))) beside.push_back(normal_of(model, f.idx()));
   if (beside.size() <= 1) return RimFault::dangling;
   if (min_angle(p[a], p[b], p[c]) < sliver_angle) return RimFault::sliver;
-  const Vec3 own = normal_of(model, view_face);
-  const auto leans = [&](double cosine) { return [&own, cosine](const Vec3& n) { return own.dot(n) < cosine; }; };
   // Where the neighbours disagree among themselves, it is the surface that folds there, not the triangle.
-  const bool agree = beside[0].dot(beside[1]) > spike_cosine;
-  if (!agree) return std::nullopt;
-  if (std::any_of(beside.begin(), beside.end(), leans(flipped_cosine))) return RimFault::flipped;
-  if (std::all_of(beside.begin(), beside.end(), leans(spike_cosine))) return RimFault::spike;
+  const Vec3 own = normal_of(model, view_face);
+  const bool turned =
+      std::any_of(beside.begin(), beside.end(), [&](const Vec3& n) { return own.dot(n) < flipped_cosine; });
+  if (turned && beside[0].dot(beside[1]) > spike_cosine) return RimFault::flipped;
   return std::nullopt;
+}
+
+/// The triangles at a rim vertex that stands up out of what lies round about; else none.
+std::vector<int> spike_at(const SurfaceModel& model, int view_vertex) {
+  std::vector<int> fan;
+  std::set<int> around;
+  for (const auto f : model.mesh.vf_range(TriMesh::VertexHandle(view_vertex))) fan.push_back(f.idx());
+  for (int f : fan)
+    for (const auto v : model.mesh.fv_range(TriMesh::FaceHandle(f)))
+      if (v.idx() != view_vertex)
+        for (const auto g : model.mesh.vf_range(v)) around.insert(g.idx());
+  for (int f : fan) around.erase(f);
+  if (around.empty()) return {};
+  Vec3 ground = Vec3::Zero();
+  for (int f : around) ground += normal_of(model, f);
+  ground.normalize();
+  const bool stands =
+      std::all_of(fan.begin(), fan.end(), [&](int f) { return normal_of(model, f).dot(ground) < spike_cosine; });
+  return stands ? fan : std::vector<int>{};
 }
 
 /// View faces with an edge on one of the loops that are holes.
@@ -77,10 +94,15 @@ const char* to_string(RimFault fault) {
 }
 
 std::vector<BadRimFace> bad_rim_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  std::vector<BadRimFace> bad;
+  std::map<int, RimFault> faults;  // by soup triangle
   for (int f : rim_faces(model, loops))
-    if (const auto fault = fault_of(model, f)) bad.push_back({model.soup_face[f], *fault, 1});
-  std::sort(bad.begin(), bad.end(), [](const BadRimFace& a, const BadRimFace& b) { return a.face < b.face; });
+    if (const auto fault = fault_of(model, f)) faults.emplace(model.soup_face[f], *fault);
+  for (const BoundaryLoop& loop : loops)
+    if (loop.kind == LoopKind::hole)
+      for (int v : loop.vertices)
+        for (int f : spike_at(model, v)) faults.emplace(model.soup_face[f], RimFault::spike);
+  std::vector<BadRimFace> bad;
+  for (const auto& [face, fault] : faults) bad.push_back({face, fault, 1});
   return bad;
 }
 

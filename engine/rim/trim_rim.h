@@ -11,7 +11,7 @@ namespace loopmend {
 enum class RimFault {
   dangling,  ///< stands on one edge: its other two are open
   sliver,    ///< smallest angle under 5°
-  spike,     ///< leans by more than 60° against each neighbour that it has, all of which agree within 60°
+  spike,     ///< at a rim vertex all of whose triangles lean by more than 60° against what lies round about
   flipped,   ///< turned by more than 120° against some neighbour
 };
 
@@ -23,7 +23,7 @@ struct BadRimFace {
   int ring = 1;  ///< the round of trimming that took it, from 1
 };
 
-/// Among the triangles that have an edge on these loops, by rising number. Only holes count; other kinds of loops are left.
+/// Among the triangles at these loops, by rising number. Only holes count; other kinds of loops are left.
 std::vector<BadRimFace> bad_rim_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
 struct TrimmedModel {

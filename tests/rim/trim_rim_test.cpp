@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 namespace loopmend {
 namespace {
 
@@ -74,27 +77,43 @@ TEST(TrimRim, RemovesWhatDanglesFaceByFaceAndRoundByRound) {
   EXPECT_EQ(all.loops[0].edges(), 12);
 }
 
-TEST(TrimRim, FindsSliversSpikesAndFlippedTriangles) {
-  const auto with_tip = [](const Vec3& tip) {
-    // The rim triangle below the hole's edge (4,3)-(5,3) has its third corner at (5,2) or (4,2); raising the rim itself
-    // would bend others, so a strip of two triangles is put onto the edge instead.
-    TriangleSoup soup = holed_grid();
-    soup.points.push_back(tip);
-    const int v = static_cast<int>(soup.points.size()) - 1;
-    add(soup, {grid_vertex(3, 3), grid_vertex(4, 3), v});
-    add(soup, {v, grid_vertex(4, 3), grid_vertex(5, 3)});
-    add(soup, {grid_vertex(3, 4), grid_vertex(3, 3), v});
-    return soup;
-  };
-  const TriangleSoup flat = with_tip({3.6, 3.6, 0});
-  const SurfaceModel flat_model = make_surface_model(flat);
-  EXPECT_TRUE(bad_rim_faces(flat_model, holes_of(flat_model)).empty() ||
-              bad_rim_faces(flat_model, holes_of(flat_model))[0].fault == RimFault::sliver);
+/// The only faults of this soup, by face.
+std::map<int, RimFault> faults_of(const TriangleSoup& soup) {
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.repairs.reoriented_faces, 0U);
+  std::map<int, RimFault> faults;
+  for (const BadRimFace& bad : bad_rim_faces(model, holes_of(model))) faults[bad.face] = bad.fault;
+  return faults;
+}
 
-  const SurfaceModel thin_model = make_surface_model(with_tip({4.0, 3.03, 0}));
-  const auto thin = bad_rim_faces(thin_model, holes_of(thin_model));
-  ASSERT_FALSE(thin.empty());
-  for (const BadRimFace& bad : thin) EXPECT_EQ(bad.fault, RimFault::sliver);
+int face_of(const TriangleSoup& soup, Triangle t) {
+  return static_cast<int>(std::find(soup.triangles.begin(), soup.triangles.end(), t) - soup.triangles.begin());
+}
+
+TEST(TrimRim, FindsASliver) {
+  TriangleSoup soup = holed_grid();
+  const int corner = add(soup, {grid_vertex(3, 4), grid_vertex(3, 3), grid_vertex(4, 3)});
+  EXPECT_TRUE(faults_of(soup).empty());
+  soup.points[grid_vertex(3, 3)] = Vec3(3.48, 3.48, 0);
+  EXPECT_EQ(faults_of(soup), (std::map<int, RimFault>{{corner, RimFault::sliver}}));
+}
+
+TEST(TrimRim, FindsAFlippedTriangle) {
+  TriangleSoup soup = holed_grid();
+  const int corner = add(soup, {grid_vertex(3, 4), grid_vertex(3, 3), grid_vertex(4, 3)});
+  soup.points[grid_vertex(3, 3)] = Vec3(3.8, 3.8, 0);  // beyond the line between the other two
+  EXPECT_EQ(faults_of(soup), (std::map<int, RimFault>{{corner, RimFault::flipped}}));
+}
+
+TEST(TrimRim, FindsASpike) {
+  TriangleSoup soup = holed_grid();
+  soup.points[grid_vertex(4, 3)].z() = 4;
+  std::map<int, RimFault> fan;
+  for (const Triangle& t : {Triangle{grid_vertex(3, 2), grid_vertex(4, 2), grid_vertex(4, 3)},
+                            Triangle{grid_vertex(3, 2), grid_vertex(4, 3), grid_vertex(3, 3)},
+                            Triangle{grid_vertex(4, 2), grid_vertex(5, 3), grid_vertex(4, 3)}})
+    fan[face_of(soup, t)] = RimFault::spike;
+  EXPECT_EQ(faults_of(soup), fan);
 }
 
 TEST(TrimRim, RefusesWhatMakesNoSense) {
