@@ -5,7 +5,6 @@
 #include "evolution/coarse_patch.h"
 #include "evolution/linear_start.h"
 #include "evolution/mesh_care.h"
-#include "evolution/rim_roughness.h"
 #include "evolution/state.h"
 #include "evolution/stopwatch.h"
 #include "flows/decay_rate.h"
@@ -17,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -37,8 +37,10 @@ constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a sm
 constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
 constexpr double room_beyond_fairing = 0.35;
 constexpr double newton_tolerance = 1 + 1e-9;
-constexpr double small_move = 1e-3;         ///< in mean edge lengths: no eye sees it
-constexpr double settled_move = 5e-5;       ///< in patch radii: what such a bold step leaves is a few hundredths of it
+constexpr int rough_passes = 4;        ///< of rim_blend: one of second order, three that weigh the rim
+constexpr int most_passes = 12;        ///< of the fairings for position or tangent, which are iterated to their end
+constexpr double small_move = 1e-3;    ///< in mean edge lengths: no eye sees it
+constexpr double settled_move = 5e-5;  ///< in patch radii: what such a bold step leaves is a few hundredths of it
 constexpr double near_the_end_move = 0.05;  ///< in mean edge lengths: the next bold step would go a hundredth of that
 constexpr std::size_t most_coarse_steps = 12;  ///< straight ways take fewer; a longer one may lead to a bubble
 constexpr double smallest_step = 1e-6;         ///< relative to the step that was asked for: below, the flow has stalled
@@ -123,11 +125,13 @@ struct Evolution::Impl {
   double start_edge_length = 0;      ///< mean, of the patch
   bool smooth_surroundings = false;  ///< fits of all widths agree on the curvature: it can be trusted to high order
   double blend = 0;                  ///< αR² of the order blend in force
-  double decay_rate = 0;             ///< patch frame
-  double sigma = 0;                  ///< of the next semi-implicit step; falls on rejection, recovers
-  double mu = 0;                     ///< of the next Gauss-Newton step
-  bool coarse_start_left = false;    ///< the steady state of a coarse copy may still be tried
-  int fairings_left = 0;             ///< linear fairing steps that may still be tried before Gauss-Newton
+  std::optional<RimRoughness> rim;   ///< of the surroundings; MMCVF to the steady state only
+  int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
+  double decay_rate = 0;  ///< patch frame
+  double sigma = 0;       ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;          ///< of the next Gauss-Newton step
+  bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
+  int fairings_left = 0;           ///< linear fairing steps that may still be tried before Gauss-Newton
   double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
   int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
   double start_measure = 0;   ///< at the last set_options
@@ -143,6 +147,7 @@ struct Evolution::Impl {
   void care_for_mesh(double limit);
   bool replace_if_good(Patch patch, double limit);
   bool fairing_step(const CancelToken& cancel);
+  void blend_step();
   bool coarse_step(const CancelToken& cancel);
   void take_start(EvolutionState next, StepRecord record, double move);
   double decay();
@@ -179,11 +184,25 @@ Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   blend = 0;
   smooth_surroundings = false;
   stencil = Stencil::two_ring;
+  rim.reset();
+  blends_left = 0;
   if (new_options.flow != FlowKind::mmcvf || new_options.mode != EvolutionMode::steady) return {new_options.flow, 0};
-  const RimRoughness rim = rim_roughness(state.patch);
-  blend = new_options.bending.value_or(rim.bending);
-  smooth_surroundings = blend == 0 && rim.unevenness < smooth_unevenness;
-  return {new_options.flow, blend / (rim.radius * rim.radius), energy_reach};
+  rim = rim_roughness(state.patch);
+  const double scale = rim->radius * rim->radius;
+  if (new_options.continuity != SeamContinuity::curvature) {
+    blends_left = most_passes;
+    return {new_options.flow, 0};
+  }
+  const bool automatic = new_options.rim == RimTrust::automatic;
+  const bool rough = automatic && !new_options.bending && rim->kind == Surroundings::rough;
+  if (rough || new_options.rim == RimTrust::smooth) {
+    blends_left = rough_passes;
+    blend = rough_bending;
+    return {new_options.flow, blend / scale};
+  }
+  blend = new_options.bending.value_or(automatic ? rim->bending : 0);
+  smooth_surroundings = blend == 0 && rim->unevenness < smooth_unevenness;
+  return {new_options.flow, blend / scale, energy_reach};
 }
 
 void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
@@ -307,6 +326,36 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   fairings_left = 0;
   take_start(std::move(next), record, way_of_centroid(there.start, there.state.patch));
   return true;
+}
+
+/// One linear fairing of those that are the whole way. The first on rough surroundings is of second order, from which the
+/// rim vertices are judged.
+void Evolution::Impl::blend_step() {
+  Stopwatch watch;
+  const bool judged = options.continuity == SeamContinuity::curvature;
+  const bool first = judged && blends_left == rough_passes;
+  const double R = rim->radius;
+  Patch patch = state.patch;
+  const bool solved = first
+                          ? blend_once(patch, SeamContinuity::tangent, {}, R)
+                          : blend_once(patch, options.continuity, judged ? rim_trust(patch, R) : Eigen::VectorXd(), R);
+  if (!solved) return stop(EvolutionStatus::failed, "stopped early: the patch is too degenerate to be faired");
+  StepRecord record;
+  record.step = static_cast<int>(history.size()) + 1;
+  record.solve_seconds = watch.lap();
+  double move = 0;
+  for (int i = 0; i < patch.free_count; ++i)
+    move = std::max(move, (patch.positions[i] - state.patch.positions[i]).norm());
+  record.max_move = move / edge_length();
+  --blends_left;
+  state = make_state(std::move(patch), objective, stencil, state.topology);
+  if (state.folds > start_folds && options.triangles == PatchTriangles::free)
+    replace_if_good(remeshed(state.patch), std::numeric_limits<double>::max());
+  record.energy = shown_energy(options.flow, state);
+  record.assemble_seconds = watch.lap();
+  history.push_back(record);
+  const bool at_rest = !judged && record.max_move < small_move;
+  if (blends_left == 0 || at_rest) stop(EvolutionStatus::converged, "");
 }
 
 /// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order. Not
@@ -460,6 +509,7 @@ void Evolution::step(const CancelToken& cancel) {
   if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
   const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
   if (!newton) return impl_->semi_implicit_step(cancel);
+  if (impl_->blends_left > 0) return impl_->blend_step();
   if (std::exchange(impl_->coarse_start_left, false)) {
     if (impl_->coarse_step(cancel)) return;
     if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
@@ -491,6 +541,7 @@ const std::string& Evolution::message() const { return impl_->message; }
 const std::vector<StepRecord>& Evolution::history() const { return impl_->history; }
 double Evolution::initial_energy() const { return impl_->initial_energy; }
 double Evolution::bending() const { return impl_->blend; }
+const std::optional<RimRoughness>& Evolution::roughness() const { return impl_->rim; }
 double Evolution::energy() const { return shown_energy(impl_->options.flow, impl_->state); }
 
 }  // namespace loopmend
