@@ -18,8 +18,8 @@ namespace bg = boost::geometry;
 using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using Entry = std::pair<TreePoint, int>;
 
-constexpr double inward_growth = 0.3;    ///< of edges, per length of way from the rim
-constexpr double edges_per_radius = 12;  ///< of the coarse patch, at least
+constexpr double inward_growth = 0.4;    ///< of edges, per length of way from the rim
+constexpr double edges_per_radius = 13;  ///< of the coarse patch, at least
 /// With this growth a coarse patch has about 4 vertices for each edge of its rim.
 constexpr int free_per_rim_edge = 10;
 constexpr int fewest_free = 1200;

@@ -37,12 +37,13 @@ constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a sm
 constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
 constexpr double room_beyond_fairing = 0.35;
 constexpr double newton_tolerance = 1 + 1e-9;
-constexpr int rough_passes = 4;         ///< of rim_blend: one of second order, three that weigh the rim
-constexpr int most_passes = 12;         ///< of the fairings for position or tangent, which are iterated to their end
-constexpr double small_move = 1e-3;     ///< in mean edge lengths: no eye sees it
-constexpr double settled_move = 2e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it
-constexpr int most_coarse_steps = 12;   ///< straight ways take fewer; a longer one may lead to a bubble
-constexpr double smallest_step = 1e-6;  ///< relative to the step that was asked for: below, the flow has stalled
+constexpr int rough_passes = 4;        ///< of rim_blend: one of second order, three that weigh the rim
+constexpr int most_passes = 12;        ///< of the fairings for position or tangent, which are iterated to their end
+constexpr double small_move = 1e-3;    ///< in mean edge lengths: no eye sees it
+constexpr double settled_move = 5e-5;  ///< in patch radii: what such a bold step leaves is a few hundredths of it
+constexpr double near_the_end_move = 0.05;  ///< in mean edge lengths: the next bold step would go a hundredth of that
+constexpr std::size_t most_coarse_steps = 12;  ///< straight ways take fewer; a longer one may lead to a bubble
+constexpr double smallest_step = 1e-6;         ///< relative to the step that was asked for: below, the flow has stalled
 
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
 int order_of(FlowKind flow) { return flow == FlowKind::mcf ? 2 : flow == FlowKind::mmcvf ? 6 : 4; }
@@ -150,6 +151,7 @@ struct Evolution::Impl {
   bool coarse_step(const CancelToken& cancel);
   void take_start(EvolutionState next, StepRecord record, double move);
   double decay();
+  bool near_the_end() const { return last_bold_move > 0 && last_bold_move < near_the_end_move; }
   bool go_over_to_cubic_fits();
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
@@ -200,7 +202,7 @@ Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   }
   blend = new_options.bending.value_or(automatic ? rim->bending : 0);
   smooth_surroundings = blend == 0 && rim->unevenness < smooth_unevenness;
-  return {new_options.flow, blend / scale};
+  return {new_options.flow, blend / scale, energy_reach};
 }
 
 void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
@@ -261,8 +263,11 @@ bool Evolution::Impl::replace_if_good(Patch patch, double limit) {
 /// Only while the surface still moves: near the end the mesh must stand still for the solve to converge.
 void Evolution::Impl::care_for_mesh(double limit) {
   if (history.size() > steps_with_mesh_care || history.back().max_move < 0.05) return;
-  replace_if_good(tangentially_relaxed(state), limit);
-  replace_if_good(with_delaunay_flips(state.patch), limit);
+  const Patch relaxed = tangentially_relaxed(state);
+  if (!replace_if_good(with_delaunay_flips(relaxed), limit)) {
+    replace_if_good(relaxed, limit);
+    replace_if_good(with_delaunay_flips(state.patch), limit);
+  }
   if (state.folds > 0) {
     EvolutionState next = make_state(remeshed(state.patch), objective, stencil);
     if (next.folds < state.folds && std::isfinite(next.measure)) state = std::move(next);
@@ -303,14 +308,14 @@ void Evolution::Impl::take_start(EvolutionState next, StepRecord record, double 
 bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   Stopwatch watch;
   EvolutionOptions coarse_options = options;
-  coarse_options.max_steps = most_coarse_steps;
   coarse_options.bending = blend;
   Evolution coarse(coarsened(state.patch), coarse_options);
-  const EvolutionStatus outcome = coarse.run(nullptr, cancel);
+  const Impl& there = *coarse.impl_;
+  while (coarse.status() == EvolutionStatus::ready && there.history.size() < most_coarse_steps && !there.near_the_end())
+    coarse.step(cancel);
   StepRecord record;
   record.solve_seconds = watch.lap();
-  if (outcome != EvolutionStatus::converged) return false;
-  const Impl& there = *coarse.impl_;
+  if (coarse.status() != EvolutionStatus::converged && !there.near_the_end()) return false;
   EvolutionState next = make_state(refined(there.state, state.patch.grading), objective, there.stencil);
   record.assemble_seconds = watch.lap();
   if (!acceptable(next, state.measure)) return false;
