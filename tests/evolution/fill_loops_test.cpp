@@ -206,7 +206,9 @@ TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
   ASSERT_EQ(static_cast<int>(loops.size()), GetParam().loops);
   for (const LoopResult& r : fill_loops(model, loops, {}, nullptr, {})) {
     EXPECT_EQ(r.status, LoopStatus::converged) << r.loop.number << ": " << r.message;
-    EXPECT_LE(r.seam_after.h_jump_rms, r.seam_before.h_jump_rms) << r.loop.number;
+    // A rough rim is let go of where it says nothing about the hole: there H may jump a little more.
+    const double room = r.rim.roughness.kind == Surroundings::rough ? 1.2 : 1;
+    EXPECT_LE(r.seam_after.h_jump_rms, room * r.seam_before.h_jump_rms) << r.loop.number;
   }
   expect_input_first(before, model.soup);
   // Seen anew from the soup alone: nothing to repair, nothing open.

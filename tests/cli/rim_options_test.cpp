@@ -1,0 +1,94 @@
+#include "cli/run_program.h"
+
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "mesh/boundary_loops.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace loopmend {
+namespace {
+
+using nlohmann::json;
+using test::loopmend_program;
+using test::Outcome;
+
+class RimOptions : public testing::Test {
+ protected:
+  void SetUp() override {
+    TriangleSoup sphere = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
+    write_mesh(clean, sphere);
+    // A triangle that stands on one edge of the rim.
+    const SurfaceModel model = make_surface_model(sphere);
+    const BoundaryLoop loop = find_boundary_loops(model).front();
+    const int a = model.soup_vertex[loop.vertices[0]], b = model.soup_vertex[loop.vertices[1]];
+    sphere.points.push_back((0.5 * (sphere.points[a] + sphere.points[b]) + Vec3(0, 0, 0.06)).normalized());
+    sphere.triangles.push_back({a, b, static_cast<int>(sphere.points.size()) - 1});
+    dangling_face = static_cast<int>(sphere.triangles.size()) - 1;
+    write_mesh(ragged, sphere);
+  }
+  json fill(const std::filesystem::path& in, const std::string& options) const {
+    const Outcome run =
+        loopmend_program("fill '" + in.string() + "' -o '" + out.string() + "' --quiet --report - " + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out);
+  }
+  test::Workspace work;
+  const std::filesystem::path clean = work / "clean.ply", ragged = work / "ragged.ply", out = work / "out.ply";
+  int dangling_face = 0;
+};
+
+TEST_F(RimOptions, ReportTellsOfTheRim) {
+  const json rim = fill(clean, "")["loops"][0]["rim"];
+  EXPECT_EQ(rim["surroundings"], "smooth");
+  EXPECT_NEAR(rim["h_rms"].get<double>(), 1, 0.02);
+  EXPECT_LT(rim["noise_per_edge"].get<double>(), 1e-3);
+  EXPECT_LT(rim["h_sigma"].get<double>(), 0.05);
+  EXPECT_EQ(rim["fitted_vertices"], fill(clean, "")["loops"][0]["edges"]);
+}
+
+TEST_F(RimOptions, OnCleanSurroundingsAutoAndExactGiveTheSameBits) {
+  fill(clean, "--rim auto");
+  const Points automatic = read_mesh(out).soup.points;
+  fill(clean, "--rim exact");
+  EXPECT_EQ(read_mesh(out).soup.points, automatic);
+  EXPECT_EQ(fill(clean, "--rim smooth")["loops"][0]["steps"], 4);
+}
+
+TEST_F(RimOptions, LowerContinuityLeavesWhatItDoesNotPromise) {
+  const auto angle = [&](const char* word) {
+    return fill(clean, std::string("--continuity ") + word)["loops"][0]["seam_after"]["g1_rms_deg"].get<double>();
+  };
+  EXPECT_GT(angle("position"), 10);
+  EXPECT_LT(angle("tangent"), 3);
+  EXPECT_LT(angle("curvature"), 0.1);
+}
+
+TEST_F(RimOptions, TrimmingIsOffButSuggestedAndToldFaceByFace) {
+  const json left = fill(ragged, "");
+  EXPECT_TRUE(left["trimmed_faces"].empty());
+  ASSERT_EQ(left["bad_rim_faces"].size(), 1U);
+  EXPECT_EQ(left["bad_rim_faces"][0]["face"], dangling_face);
+  EXPECT_EQ(left["bad_rim_faces"][0]["fault"], "dangling");
+  EXPECT_THAT(left["suggestion"].get<std::string>(), testing::HasSubstr("--trim-rim"));
+
+  const json trimmed = fill(ragged, "--trim-rim 2");
+  ASSERT_EQ(trimmed["trimmed_faces"].size(), 1U);
+  EXPECT_EQ(trimmed["trimmed_faces"][0]["face"], dangling_face);
+  EXPECT_TRUE(trimmed["bad_rim_faces"].empty());
+  EXPECT_FALSE(trimmed.contains("suggestion"));
+  EXPECT_EQ(trimmed["exterior_unchanged"], true);
+  const TriangleSoup before = read_mesh(clean).soup, after = read_mesh(out).soup;
+  for (std::size_t f = 0; f < before.triangles.size(); ++f) ASSERT_EQ(after.triangles[f], before.triangles[f]);
+}
+
+TEST_F(RimOptions, WrongWordsAreRefused) {
+  for (const char* wrong : {"--rim rough", "--continuity g2", "--trim-rim -1", "--trim-rim 101"})
+    EXPECT_EQ(loopmend_program("fill '" + clean.string() + "' -o '" + out.string() + "' " + wrong).code, 2) << wrong;
+}
+
+}  // namespace
+}  // namespace loopmend
