@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
+#include "number_range.h"
 #include "paper/paper_commands.h"
 
 #include "core/version.h"
@@ -13,7 +14,6 @@
 #include <iostream>
 #include <map>
 #include <new>
-#include <sstream>
 
 namespace {
 
@@ -36,21 +36,6 @@ std::string quoted_command_line(int argc, char** argv) {
     line += (k ? " " : "") + shown;
   }
   return line;
-}
-
-/// Like CLI::Range, but NaN is out of range, and the numbers in the message are readable.
-CLI::Validator between(double low, double high) {
-  return CLI::Validator(
-      [low, high](std::string& text) {
-        double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return std::string();
-        std::ostringstream words;
-        words << "takes a number " << (low < 1e-100 ? "above 0" : "");
-        if (low >= 1e-100) words << "from " << low << " to " << high;
-        words << ", not '" << text << "'";
-        return words.str();
-      },
-      "NUMBER");
 }
 
 void add_info(CLI::App& app, InfoCommand& command) {

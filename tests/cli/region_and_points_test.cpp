@@ -19,26 +19,13 @@ using test::loopmend_program;
 using test::Outcome;
 using testing::HasSubstr;
 
-class CliPaper : public testing::Test {
+class CliPaper : public test::ProgramTest {
  protected:
-  /// Quoted for the shell, with a blank behind.
-  std::string path(const std::string& name) const {
-    std::string text = "'";
-    text.append((work / name).string()).append("' ");
-    return text;
-  }
   Outcome run(const std::string& command, const std::string& input, const std::string& arguments) const {
     std::string line = command;
     line.append(" ").append(path(input)).append("-o ").append(path("out.ply")).append(arguments);
     return loopmend_program(line);
   }
-  void expect_refused(const Outcome& outcome, int code, const std::string& words) const {
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("loopmend: "));
-    EXPECT_THAT(outcome.err, HasSubstr(words));
-    EXPECT_FALSE(std::filesystem::exists(work / "out.ply"));
-  }
-  test::Workspace work;
 };
 
 TEST_F(CliPaper, InterpolateReportsAndKeepsTheVertices) {
