@@ -32,6 +32,7 @@ struct FillCommand {
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
+  enum class Islands { leave, bridge } islands = Islands::leave;  ///< pieces of surface within a hole
   FillOptions fill;
   std::string report;  ///< file or "-"; empty: none
   Encoding encoding = Encoding::binary;

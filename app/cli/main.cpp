@@ -52,7 +52,7 @@ struct FillWords {
   std::string solver = "auto";
   int steps = 0;
   double sigma = 10;
-  bool include_outer_rim = false, quiet = false, ascii = false;
+  bool include_outer_rim = false, bridge_islands = false, quiet = false, ascii = false;
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
@@ -68,6 +68,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
       ->check(between(1e-300, 1e300));
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
+  fill->add_flag("--bridge-islands", words.bridge_islands,
+                 "Join a hole to the pieces of surface that lie within it, instead of covering these");
   fill->add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first filler")
       ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
       ->capture_default_str();
@@ -108,6 +110,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   static const std::map<std::string, SolverKind> solvers{
       {"auto", SolverKind::automatic}, {"direct", SolverKind::direct}, {"gmres", SolverKind::gmres}};
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
+  command.islands = words.bridge_islands ? FillCommand::Islands::bridge : FillCommand::Islands::leave;
   command.verbosity = words.quiet ? Verbosity::quiet : Verbosity::normal;
   command.encoding = words.ascii ? Encoding::ascii : Encoding::binary;
   if (words.flow == "none") {
