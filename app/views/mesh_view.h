@@ -66,6 +66,8 @@ class MeshView : public QWidget {
   void probed(const QString& words);
   /// A click beside everything.
   void clicked_nothing();
+  /// A picture is on the screen.
+  void drawn();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

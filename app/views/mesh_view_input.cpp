@@ -266,6 +266,7 @@ QPoint MeshView::position_of(int loop, int vertex) const {
 
 void MeshView::after_render() {
   if (impl_->drawing_elsewhere) return;
+  Q_EMIT drawn();
   impl_->depth_is_fresh = false;
   const bool moved = impl_->camera()->GetMTime() != impl_->seen_camera;
   impl_->follow_camera();
