@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstring>
 
 namespace loopmend {
@@ -84,6 +85,28 @@ TEST_F(CliBlend, RefusesWhatCannotBeJoinedWithASentence) {
   expect_refused(blend(path("up.ply") + path("side.ply") + "--loops 1:1"), 2, "at least two");
   expect_refused(blend(path("up.ply") + path("side.ply") + "--loops one"), 2, "FILE:LOOP");
   expect_refused(blend(path("up.ply") + path("missing.ply")), 3, "missing.ply");
+}
+
+TEST_F(CliBlend, OneSheetThatWouldHaveToFaceBothWaysIsRefused) {
+  // A sheet folded like an S; its upper and its lower layer face the same way, and belong to one piece.
+  constexpr double leg = 6, bend = 1.5707963267948966;
+  const auto folded = [](double s) {
+    const auto round = [](double angle, double middle, double way) {
+      return Vec3(way * (3 + 0.5 * std::sin(angle)), 0, middle + 0.5 * std::cos(angle));
+    };
+    if (s < leg) return Vec3(s - 3, 0, 2);
+    if (s < leg + bend) return round(2 * (s - leg), 1.5, 1);
+    if (s < 2 * leg + bend) return Vec3(3 - (s - leg - bend), 0, 1);
+    if (s < 2 * leg + 2 * bend) return round(2 * (s - 2 * leg - bend), 0.5, -1);
+    return Vec3(s - 2 * leg - 2 * bend - 3, 0, 0);
+  };
+  const double half = (3 * leg + 2 * bend) / 2;
+  TriangleSoup sheet = make_graph([](double, double) { return 0.0; }, half, 90);
+  for (Vec3& p : sheet.points) p = folded(p.x() + half) + Vec3(0, p.y(), 0);
+  write("sheet.ply", cut(sheet, [](const Vec3& p) {
+          return p.head<2>().norm() < (p.z() == 1 ? 1.4 : p.z() == 2 ? 0.9 : p.z() == 0 ? 0.8 : 0);
+        }));
+  expect_refused(blend(path("sheet.ply") + "--loops 1:3,1:4"), 2, "no two-sided surface joins them");
 }
 
 TEST_F(CliBlend, LoopsThatCannotBeJoinedAreTold) {

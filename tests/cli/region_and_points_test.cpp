@@ -48,6 +48,11 @@ TEST_F(CliPaper, InterpolateRefusesHolesAndTooFewVertices) {
   write_mesh(work / "poly.off", make_dodecahedron());
   std::string fixed = "--fixed ";
   expect_refused(run("interpolate", "poly.off", fixed.append(path("three.txt"))), 2, "too few");
+  TriangleSoup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.triangles = {{0, 1, 2}};
+  write_mesh(work / "triangle.off", triangle);
+  expect_refused(run("interpolate", "triangle.off", "--open"), 2, "too few");
   expect_refused(run("interpolate", "poly.off", "--subdivide 12"), 2, "between 1 and 8");
   EXPECT_EQ(run("interpolate", "open.off", "--open --subdivide 2 --quiet").code, 0);
 }
