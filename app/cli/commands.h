@@ -32,6 +32,7 @@ struct FillCommand {
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
+  enum class Islands { leave, bridge } islands = Islands::leave;  ///< pieces of surface within a hole
   FillOptions fill;
   int trim_rounds = 0;  ///< rings of bad rim triangles to be removed first, 0..100
   std::string report;   ///< file or "-"; empty: none

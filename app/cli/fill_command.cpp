@@ -1,3 +1,4 @@
+#include "bridge_islands.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "loop_selection.h"
@@ -76,12 +77,28 @@ void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const
                command.output.c_str(), seconds);
 }
 
+/// The holes that are to be filled and have islands.
+std::vector<HoleWithIslands> places_to_bridge(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                              const std::vector<LoopChoice>& choices, const FillCommand& command) {
+  if (command.islands == FillCommand::Islands::leave) return {};
+  std::vector<HoleWithIslands> places = find_islands(model, loops);
+  std::erase_if(places, [&](const HoleWithIslands& place) { return !choices[place.hole].fill; });
+  return places;
+}
+
 /// The selected loops are worked on; the others get a result that says they were left.
 std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                       const std::vector<LoopChoice>& choices, const FillCommand& command) {
+  const std::vector<HoleWithIslands> places = places_to_bridge(model, loops, choices, command);
+  const std::vector<int> anchors = anchors_of(model, loops);
+  std::vector<char> bridged(loops.size(), 0);
+  for (const HoleWithIslands& place : places) {
+    bridged[place.hole] = 1;
+    for (int island : place.islands) bridged[island] = 1;
+  }
   std::vector<BoundaryLoop> selected;
   for (std::size_t k = 0; k < loops.size(); ++k)
-    if (choices[k].fill) selected.push_back(loops[k]);
+    if (choices[k].fill && !bridged[k]) selected.push_back(loops[k]);
   ProgressLine progress(command.verbosity);
   std::vector<LoopResult> filled;
   if (!selected.empty()) {
@@ -93,7 +110,7 @@ std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<Bou
   std::vector<LoopResult> results;
   std::size_t next = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    if (choices[k].fill) {
+    if (choices[k].fill && !bridged[k]) {
       results.push_back(std::move(filled[next++]));
       continue;
     }
@@ -101,6 +118,13 @@ std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<Bou
     result.loop = loops[k];
     result.message = choices[k].why_not;
     results.push_back(std::move(result));
+  }
+  for (const HoleWithIslands& place : places) {
+    progress.say("bridging " + std::to_string(place.islands.size()) +
+                 (place.islands.size() == 1 ? " island" : " islands"));
+    std::vector<LoopResult> joined = bridge_islands(model, loops, anchors, place, command.fill);
+    results[place.hole] = std::move(joined.front());
+    for (std::size_t k = 0; k < place.islands.size(); ++k) results[place.islands[k]] = std::move(joined[k + 1]);
   }
   return results;
 }

@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
+#include "number_range.h"
 #include "paper/paper_commands.h"
 
 #include "core/version.h"
@@ -13,7 +14,6 @@
 #include <iostream>
 #include <map>
 #include <new>
-#include <sstream>
 
 namespace {
 
@@ -38,21 +38,6 @@ std::string quoted_command_line(int argc, char** argv) {
   return line;
 }
 
-/// Like CLI::Range, but NaN is out of range, and the numbers in the message are readable.
-CLI::Validator between(double low, double high) {
-  return CLI::Validator(
-      [low, high](std::string& text) {
-        double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return std::string();
-        std::ostringstream words;
-        words << "takes a number " << (low < 1e-100 ? "above 0" : "");
-        if (low >= 1e-100) words << "from " << low << " to " << high;
-        words << ", not '" << text << "'";
-        return words.str();
-      },
-      "NUMBER");
-}
-
 void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
   info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
@@ -68,7 +53,7 @@ struct FillWords {
   std::string rim = "auto", continuity = "curvature";
   int steps = 0;
   double sigma = 10;
-  bool include_outer_rim = false, quiet = false, ascii = false;
+  bool include_outer_rim = false, bridge_islands = false, quiet = false, ascii = false;
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
@@ -84,6 +69,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
       ->check(between(1e-300, 1e300));
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
+  fill->add_flag("--bridge-islands", words.bridge_islands,
+                 "Join a hole to the pieces of surface that lie within it, instead of covering these");
   fill->add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first filler")
       ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
       ->capture_default_str();
@@ -135,6 +122,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   static const std::map<std::string, SolverKind> solvers{
       {"auto", SolverKind::automatic}, {"direct", SolverKind::direct}, {"gmres", SolverKind::gmres}};
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
+  command.islands = words.bridge_islands ? FillCommand::Islands::bridge : FillCommand::Islands::leave;
   command.verbosity = words.quiet ? Verbosity::quiet : Verbosity::normal;
   command.encoding = words.ascii ? Encoding::ascii : Encoding::binary;
   if (words.flow == "none") {

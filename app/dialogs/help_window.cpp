@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QLocale>
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QUrl>
@@ -25,6 +26,13 @@ constexpr Page pages[] = {{"first-steps", QT_TRANSLATE_NOOP("loopmend::HelpWindo
                           {"inspect", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Inspecting the seam")},
                           {"files", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Files, sessions, recovery")},
                           {"trouble", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "When something goes wrong")}};
+
+/// In the language of the window; English where a page has not been translated.
+QString page_file(const QString& name) {
+  const QString language = QLocale().name().section(QLatin1Char('_'), 0, 0);
+  const QString translated = QStringLiteral(":/help/%1/%2.md").arg(language, name);
+  return QFile::exists(translated) ? translated : QStringLiteral(":/help/%1.md").arg(name);
+}
 
 /// Links between pages are "page.md"; pictures lie beside the pages.
 class Browser : public QTextBrowser {
@@ -74,7 +82,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget
 }
 
 void HelpWindow::show_page(const QString& name) {
-  QFile file(QStringLiteral(":/help/%1.md").arg(name));
+  QFile file(page_file(name));
   if (!file.open(QIODevice::ReadOnly)) return;
   page_->document()->setMarkdown(QString::fromUtf8(file.readAll()));
   page_->moveCursor(QTextCursor::Start);

@@ -20,11 +20,13 @@ QList<QPair<QString, QString>> gestures() {
           {ShortcutSheet::tr("Shift+drag, middle button"), ShortcutSheet::tr("Move sideways")},
           {ShortcutSheet::tr("Wheel, right button, +, \u2212"), ShortcutSheet::tr("Closer, further away")},
           {ShortcutSheet::tr("Arrow keys"), ShortcutSheet::tr("Turn by ten degrees")},
+          {ShortcutSheet::tr("Shift+arrow keys"), ShortcutSheet::tr("Move sideways")},
           {ShortcutSheet::tr("Click on a rim"), ShortcutSheet::tr("Select; with Ctrl, add")},
           {ShortcutSheet::tr("Double click on a rim or row"), ShortcutSheet::tr("Fly there")},
           {ShortcutSheet::tr("Click on a surface"), ShortcutSheet::tr("Show the values at this point")},
           {ShortcutSheet::tr("Tab"), ShortcutSheet::tr("From control to control")},
-          {ShortcutSheet::tr("Return in the table"), ShortcutSheet::tr("Fly to the hole")}};
+          {ShortcutSheet::tr("Return in the table"), ShortcutSheet::tr("Fly to the hole")},
+          {ShortcutSheet::tr("Menu key in the table"), ShortcutSheet::tr("Sort, choose columns")}};
 }
 
 QGridLayout* table(const QString& title, const QList<QPair<QString, QString>>& rows) {

@@ -15,7 +15,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 1;
+constexpr qint32 format_version = 2;
+constexpr qint32 without_view = 1;  ///< the version before
 
 /// Words and numbers in one fixed layout, little-endian, doubles in full.
 class Writer {
@@ -247,6 +248,51 @@ PatchStatePtr state(Reader& in) {
   return s;
 }
 
+void put(Writer& out, const ColorRange& range) {
+  out.put(static_cast<qint32>(range.rule));
+  out.put(range.percent);
+  out.put(range.half_width);
+}
+
+ColorRange color_range(Reader& in) {
+  ColorRange range;
+  range.rule = word(in, ColorRange::Rule::own);
+  range.percent = in.number<double>();
+  range.half_width = in.number<double>();
+  if (!(range.percent >= 50 && range.percent <= 100 && range.half_width > 0))
+    in.fail("a range of colours is not known");
+  return range;
+}
+
+void put(Writer& out, const SessionView& view) {
+  for (const Vec3* v : {&view.from.focus, &view.from.eye, &view.from.up}) out.put(*v);
+  out.put(static_cast<qint32>(view.look.shading));
+  out.put(static_cast<qint32>(view.look.edges));
+  out.put(static_cast<qint32>(view.look.seams));
+  out.put(static_cast<qint32>(view.look.map));
+  put(out, view.look.H);
+  put(out, view.look.K);
+  out.put(static_cast<qint32>(view.look.stripes));
+}
+
+SessionView session_view(Reader& in) {
+  SessionView view;
+  for (Vec3* v : {&view.from.focus, &view.from.eye, &view.from.up}) {
+    *v = in.vector();
+    if (!v->allFinite()) in.fail("a coordinate is not a finite number");
+  }
+  if (view.from.focus == view.from.eye || !(view.from.up.norm() > 0)) in.fail("the view is from nowhere");
+  view.look.shading = word(in, Shading::isophotes);
+  view.look.edges = word(in, Edges::shown);
+  view.look.seams = word(in, Seams::shown);
+  view.look.map = word(in, ColorMap::grey);
+  view.look.H = color_range(in);
+  view.look.K = color_range(in);
+  view.look.stripes = in.number<qint32>();
+  if (view.look.stripes < 3 || view.look.stripes > 40) in.fail("the number of stripes is out of range");
+  return view;
+}
+
 QString found(const QString& absolute, const QString& relative, const QString& session) {
   if (absolute.isEmpty() || QFileInfo::exists(absolute)) return absolute;
   const QString beside = QFileInfo(session).dir().absoluteFilePath(relative);
@@ -255,8 +301,9 @@ QString found(const QString& absolute, const QString& relative, const QString& s
 
 }  // namespace
 
-Session session_of(const Document& document) {
+Session session_of(const Document& document, const ViewSource& view) {
   Session session;
+  if (view) session.view = view();
   std::map<int, int> place;
   for (int index : document.scans()) {
     place[index] = static_cast<int>(session.scans.size());
@@ -289,6 +336,8 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
     out.put(static_cast<qint32>(patch.acceptance));
     put(out, *patch.state);
   }
+  out.put(static_cast<qint32>(session.view.has_value()));
+  if (session.view) put(out, *session.view);
   return bytes;
 }
 
@@ -301,7 +350,8 @@ Session session_from_file(const QString& path) {
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
     throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
   Reader in(bytes.mid(magic_size), path);
-  if (in.number<qint32>() != format_version)
+  const auto version = in.number<qint32>();
+  if (version != format_version && version != without_view)
     throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   Session session;
@@ -321,6 +371,7 @@ Session session_from_file(const QString& path) {
     if (entry.loop_numbers.size() != entry.state->patch.loops.size()) in.fail("the loops of a patch are not complete");
     session.patches.push_back(std::move(entry));
   }
+  if (version != without_view && in.number<qint32>() != 0) session.view = session_view(in);
   if (!in.at_end()) in.fail("there is more in the file than there should be");
   return session;
 }

@@ -1,12 +1,16 @@
-// A session in a file: which scans are open, and every patch as it is. The scans themselves stay in their own files.
+// A session in a file: which scans are open, every patch as it is, and how it was looked at. The scans themselves stay in
+// their own files.
 #pragma once
 
 #include "document/patch_state.h"
+#include "scene/look.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace loopmend {
@@ -25,14 +29,22 @@ struct SessionPatch {
   Acceptance acceptance = Acceptance::pending;
 };
 
+struct SessionView {
+  Viewpoint from;
+  Look look;
+};
+/// Asked on the thread of the window when a session is about to be written.
+using ViewSource = std::function<SessionView()>;
+
 struct Session {
   std::vector<SessionScan> scans;
   std::vector<SessionPatch> patches;
+  std::optional<SessionView> view;  ///< empty in files of version 1
 };
 
 class Document;
-/// As it is now. States are shared, so this is fast, and a worker may write it while the window goes on.
-Session session_of(const Document& document);
+/// As it is now; `view` may be empty. States are shared, so this is fast, and a worker may write it while the window goes on.
+Session session_of(const Document& document, const ViewSource& view);
 
 /// @param beside  folder of the file: paths are stored relative to it as well, so that both can move together.
 QByteArray to_bytes(const Session& session, const QString& beside);

@@ -1,7 +1,5 @@
 #include "jobs/autosave.h"
 
-#include "document/session.h"
-
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -60,7 +58,7 @@ void Autosave::write() {
     lock_->tryLock(0);
   }
   job_ = std::make_shared<Job>(this);
-  tasks_.start([this, job = job_, session = session_of(document_), path = path_] {
+  tasks_.start([this, job = job_, session = session_of(document_, view_), path = path_] {
     try {
       write_session(session, path);
       job->tell([this] {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/session.h"
 #include "document/undo_history.h"
 #include "jobs/task_runner.h"
 
@@ -28,6 +29,8 @@ class Autosave : public QObject {
   ~Autosave() override;
 
   void set_delay(int seconds);
+  /// How the scene is looked at, for the copy.
+  void set_view_source(ViewSource view) { view_ = std::move(view); }
   /// Copies whose program is gone; they stay where they are until discard().
   static std::vector<Leftover> leftovers();
   static void discard(const Leftover& leftover);
@@ -48,6 +51,7 @@ class Autosave : public QObject {
   const Document& document_;
   const UndoHistory& undo_;
   QString path_;
+  ViewSource view_;
   std::unique_ptr<QLockFile> lock_;
   QTimer timer_;
   TaskRunner tasks_;

@@ -60,6 +60,8 @@ class Workbench : public QObject {
   void scrub_to(const std::set<int>& patch_ids, std::size_t place);
   void end_scrub();
 
+  /// How the scene is looked at, for sessions.
+  void set_view_source(ViewSource view) { view_ = std::move(view); }
   void set_timeline_budget(std::size_t bytes) { timeline_budget_ = bytes; }
   /// For the end of the program. @returns whether every worker has ended.
   bool shut_down(std::chrono::milliseconds at_most);
@@ -76,6 +78,7 @@ class Workbench : public QObject {
   void said(const QString& words);
   void file_opened(const QString& path);    ///< a scan or a session
   void session_saved(const QString& path);  ///< or restored from there
+  void view_restored(const SessionView& view);
 
  private:
   struct Restored;
@@ -117,6 +120,7 @@ class Workbench : public QObject {
   std::map<int, OpenPatch> run_start_;
   std::map<int, OpenPatch> scrub_start_;
   QString run_name_;
+  ViewSource view_;
   std::size_t timeline_budget_ = std::size_t{256} << 20;
 };
 

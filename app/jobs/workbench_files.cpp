@@ -116,11 +116,13 @@ void Workbench::close_scan(int scan) {
 struct Workbench::Restored {
   std::vector<OpenedScanPtr> scans;
   std::vector<OpenPatch> patches;  ///< loops by index within their scan; ids not set
+  std::optional<SessionView> view;
 };
 
 Workbench::Restored Workbench::restore(const QString& path, const JobPtr& job) const {
   const Session session = session_from_file(path);
   Restored restored;
+  restored.view = session.view;
   std::optional<Vec3> origin;
   for (const SessionScan& wanted : session.scans) {
     const OpenedScanPtr scan = load_scan(wanted.path, origin, {}, job->token());
@@ -192,6 +194,7 @@ void Workbench::on_restored(Restored restored, const QString& path, const QStrin
     patch.id = document_.next_patch_id();
   }
   document_.replace({}, restored.patches);
+  if (restored.view) Q_EMIT view_restored(*restored.view);
   const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;
   Q_EMIT said(
       tr("Restored %1: %2 patches, in %3 s.").arg(name).arg(restored.patches.size()).arg(seconds(clock_.elapsed())));
@@ -206,7 +209,7 @@ void Workbench::on_restored(Restored restored, const QString& path, const QStrin
 void Workbench::save_session(const QString& path) {
   if (busy() || !document_.has_scan()) return;
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
-  tasks_.start([this, job, session = session_of(document_), path] {
+  tasks_.start([this, job, session = session_of(document_, view_), path] {
     try {
       write_session(session, path);
       job->tell([this, path] {

@@ -140,13 +140,29 @@ void HolesPanel::build_table() {
   header->setMinimumSectionSize(30);
   header->setResizeContentsPrecision(100);
   header->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(header, &QHeaderView::customContextMenuRequested, this, &HolesPanel::show_column_menu);
+  connect(header, &QHeaderView::customContextMenuRequested, this,
+          [this, header](const QPoint& at) { show_column_menu(header->mapToGlobal(at)); });
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_, &QTableView::customContextMenuRequested, this,
+          [this](const QPoint& at) { show_column_menu(table_->viewport()->mapToGlobal(at)); });
   for (int column : {HoleTable::area, HoleTable::planarity, HoleTable::scan}) table_->setColumnHidden(column, true);
   fit_columns();
 }
 
 void HolesPanel::show_column_menu(const QPoint& at) {
   QMenu menu(this);
+  menu.setObjectName(QStringLiteral("columnMenu"));
+  QMenu* sort = menu.addMenu(tr("&Sort by"));
+  for (int column = HoleTable::number; column < HoleTable::column_count; ++column) {
+    if (table_->isColumnHidden(column)) continue;
+    QAction* action = sort->addAction(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    connect(action, &QAction::triggered, this, [this, column] {
+      const QHeaderView* header = table_->horizontalHeader();
+      const bool again = header->sortIndicatorSection() == column && header->sortIndicatorOrder() == Qt::AscendingOrder;
+      table_->sortByColumn(column, again ? Qt::DescendingOrder : Qt::AscendingOrder);
+    });
+  }
+  menu.addSeparator();
   for (int column = HoleTable::edges; column < HoleTable::state; ++column) {
     QAction* action = menu.addAction(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
     action->setCheckable(true);
@@ -156,7 +172,7 @@ void HolesPanel::show_column_menu(const QPoint& at) {
       fit_columns();
     });
   }
-  menu.exec(table_->horizontalHeader()->mapToGlobal(at));
+  menu.exec(at);
 }
 
 /// The state column takes what is left; it should be enough for its longest word.

@@ -103,7 +103,8 @@ QWidget* InspectPanel::build_seam() {
   seam_->setToolTip({});
   seam_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   seam_->setSelectionMode(QAbstractItemView::NoSelection);
-  seam_->setFocusPolicy(Qt::NoFocus);
+  seam_->setFocusPolicy(Qt::TabFocus);  // the arrow keys scroll it
+  seam_->setTabKeyNavigation(false);
   seam_->setShowGrid(false);
   seam_->setWordWrap(false);
   seam_->verticalHeader()->hide();

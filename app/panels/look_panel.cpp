@@ -190,6 +190,12 @@ void LookPanel::change() {
   Q_EMIT look_changed(look_);
 }
 
+void LookPanel::set_look(const Look& look) {
+  look_ = look;
+  show_look();
+  Q_EMIT look_changed(look_);
+}
+
 void LookPanel::set_shading(Shading shading) {
   look_.shading = shading;
   show_look();

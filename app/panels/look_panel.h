@@ -20,6 +20,7 @@ class LookPanel : public QWidget {
   explicit LookPanel(QWidget* parent = nullptr);
 
   const Look& look() const { return look_; }
+  void set_look(const Look& look);
   void set_shading(Shading shading);
   void set_edges(Edges edges);
   void set_seams(Seams seams);

@@ -1,6 +1,8 @@
-// How the surfaces are shown, as a person has chosen it. Plain values: the panel edits them, the view follows them.
+// How the surfaces are shown and from where, as a person has chosen it. Plain values: the panel edits them, the view
+// follows them, a session keeps them.
 #pragma once
 
+#include "core/types.h"
 #include "scene/color_map.h"
 #include "scene/shading.h"
 
@@ -24,6 +26,13 @@ struct Look {
   ColorMap map = ColorMap::blue_orange;
   ColorRange H, K;
   int stripes = 9;  ///< 3..40, of zebra and isophotes
+};
+
+/// From where the scene is looked at; mesh units.
+struct Viewpoint {
+  Vec3 focus = Vec3::Zero();
+  Vec3 eye = Vec3::UnitZ();
+  Vec3 up = Vec3::UnitY();  ///< unit
 };
 
 }  // namespace loopmend

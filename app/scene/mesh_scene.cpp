@@ -23,6 +23,17 @@ constexpr std::size_t small_patch_points = 6000;
 
 using ShapePtr = std::shared_ptr<const SurfaceShape>;
 
+/// A triangle that covers no pixel.
+ShapePtr speck() {
+  constexpr float tiny = 1e-6F;
+  auto shape = std::make_shared<SurfaceShape>();
+  shape->points = {0, 0, 0, tiny, 0, 0, 0, tiny, 0};
+  shape->normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+  shape->triangles = {0, 1, 2};
+  shape->own_triangles = 1;
+  return shape;
+}
+
 }  // namespace
 
 struct MeshScene::Impl {
@@ -40,6 +51,9 @@ struct MeshScene::Impl {
   int stripes = 9;
   int width = 1, height = 1;
   bool patches_changed = false;
+  std::size_t warmed_up = 0;              ///< how many programs
+  std::unique_ptr<SurfaceActor> warming;  ///< drawn for its program's sake
+  bool line_for_warmth = false;           ///< among the loops
 
   void each_surface(const auto& act) {
     for (auto& [index, scan] : scans) act(*scan);
@@ -150,7 +164,37 @@ void MeshScene::set_ghosts(const std::vector<ShapePtr>& shapes) {
   impl_->ghosts.show(numbered);
 }
 
-void MeshScene::set_loops(const std::vector<LoopLine>& loops) { impl_->loops.set_lines(loops); }
+void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
+  impl_->line_for_warmth = false;
+  impl_->loops.set_lines(loops);
+}
+
+bool MeshScene::warm_up_next() {
+  constexpr std::pair<SurfaceActor::Role, Edges> programs[] = {{SurfaceActor::Role::scan, Edges::hidden},
+                                                               {SurfaceActor::Role::patch, Edges::hidden},
+                                                               {SurfaceActor::Role::scan, Edges::shown},
+                                                               {SurfaceActor::Role::patch, Edges::shown}};
+  if (impl_->warming) impl_->renderer->RemoveActor(impl_->warming->actor());
+  impl_->warming.reset();
+  if (std::exchange(impl_->line_for_warmth, false)) impl_->loops.set_lines({});
+  if (impl_->warmed_up == std::size(programs)) return false;
+  const auto [role, edges] = programs[impl_->warmed_up++];
+  impl_->warming = impl_->make(role);
+  impl_->warming->set_edges(edges);
+  impl_->warming->set_shape(speck());
+  impl_->warming->actor()->UseBoundsOff();
+  if (impl_->warmed_up == 1 && impl_->scans.empty()) {
+    impl_->loops.set_lines({{speck()->points, LoopStyle::open}, {speck()->points, LoopStyle::selected}});
+    impl_->line_for_warmth = true;
+  }
+  return true;
+}
+
+std::size_t MeshScene::triangle_count() const {
+  std::size_t count = 0;
+  for (const auto& [index, scan] : impl_->scans) count += scan->shape()->triangles.size() / 3;
+  return count;
+}
 
 void MeshScene::set_shading(Shading shading) {
   impl_->shading = shading;

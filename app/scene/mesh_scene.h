@@ -36,6 +36,12 @@ class MeshScene {
   /// To be called before drawing: puts into actors what has changed.
   void update();
 
+  /// Makes the next of the graphics' programs ready that a scene will need: to be drawn once after each call, before
+  /// there is much to draw. @returns false when all are.
+  bool warm_up_next();
+  /// Of all scans.
+  std::size_t triangle_count() const;
+
   void set_shading(Shading shading);
   void set_edges(Edges edges);
   void set_seams(Seams seams);

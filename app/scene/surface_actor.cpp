@@ -13,6 +13,9 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkUniforms.h>
 
+#include <algorithm>
+#include <array>
+
 namespace loopmend {
 namespace {
 
@@ -22,12 +25,13 @@ constexpr Rgb edge_color{0.22, 0.25, 0.30};
 constexpr float edge_width = 0.5F;
 constexpr int default_stripes = 9;
 
+// One program for all shadings, coloured or not: to compile another one takes software graphics a quarter of a second.
 // Key light over the left shoulder, soft fill from the right, a little sky: in view coordinates, so it follows the eye.
 // The inside of the surface is dull and dark, so that a hole reads as a hole. A patch lies on top of the rings that it
 // shares with the scan, hence the tiny shift in depth.
 constexpr const char* lighting = R"(//VTK::Light::Impl
   vec3 loopmendNormal = normalize(normalVCVSOutput);
-  vec3 loopmendBase = diffuseColor;
+  vec3 loopmendBase = loopmendColored == 1 ? diffuseColor : loopmendPlain;
   float loopmendGloss = 0.07;
   bool striped = loopmendShading == 3 || loopmendShading == 4;
   if (striped) {
@@ -61,6 +65,14 @@ vtkNew<vtkFloatArray> wrap(const std::vector<float>& values, int components, con
   return array;
 }
 
+vtkNew<vtkFloatArray> unknown_everywhere(const std::shared_ptr<const SurfaceShape>& shape) {
+  vtkNew<vtkFloatArray> array;
+  array->SetName("curvature");
+  array->SetNumberOfValues(shape ? static_cast<vtkIdType>(shape->points.size() / 3) : 0);
+  array->FillValue(0);
+  return array;
+}
+
 vtkNew<vtkCellArray> wrap_triangles(const std::vector<int>& triangles, vtkIdType count) {
   vtkNew<vtkTypeInt32Array> offsets, connectivity;
   offsets->SetNumberOfValues(count + 1);
@@ -78,12 +90,11 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   mapper_->SetLookupTable(table);
   mapper_->UseLookupTableScalarRangeOn();
   mapper_->InterpolateScalarsBeforeMappingOn();
-  mapper_->ScalarVisibilityOff();
+  mapper_->ScalarVisibilityOn();
   mapper_->StaticOn();
   actor_->SetMapper(mapper_);
   vtkProperty* look = actor_->GetProperty();
   const Rgb& color = role == Role::scan ? scan_color : patch_color;
-  look->SetColor(color[0], color[1], color[2]);
   look->SetEdgeColor(edge_color[0], edge_color[1], edge_color[2]);
   look->SetLineWidth(edge_width);
   look->SetInterpolationToPhong();
@@ -93,6 +104,10 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   const std::string code = std::string(lighting) + (role == Role::patch ? patch_on_top : "");
   shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading_));
+  std::array<float, 3> plain{};
+  std::copy(color.begin(), color.end(), plain.begin());
+  shader->GetFragmentCustomUniforms()->SetUniform3f("loopmendPlain", plain.data());
+  shader->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", 0);
   set_stripes(default_stripes);
 }
 
@@ -123,8 +138,8 @@ void SurfaceActor::update_scalars() {
   if (shape_ && shading_ == Shading::curvature) values = &shape_->H;
   if (shape_ && shading_ == Shading::gaussian) values = &shape_->K;
   const bool known = values && !values->empty();
-  data_->GetPointData()->SetScalars(known ? wrap(*values, 1, "curvature").Get() : nullptr);
-  mapper_->SetScalarVisibility(known);
+  data_->GetPointData()->SetScalars(known ? wrap(*values, 1, "curvature") : unknown_everywhere(shape_));
+  actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", known ? 1 : 0);
   data_->Modified();
 }
 

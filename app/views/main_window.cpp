@@ -122,6 +122,13 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::ghosts_changed, view_, &MeshView::show_ghosts);
   connect(&workbench_, &Workbench::activity_changed, this, &MainWindow::update_actions);
+  const ViewSource view = [this] { return SessionView{view_->viewpoint(), look_->look()}; };
+  workbench_.set_view_source(view);
+  autosave_.set_view_source(view);
+  connect(&workbench_, &Workbench::view_restored, this, [this](const SessionView& seen) {
+    look_->set_look(seen.look);
+    view_->set_viewpoint(seen.from);
+  });
   connect(&workbench_, &Workbench::session_saved, this, &MainWindow::update_title);
 }
 

@@ -72,6 +72,7 @@ void MainWindow::connect_view_actions() {
   a.on("wireframe", this, [this](bool on) { look_->set_edges(on ? Edges::shown : Edges::hidden); });
   a.on("seams", this, [this](bool on) { look_->set_seams(on ? Seams::shown : Seams::hidden); });
   a.on("frame", view_, &MeshView::frame);
+  a.on("probe", view_, &MeshView::probe_middle);
   a.on("undo", this, [this] { undo_.undo(); });
   a.on("redo", this, [this] { undo_.redo(); });
   a.on("nextHole", this, [this] { holes_->go(HolesPanel::Way::next); });
@@ -112,8 +113,8 @@ void MainWindow::update_actions() {
   a["undo"]->setText(undo_.can_undo() ? tr("&Undo: %1").arg(undo_.undo_text()) : tr("&Undo"));
   a["redo"]->setText(undo_.can_redo() ? tr("&Redo: %1").arg(undo_.redo_text()) : tr("&Redo"));
   for (const char* name : {"export", "saveSession", "saveSessionAs"}) a[name]->setEnabled(idle && scan);
-  for (const char* name : {"add", "screenshot", "frame", "wireframe", "seams", "selectAll", "nextHole", "previousHole",
-                           "curvature", "gaussian", "plain", "zebra", "isophotes"})
+  for (const char* name : {"add", "screenshot", "frame", "probe", "wireframe", "seams", "selectAll", "nextHole",
+                           "previousHole", "curvature", "gaussian", "plain", "zebra", "isophotes"})
     a[name]->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));

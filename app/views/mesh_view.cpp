@@ -87,6 +87,12 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
     // Where drawing is slow, everything else of the window gets its share of the time before the next picture.
     constexpr qint64 longest_wait_ms = 60;
     impl_->redraw_timer.setInterval(static_cast<int>(std::min(longest_wait_ms, clock.elapsed() / 2)));
+    warm_up_soon();
+  });
+  impl_->warm_up_timer.setSingleShot(true);
+  connect(&impl_->warm_up_timer, &QTimer::timeout, this, [this] {
+    impl_->warm = !impl_->scene.warm_up_next();
+    redraw();
   });
   impl_->window->AddObserver(vtkCommand::EndEvent, this, &MeshView::after_render);
   follow_document();
@@ -122,6 +128,16 @@ void MeshView::follow_document() {
   connect(&selection, &HoleSelection::hover_changed, this, &MeshView::update_highlight);
 }
 
+/// One program after another, each in a picture of its own, so that nobody waits for all of them; beside a scan only
+/// where the window is at leisure.
+void MeshView::warm_up_soon() {
+  constexpr std::size_t light_scene = 200'000;  // triangles: drawing it again is soon done
+  constexpr int leisure_ms = 1500;
+  const std::size_t triangles = impl_->scene.triangle_count();
+  if (impl_->warm || triangles > light_scene) return;
+  impl_->warm_up_timer.start(triangles == 0 ? 0 : leisure_ms);
+}
+
 QWidget* MeshView::canvas() const { return impl_->canvas; }
 
 void MeshView::redraw() {
@@ -145,6 +161,19 @@ void MeshView::set_look(const Look& look) {
   if (look.map != old.map) scene.set_color_map(look.map);
   if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
   update_range();
+  redraw();
+}
+
+Viewpoint MeshView::viewpoint() const {
+  const CameraPose pose = pose_of(impl_->camera());
+  const Vec3 origin = impl_->document.origin();
+  return {pose.focus + origin, pose.position + origin, pose.up};
+}
+
+void MeshView::set_viewpoint(const Viewpoint& viewpoint) {
+  impl_->flight->stop();
+  const Vec3 origin = impl_->document.origin();
+  apply({viewpoint.focus - origin, viewpoint.eye - origin, viewpoint.up}, impl_->camera());
   redraw();
 }
 

@@ -42,6 +42,8 @@ class MeshView : public QWidget {
   /// Patches that are only thought of.
   void show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts);
 
+  Viewpoint viewpoint() const;
+  void set_viewpoint(const Viewpoint& viewpoint);
   /// Everything, from where the eye is.
   void frame();
   /// Turns and moves until the loop is seen from above.
@@ -51,6 +53,8 @@ class MeshView : public QWidget {
   QImage picture() const;
   /// Drawn anew at another size. Null when the graphics cannot draw that much.
   QImage picture(const PictureOptions& options);
+  /// The values at the middle of the picture.
+  void probe_middle();
   void drop_probe();
 
   /// Where a loop's vertex appears, in widget pixels; for tests.
@@ -62,6 +66,8 @@ class MeshView : public QWidget {
   void probed(const QString& words);
   /// A click beside everything.
   void clicked_nothing();
+  /// A picture is on the screen.
+  void drawn();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -83,10 +89,12 @@ class MeshView : public QWidget {
   void click(const QPoint& at, Qt::KeyboardModifiers modifiers);
   void probe_at(const QPoint& at);
   void update_probe();
-  void turn_by_key(int key);
+  bool slide_by_key(int key);
+  void move_by_key(int key, Qt::KeyboardModifiers modifiers);
   int loop_at(const QPoint& at);
   void face_front();
   void redraw();
+  void warm_up_soon();
   void after_render();
 
   std::unique_ptr<Impl> impl_;

@@ -37,7 +37,7 @@ struct MeshView::Impl {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   MeshScene scene;
   LoopPicker picker;
-  QTimer redraw_timer;
+  QTimer redraw_timer, warm_up_timer;
   vtkNew<vtkFloatArray> depth;
   vtkMTimeType seen_camera = 0;
   QSize seen_size;
@@ -46,6 +46,7 @@ struct MeshView::Impl {
   Look look;
   std::optional<Probe> probe;
   bool preview_shown = false;
+  bool warm = false;                   ///< every program of the graphics is ready
   bool drawing_elsewhere = false;      ///< into a picture, not onto the screen
   CameraPose pose_before;              ///< of the preview
   std::vector<LoopStyle> loop_styles;  ///< as drawn

@@ -43,7 +43,11 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
       if (loop != no_loop) fly_to(loop);
       break;
     }
-    case QEvent::KeyPress: turn_by_key(static_cast<QKeyEvent*>(event)->key()); break;
+    case QEvent::KeyPress: {
+      const auto* pressed = static_cast<QKeyEvent*>(event);
+      move_by_key(pressed->key(), pressed->modifiers());
+      break;
+    }
     case QEvent::Leave: impl_->selection.hover(no_loop); break;
     case QEvent::Wheel: impl_->flight->stop(); break;
     default: break;
@@ -113,9 +117,33 @@ void MeshView::update_probe() {
                             impl_->probe->lines);
 }
 
-void MeshView::turn_by_key(int key) {
+/// Sideways, by a part of what is seen. @returns whether it is one of the arrow keys.
+bool MeshView::slide_by_key(int key) {
+  constexpr double part = 0.08;
+  const auto [right, up] = key == Qt::Key_Left    ? std::pair{-part, 0.0}
+                           : key == Qt::Key_Right ? std::pair{part, 0.0}
+                           : key == Qt::Key_Up    ? std::pair{0.0, part}
+                           : key == Qt::Key_Down  ? std::pair{0.0, -part}
+                                                  : std::pair{0.0, 0.0};
+  if (right == 0 && up == 0) return false;
+  impl_->flight->stop();
+  CameraPose pose = pose_of(impl_->camera());
+  const Vec3 look = pose.focus - pose.position;
+  // What moves to the right is the surface: the eye goes to the left.
+  const Vec3 way = -look.norm() * (right * look.cross(pose.up).normalized() + up * pose.up.normalized());
+  pose.focus += way;
+  pose.position += way;
+  apply(pose, impl_->camera());
+  redraw();
+  return true;
+}
+
+void MeshView::probe_middle() { probe_at(impl_->canvas->rect().center()); }
+
+void MeshView::move_by_key(int key, Qt::KeyboardModifiers modifiers) {
   constexpr double degrees = 10, closer = 1.15;
   vtkCamera* camera = impl_->camera();
+  if (modifiers.testFlag(Qt::ShiftModifier) && slide_by_key(key)) return;
   switch (key) {
     case Qt::Key_Left: camera->Azimuth(degrees); break;
     case Qt::Key_Right: camera->Azimuth(-degrees); break;
@@ -238,6 +266,7 @@ QPoint MeshView::position_of(int loop, int vertex) const {
 
 void MeshView::after_render() {
   if (impl_->drawing_elsewhere) return;
+  Q_EMIT drawn();
   impl_->depth_is_fresh = false;
   const bool moved = impl_->camera()->GetMTime() != impl_->seen_camera;
   impl_->follow_camera();

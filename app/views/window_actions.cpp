@@ -75,6 +75,8 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw rims and seams as lines"), "M", "seams", toggle},
     {"frame", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Frame everything"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the whole scene"), "F", "frame"},
+    {"probe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Values in the middle"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show the values at the middle of the picture"), "P", nullptr},
     {"fillAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Fill"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all"), "Ctrl+F", nullptr},
     {"stepAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Step"),
@@ -152,7 +154,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   file->insertMenu((*this)["quit"], close_);
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
   QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian", "plain", "zebra", "isophotes", "-", "wireframe",
-                                       "seams", "-", "frame", "-"});
+                                       "seams", "-", "frame", "probe", "-"});
   view->addActions(docks);
   add_menu(tr("&Patch"), {"fillAction", "-", "stepAction", "runAction", "steadyAction", "-", "acceptAction",
                           "rejectAction", "copyAction", "-", "cancelAction"});

@@ -1,6 +1,7 @@
 #include "evolution/blend_loops.h"
 
 #include "evolution/patch_verdict.h"
+#include "evolution/solve_group.h"
 #include "mesh/join_parts.h"
 #include "mesh/quality.h"
 
@@ -14,41 +15,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// One run of the flow. @returns true if its result is neither folded nor cut more than the start.
-bool evolve_once(const FillSite& site, const Patch& start, const EvolutionOptions& options, const CancelToken& cancel,
-                 BlendResult& result) {
-  Evolution evolution(start, options);
-  const EvolutionStatus status = evolution.run(nullptr, cancel);
-  if (status == EvolutionStatus::cancelled) return false;
-  result.message = evolution.message();
-  const bool moved = !evolution.history().empty() || status == EvolutionStatus::converged;
-  if (!moved || !no_worse(judge(site, evolution.patch()), judge(site, start))) return false;
-  result.patch = evolution.patch();
-  result.status = status == EvolutionStatus::converged ? LoopStatus::converged : LoopStatus::step_limit;
-  result.steps = static_cast<int>(evolution.history().size());
-  result.bending = evolution.bending();
-  result.energy = {evolution.initial_energy(), evolution.energy()};
-  for (const StepRecord& step : evolution.history()) {
-    result.seconds.assemble += step.assemble_seconds;
-    result.seconds.solve += step.solve_seconds;
-  }
-  return true;
-}
-
-/// The flow from the start; with bending energy blended in where the sixth order alone would spoil the patch; else the
-/// start itself, and a message.
-void evolve(const FillSite& site, const Patch& start, const EvolutionOptions& options, const CancelToken& cancel,
-            BlendResult& result) {
-  if (evolve_once(site, start, options, cancel, result) || cancel.cancelled()) return;
-  if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending)
-    for (double bending : {60.0, 300.0}) {
-      EvolutionOptions gentler = options;
-      gentler.bending = bending;
-      if (evolve_once(site, start, gentler, cancel, result) || cancel.cancelled()) return;
-    }
-  result.patch = start;
-  result.status = LoopStatus::filled;
-  result.message = "the flow would have folded the patch or cut the surface: its start was kept";
+void take_evolved(Evolved evolved, BlendResult& result) {
+  result.patch = std::move(evolved.patch);
+  result.status = evolved.status;
+  result.message = std::move(evolved.message);
+  result.steps = evolved.steps;
+  result.bending = evolved.bending;
+  result.energy = {evolved.initial_energy, evolved.final_energy};
+  result.seconds.assemble = evolved.assemble;
+  result.seconds.solve = evolved.solve;
 }
 
 /// The last look before the paste.
@@ -83,7 +58,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (!result.bridge || cancel.cancelled()) return result;
   const FillSite site(agreed);
   if (options.evolution && result.bridge->start.free_count > 0) {
-    evolve(site, result.bridge->start, *options.evolution, cancel, result);
+    take_evolved(evolve_filler(site, result.bridge->start, *options.evolution, nullptr, cancel), result);
   } else {
     result.patch = result.bridge->membrane;
     result.status = LoopStatus::filled;

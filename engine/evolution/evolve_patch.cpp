@@ -1,11 +1,23 @@
 #include "evolution/evolve_patch.h"
 
+#include "evolution/best_start.h"
 #include "filling/fairing.h"
 #include "filling/patch_quality.h"
 
 namespace loopmend {
 
 namespace {
+
+/// Folds and cuts that the patch came with are not the flow's.
+struct Rate {
+  FillerQuality start;
+  RunRating operator()(const EvolvedPatch& result) const {
+    const FillerQuality& now = result.quality;
+    const bool valid = now.folds <= start.folds && now.self_intersections <= start.self_intersections;
+    return {valid && !result.history.empty(), result.status == EvolutionStatus::converged,
+            !result.history.empty() && result.history.front().sigma == 0, result.steps, result.energy.final};
+  }
+};
 
 bool is_good(const EvolvedPatch& result) { return result.is_valid() && result.status != EvolutionStatus::failed; }
 
@@ -39,7 +51,10 @@ EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const
 
 EvolvedPatch evolve_patch(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                           const CancelToken& cancel) {
-  EvolvedPatch result = run_flow(start, options, on_step, cancel);
+  const EvolvedPatch result = best_of_starts(
+      start, options, cancel,
+      [&](const Patch& from, const EvolutionOptions& tried) { return run_flow(from, tried, on_step, cancel); },
+      Rate{patch_quality(start)});
   if (is_good(result) || cancel.cancelled()) return result;
   Patch smooth = start;
   smooth.positions = linear_fairing(start, 0, robust_clamp);

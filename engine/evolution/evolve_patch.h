@@ -31,8 +31,8 @@ struct EvolvedPatch {
 EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                       const CancelToken& cancel);
 
-/// The same; where that ends folded, cut or stalled, again from the third-order linear fairing, and the better end is
-/// taken.
+/// The same from the best of several starts (best_start.h); where that ends folded, cut or stalled, again from the
+/// third-order linear fairing, and the better end is taken.
 EvolvedPatch evolve_patch(const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                           const CancelToken& cancel);
 

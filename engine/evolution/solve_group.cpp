@@ -1,5 +1,6 @@
 #include "evolution/solve_group.h"
 
+#include "evolution/best_start.h"
 #include "mesh/quality.h"
 #include "rim/white_noise.h"
 
@@ -28,6 +29,7 @@ std::vector<int> free_vertices_per_loop(const Patch& patch) {
 
 void take_figures(const Evolution& evolution, Evolved& result) {
   result.steps = static_cast<int>(evolution.history().size());
+  result.faired = result.steps > 0 && evolution.history().front().sigma == 0;
   for (const StepRecord& step : evolution.history()) {
     result.assemble += step.assemble_seconds;
     result.solve += step.solve_seconds;
@@ -48,13 +50,13 @@ bool sees_noise(const Patch& filler, const EvolutionOptions& options) {
          rim.noise > least_noise * mean_edge_length(filler.positions, filler.triangles, filler.patch_triangles);
 }
 
-/// One run of the flow from the filler. @returns true if its result may be kept.
-bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
+/// One run of the flow. @returns true if its result may be kept: if it is no worse than the filler.
+bool evolve_once(const FillSite& site, const Patch& filler, const Patch& start, const EvolutionOptions& options,
                  const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
   const bool noisy = sees_noise(filler, options);
   EvolutionOptions in_force = options;
   if (noisy) in_force.bending = 0;  // what is left without the noise is smooth
-  Evolution evolution(noisy ? without_noise(filler, site.model) : filler, in_force);
+  Evolution evolution(noisy ? without_noise(start, site.model) : start, in_force);
   const EvolutionStatus status = evolution.run(on_step, cancel);
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
@@ -77,30 +79,24 @@ bool evolve_once(const FillSite& site, const Patch& filler, const EvolutionOptio
   return true;
 }
 
-/// Straight ways take fewer steps; those that take more may have ended in a bubble.
-constexpr int suspiciously_many_steps = 12;
+RunRating rate(const Evolved& evolved) {
+  return {evolved.status != LoopStatus::filled, evolved.status == LoopStatus::converged, evolved.faired, evolved.steps,
+          evolved.final_energy};
+}
 
-/// The flow from its ordinary start; where that fails or takes long, from other starts too. The lowest energy counts
-/// among what converged: several steady states may exist, and inflated ones are high where the right one is smooth.
 /// @returns true if a result may be kept.
 bool from_the_best_start(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
                          const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
-  bool kept = evolve_once(site, filler, options, on_step, cancel, result);
-  if (options.flow != FlowKind::mmcvf || options.mode != EvolutionMode::steady || options.start != SteadyStart::faired)
-    return kept;
-  for (const SteadyStart start : {SteadyStart::evenly_faired, SteadyStart::as_given}) {
-    const bool converged = kept && result.status == LoopStatus::converged;
-    if ((converged && result.steps <= suspiciously_many_steps) || cancel.cancelled()) return kept;
-    EvolutionOptions other = options;
-    other.start = start;
-    Evolved second;
-    if (!evolve_once(site, filler, other, on_step, cancel, second)) continue;
-    const bool second_converged = second.status == LoopStatus::converged;
-    if (kept && (converged != second_converged ? converged : result.final_energy <= second.final_energy)) continue;
-    result = std::move(second);
-    kept = true;
-  }
-  return kept;
+  result = best_of_starts(
+      filler, options, cancel,
+      [&](const Patch& start, const EvolutionOptions& from) {
+        Evolved evolved;
+        evolved.patch = filler;
+        evolve_once(site, filler, start, from, on_step, cancel, evolved);
+        return evolved;
+      },
+      rate);
+  return result.status != LoopStatus::filled;
 }
 
 /// What to try where the flow spoils the patch: bending energy blended in, and lower orders, which bulge less. On rough
@@ -129,7 +125,7 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
   if (from_the_best_start(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
     for (const EvolutionOptions& gentler : gentler_options(filler, options))
-      if (evolve_once(site, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
+      if (evolve_once(site, filler, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
   }
   result.verdict = judge(site, filler);
   result.final_energy = result.initial_energy;

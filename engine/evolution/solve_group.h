@@ -15,6 +15,7 @@ struct Evolved {
   LoopStatus status = LoopStatus::filled;
   std::string message;
   int steps = 0;
+  bool faired = false;  ///< set out from a linear fairing
   double bending = 0;
   double assemble = 0, solve = 0, initial_energy = 0, final_energy = 0;
 };

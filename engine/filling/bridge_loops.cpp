@@ -107,14 +107,6 @@ std::vector<FirstBridge> first_bridges(const Patch& empty, const std::vector<Bri
   return bridges;
 }
 
-void remesh_once(GuardedMesh& mesh) {
-  mesh.split_long_edges();
-  mesh.flip_to_delaunay();
-  mesh.collapse_short_edges();
-  mesh.flip_to_delaunay();
-  for (int sweep = 0; sweep < 3; ++sweep) mesh.smooth_tangentially();
-}
-
 template <class Phase>
 void try_phase(Patch& best, const Phase& phase) {
   GuardedMesh mesh = open_for_remeshing(best);

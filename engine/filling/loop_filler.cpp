@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "filling/fairing.h"
 #include "filling/guarded_mesh.h"
+#include "filling/patch_remesh.h"
 #include "filling/size_field.h"
 #include "filling/triangulate_loop.h"
 #include "mesh/quality.h"
@@ -140,16 +141,6 @@ Candidate harvest(const LoopSite& site, const GuardedMesh& mesh) {
 constexpr int remesh_rounds = 5;
 constexpr int relax_rounds = 8;
 constexpr double still = 0.05;  ///< relaxation that wants no vertex further, in target lengths, is done
-
-/// @returns false when another round would change next to nothing.
-bool remesh_once(GuardedMesh& mesh) {
-  int changes = mesh.split_long_edges();
-  mesh.flip_to_delaunay();
-  changes += mesh.collapse_short_edges();
-  mesh.flip_to_delaunay();
-  for (int sweep = 0; sweep < 3; ++sweep) mesh.smooth_tangentially();
-  return changes > mesh.free_count() / 200;
-}
 
 bool relax_once(GuardedMesh& mesh) {
   const double wanted = mesh.move_towards(minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked()));

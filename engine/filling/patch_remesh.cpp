@@ -39,6 +39,15 @@ std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
 
 }  // namespace
 
+bool remesh_once(GuardedMesh& mesh) {
+  int changes = mesh.split_long_edges();
+  mesh.flip_to_delaunay();
+  changes += mesh.collapse_short_edges();
+  mesh.flip_to_delaunay();
+  for (int sweep = 0; sweep < 3; ++sweep) mesh.smooth_tangentially();
+  return changes > mesh.free_count() / 200;
+}
+
 GuardedMesh open_for_remeshing(const Patch& patch) {
   const int n = patch.free_count, rim = rim_size(patch);
   const auto renumber = [&](int v) { return v < n ? v + rim : v - n; };

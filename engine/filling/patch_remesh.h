@@ -1,10 +1,14 @@
-// Remeshing the interior of a patch while it evolves: out into a GuardedMesh, and back.
+// Remeshing the interior of a patch: one round of it, and the way out of a Patch into a GuardedMesh and back.
 #pragma once
 
 #include "filling/guarded_mesh.h"
 #include "mesh/patch.h"
 
 namespace loopmend {
+
+/// Splits, collapses, flips and smooths towards the target sizes.
+/// @returns false when another round would change next to nothing.
+bool remesh_once(GuardedMesh& mesh);
 
 /// The patch's own triangles, the loops locked, guarded against the surroundings; target sizes from the rim and
 /// Patch::grading.

@@ -1,6 +1,7 @@
 #include "mesh/join_parts.h"
 
 #include "core/error.h"
+#include "mesh/pieces.h"
 #include "mesh/self_intersections.h"
 
 #include <Eigen/Geometry>
@@ -51,28 +52,6 @@ void append(TriangleSoup& all, const TriangleSoup& part) {
   all.colors.insert(all.colors.end(), part.colors.begin(), part.colors.end());
   if (!all.colors.empty()) all.colors.resize(all.points.size(), Color{255, 255, 255, 255});
   for (const Triangle& t : part.triangles) all.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-}
-
-/// For each view face the lowest face of its piece of surface.
-std::vector<int> pieces_of(const TriMesh& mesh) {
-  std::vector<int> piece(mesh.n_faces(), -1);
-  for (const auto seed : mesh.faces()) {
-    if (piece[seed.idx()] >= 0) continue;
-    std::vector<TriMesh::FaceHandle> queue{seed};
-    piece[seed.idx()] = seed.idx();
-    for (std::size_t q = 0; q < queue.size(); ++q)
-      for (const auto f : mesh.ff_range(queue[q]))
-        if (piece[f.idx()] < 0) {
-          piece[f.idx()] = seed.idx();
-          queue.push_back(f);
-        }
-  }
-  return piece;
-}
-
-int piece_beside(const TriMesh& mesh, const std::vector<int>& piece, const BoundaryLoop& loop) {
-  const auto h = mesh.find_halfedge(TriMesh::VertexHandle(loop.vertices[1]), TriMesh::VertexHandle(loop.vertices[0]));
-  return piece[mesh.face_handle(h).idx()];
 }
 
 }  // namespace

@@ -614,6 +614,10 @@
             <source>; %1 shown</source>
             <translation>; %1 gezeigt</translation>
         </message>
+        <message>
+            <source>&amp;Sort by</source>
+            <translation>&amp;Sortieren nach</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::InspectPanel</name>
@@ -1368,6 +1372,18 @@
             <source>Fly to the hole</source>
             <translation>Zum Loch fliegen</translation>
         </message>
+        <message>
+            <source>Shift+arrow keys</source>
+            <translation>Umschalt+Pfeiltasten</translation>
+        </message>
+        <message>
+            <source>Menu key in the table</source>
+            <translation>Menütaste in der Tabelle</translation>
+        </message>
+        <message>
+            <source>Sort, choose columns</source>
+            <translation>Sortieren, Spalten wählen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::SmallHolesBox</name>
@@ -1815,6 +1831,14 @@
         <message>
             <source>Version and licence</source>
             <translation>Version und Lizenz</translation>
+        </message>
+        <message>
+            <source>&amp;Values in the middle</source>
+            <translation>&amp;Werte in der Mitte</translation>
+        </message>
+        <message>
+            <source>Show the values at the middle of the picture</source>
+            <translation>Die Werte in der Mitte des Bildes zeigen</translation>
         </message>
     </context>
     <context>

@@ -614,6 +614,10 @@
             <source>; %1 shown</source>
             <translation>; %1 shown</translation>
         </message>
+        <message>
+            <source>&amp;Sort by</source>
+            <translation>&amp;Sort by</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::InspectPanel</name>
@@ -1368,6 +1372,18 @@
             <source>Mouse and keys in the picture</source>
             <translation>Mouse and keys in the picture</translation>
         </message>
+        <message>
+            <source>Shift+arrow keys</source>
+            <translation>Shift+arrow keys</translation>
+        </message>
+        <message>
+            <source>Menu key in the table</source>
+            <translation>Menu key in the table</translation>
+        </message>
+        <message>
+            <source>Sort, choose columns</source>
+            <translation>Sort, choose columns</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::SmallHolesBox</name>
@@ -1815,6 +1831,14 @@
         <message>
             <source>K</source>
             <translation>K</translation>
+        </message>
+        <message>
+            <source>&amp;Values in the middle</source>
+            <translation>&amp;Values in the middle</translation>
+        </message>
+        <message>
+            <source>Show the values at the middle of the picture</source>
+            <translation>Show the values at the middle of the picture</translation>
         </message>
     </context>
     <context>

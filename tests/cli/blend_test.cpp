@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstring>
 
 namespace loopmend {
@@ -19,27 +20,14 @@ using test::loopmend_program;
 using test::Outcome;
 using testing::HasSubstr;
 
-class CliBlend : public testing::Test {
+class CliBlend : public test::ProgramTest {
  protected:
   void write(const std::string& name, const TriangleSoup& soup) const { write_mesh(work / name, soup); }
-  /// Quoted for the shell, with a blank behind.
-  std::string path(const std::string& name) const {
-    std::string text = "'";
-    text.append((work / name).string()).append("' ");
-    return text;
-  }
   Outcome blend(const std::string& arguments) const {
     std::string line = "blend ";
     line.append(arguments).append(" -o ").append(path("out.ply"));
     return loopmend_program(line);
   }
-  void expect_refused(const Outcome& run, int code, const std::string& words) const {
-    EXPECT_EQ(run.code, code) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("loopmend: "));
-    EXPECT_THAT(run.err, HasSubstr(words));
-    EXPECT_FALSE(std::filesystem::exists(work / "out.ply"));
-  }
-  test::Workspace work;
   const TriangleSoup up = make_tube({{0, 0, 1}, {0, 0, 1}, 1, 2, 24});
   const TriangleSoup side = make_tube({{1.5, 0, 0}, {1, 0, 0}, 0.6, 2, 20});
 };
@@ -99,12 +87,35 @@ TEST_F(CliBlend, RefusesWhatCannotBeJoinedWithASentence) {
   expect_refused(blend(path("up.ply") + path("missing.ply")), 3, "missing.ply");
 }
 
+TEST_F(CliBlend, OneSheetThatWouldHaveToFaceBothWaysIsRefused) {
+  // A sheet folded like an S; its upper and its lower layer face the same way, and belong to one piece.
+  constexpr double leg = 6, bend = 1.5707963267948966;
+  const auto folded = [](double s) {
+    const auto round = [](double angle, double middle, double way) {
+      return Vec3(way * (3 + 0.5 * std::sin(angle)), 0, middle + 0.5 * std::cos(angle));
+    };
+    if (s < leg) return Vec3(s - 3, 0, 2);
+    if (s < leg + bend) return round(2 * (s - leg), 1.5, 1);
+    if (s < 2 * leg + bend) return Vec3(3 - (s - leg - bend), 0, 1);
+    if (s < 2 * leg + 2 * bend) return round(2 * (s - 2 * leg - bend), 0.5, -1);
+    return Vec3(s - 2 * leg - 2 * bend - 3, 0, 0);
+  };
+  const double half = (3 * leg + 2 * bend) / 2;
+  TriangleSoup sheet = make_graph([](double, double) { return 0.0; }, half, 90);
+  for (Vec3& p : sheet.points) p = folded(p.x() + half) + Vec3(0, p.y(), 0);
+  write("sheet.ply", cut(sheet, [](const Vec3& p) {
+          return p.head<2>().norm() < (p.z() == 1 ? 1.4 : p.z() == 2 ? 0.9 : p.z() == 0 ? 0.8 : 0);
+        }));
+  expect_refused(blend(path("sheet.ply") + "--loops 1:3,1:4"), 2, "no two-sided surface joins them");
+}
+
 TEST_F(CliBlend, LoopsThatCannotBeJoinedAreTold) {
-  // The far end of a tube and the rim of another one behind it: every bridge would run through the first tube.
-  write("up.ply", up);
-  write("near.ply", make_tube({{0, 0, 0.2}, {0, 0, -1}, 0.9, 0.6, 24}));
-  const Outcome run = blend(path("up.ply") + path("near.ply") + "--loops 1:1,2:1");
-  if (run.code != 0) expect_refused(run, 1, "Nothing was written");
+  // A closed wall lies between the two rims: every bridge would run through it.
+  write("inside.ply", make_tube({{0, 0, 0.2}, {0, 0, -1}, 0.3, 0.4, 24}));
+  write("outside.ply", make_tube({{0, 0, 2}, {0, 0, 1}, 0.3, 1, 24}));
+  write("wall.ply", make_icosphere(3));
+  expect_refused(blend(path("inside.ply") + path("outside.ply") + path("wall.ply") + "--loops 1:1,2:1"), 1,
+                 "would cut the surface");
 }
 
 }  // namespace

@@ -123,6 +123,28 @@ TEST_F(Cli, OuterRimIsLeftUnlessAskedFor) {
   EXPECT_EQ(kinds("--include-outer-rim").substr(0, 7) == "skipped", false);
 }
 
+TEST_F(Cli, IslandsAreBridgedOnRequest) {
+  // A cap of the sphere is missing but for two small pieces of it; another hole is ordinary.
+  write_mesh(holes, cut(make_icosphere(5), [](const Vec3& p) {
+               return (p.z() > 0.6 && (p - Vec3(0.4, 0, 0.9).normalized()).norm() > 0.15 &&
+                       (p - Vec3(-0.4, 0.1, 0.9).normalized()).norm() > 0.15) ||
+                      p.z() < -0.95;
+             }));
+  const Outcome run = loopmend_program("fill " + in_out() + "--bridge-islands --report -");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(run.out);
+  ASSERT_EQ(report["loops"].size(), 4u);
+  for (const json& loop : report["loops"]) EXPECT_EQ(loop["status"], "converged");
+  EXPECT_THAT(report["loops"][2]["message"].get<std::string>() + report["loops"][3]["message"].get<std::string>(),
+              HasSubstr("joined to hole 1"));
+  const TriangleSoup before = read_mesh(holes).soup, after = read_mesh(out).soup;
+  EXPECT_TRUE(find_boundary_loops(make_surface_model(after)).empty());
+  for (std::size_t i = before.points.size(); i < after.points.size(); ++i) EXPECT_NEAR(after.points[i].norm(), 1, 1e-4);
+  // Without it they are left as they are: rims of sheets.
+  const json left = json::parse(loopmend_program("fill " + in_out() + "--report - --flow none").out);
+  EXPECT_EQ(left["loops"][3]["status"], "skipped");
+}
+
 TEST_F(Cli, EveryFlowModeAndSolverRuns) {
   for (const char* flow : {"mmcvf", "wf", "sdf", "mcf"})
     for (const char* mode : {"steady", "steps --sigma 1 --steps 40", "steps --solver gmres --steps 5"}) {

@@ -16,19 +16,13 @@ using test::loopmend_program;
 using test::Outcome;
 using testing::HasSubstr;
 
-class CliCompare : public testing::Test {
+class CliCompare : public test::ProgramTest {
  protected:
   Outcome run(const std::string& command, const std::string& arguments) const {
     std::string line = command;
     line.append(" -o '").append((work / "flows").string()).append("' ").append(arguments);
     return loopmend_program(line);
   }
-  std::string path(const std::string& name) const {
-    std::string text = "'";
-    text.append((work / name).string()).append("' ");
-    return text;
-  }
-  test::Workspace work;
 };
 
 TEST_F(CliCompare, WritesMeshesPictureProfileAndTables) {

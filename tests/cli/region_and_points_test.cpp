@@ -19,26 +19,13 @@ using test::loopmend_program;
 using test::Outcome;
 using testing::HasSubstr;
 
-class CliPaper : public testing::Test {
+class CliPaper : public test::ProgramTest {
  protected:
-  /// Quoted for the shell, with a blank behind.
-  std::string path(const std::string& name) const {
-    std::string text = "'";
-    text.append((work / name).string()).append("' ");
-    return text;
-  }
   Outcome run(const std::string& command, const std::string& input, const std::string& arguments) const {
     std::string line = command;
     line.append(" ").append(path(input)).append("-o ").append(path("out.ply")).append(arguments);
     return loopmend_program(line);
   }
-  void expect_refused(const Outcome& outcome, int code, const std::string& words) const {
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("loopmend: "));
-    EXPECT_THAT(outcome.err, HasSubstr(words));
-    EXPECT_FALSE(std::filesystem::exists(work / "out.ply"));
-  }
-  test::Workspace work;
 };
 
 TEST_F(CliPaper, InterpolateReportsAndKeepsTheVertices) {
@@ -61,6 +48,11 @@ TEST_F(CliPaper, InterpolateRefusesHolesAndTooFewVertices) {
   write_mesh(work / "poly.off", make_dodecahedron());
   std::string fixed = "--fixed ";
   expect_refused(run("interpolate", "poly.off", fixed.append(path("three.txt"))), 2, "too few");
+  TriangleSoup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.triangles = {{0, 1, 2}};
+  write_mesh(work / "triangle.off", triangle);
+  expect_refused(run("interpolate", "triangle.off", "--open"), 2, "too few");
   expect_refused(run("interpolate", "poly.off", "--subdivide 12"), 2, "between 1 and 8");
   EXPECT_EQ(run("interpolate", "open.off", "--open --subdivide 2 --quiet").code, 0);
 }

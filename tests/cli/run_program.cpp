@@ -1,5 +1,7 @@
 #include "cli/run_program.h"
 
+#include <gmock/gmock.h>
+
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -38,6 +40,19 @@ Workspace::Workspace() {
 Workspace::~Workspace() {
   std::error_code error;
   std::filesystem::remove_all(folder_, error);
+}
+
+std::string ProgramTest::path(const std::string& name) const {
+  std::string text = "'";
+  text.append((work / name).string()).append("' ");
+  return text;
+}
+
+void ProgramTest::expect_refused(const Outcome& run, int code, const std::string& words) const {
+  EXPECT_EQ(run.code, code) << run.err;
+  EXPECT_THAT(run.err, testing::HasSubstr("loopmend: "));
+  EXPECT_THAT(run.err, testing::HasSubstr(words));
+  EXPECT_FALSE(std::filesystem::exists(work / "out.ply"));
 }
 
 }  // namespace loopmend::test

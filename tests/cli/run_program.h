@@ -1,6 +1,8 @@
 // Runs `loopmend` as a person or a script would.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <string>
 
@@ -28,6 +30,16 @@ class Workspace {
 
  private:
   std::filesystem::path folder_;
+};
+
+/// Tests of commands that write work / "out.ply".
+class ProgramTest : public testing::Test {
+ protected:
+  /// A file in the test's folder, quoted for the shell, with a blank behind.
+  std::string path(const std::string& name) const;
+  /// A sentence with these words, and nothing written.
+  void expect_refused(const Outcome& run, int code, const std::string& words) const;
+  Workspace work;
 };
 
 }  // namespace loopmend::test

@@ -1,28 +1,12 @@
 #include "flow_words.h"
 
+#include "cli/number_range.h"
+
 #include <CLI/CLI.hpp>
 
 #include <map>
-#include <sstream>
 
 namespace loopmend {
-
-namespace {
-
-/// Like CLI::Range, but NaN is out of range, and the numbers in the message are readable.
-CLI::Validator between(double low, double high) {
-  return CLI::Validator(
-      [low, high](std::string& text) {
-        double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return std::string();
-        std::ostringstream words;
-        words << "takes a number from " << low << " to " << high << ", not '" << text << "'";
-        return words.str();
-      },
-      "NUMBER");
-}
-
-}  // namespace
 
 void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density) {
   command.add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first shape")

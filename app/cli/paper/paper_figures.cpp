@@ -275,9 +275,8 @@ FigureRun run_fig55() {
   const bool own = falls(FlowKind::mmcvf), others = falls(FlowKind::sdf) || falls(FlowKind::wf);
   run.verdict = own && !others && most_continuous_is_mmcvf(*run.comparison) ? Verdict::reproduced : Verdict::partly;
   run.why =
-      "When the edges are halved, the jump at the seams falls for MMCVF alone: it comes from the triangles. For SDF "
-      "and "
-      "WF it stays: it belongs to the surface.";
+      "When the edges are halved and halved again, the jump at the seams falls by half for MMCVF: it comes from the "
+      "triangles. For SDF and WF it stays or grows: it belongs to the surface.";
   return run;
 }
 

@@ -1,0 +1,63 @@
+// Which starts of the way to the steady state are tried, and which result is the best.
+#pragma once
+
+#include "core/cancel.h"
+#include "evolution/evolution.h"
+#include "evolution/mesh_care.h"
+
+#include <utility>
+
+namespace loopmend {
+
+/// What a run came to, as far as another one may be preferred.
+struct RunRating {
+  bool usable = false;
+  bool converged = false;
+  bool faired = true;  ///< false: it set out from the patch as given, since fairing did not pay
+  int steps = 0;
+  double energy = 0;  ///< at the end; the same for all runs, up to the mesh
+
+  /// Several steady states may exist, and inflated ones are high where the right one is smooth: among what converged
+  /// the lowest energy counts.
+  bool beats(const RunRating& other) const {
+    if (usable != other.usable || converged != other.converged) return usable != other.usable ? usable : converged;
+    return usable && energy < other.energy;
+  }
+};
+
+/// The result of run(start, options) and, for MMCVF to the steady state where that fails or takes long, of the runs from
+/// other starts; where none comes to rest, of runs that go on from the best one's shape on a fresh mesh. The best of them.
+/// @param run   to a result with a member `patch`.
+/// @param rate  from a result to its RunRating.
+template <class Run, class Rate>
+auto best_of_starts(const Patch& patch, const EvolutionOptions& options, const CancelToken& cancel, const Run& run,
+                    const Rate& rate) {
+  // Straight ways take fewer steps; those that take more may have ended in a bubble.
+  constexpr int suspiciously_many_steps = 12;
+  constexpr int most_fresh_meshes = 2;
+  auto best = run(patch, options);
+  if (options.flow != FlowKind::mmcvf || options.mode != EvolutionMode::steady || options.start != SteadyStart::faired)
+    return best;
+  const bool faired = rate(best).faired;
+  for (const SteadyStart start : {SteadyStart::evenly_faired, SteadyStart::as_given}) {
+    const RunRating now = rate(best);
+    if ((now.converged && now.steps <= suspiciously_many_steps) || cancel.cancelled()) return best;
+    if (start == SteadyStart::as_given && !faired) continue;  // as the first was
+    EvolutionOptions other = options;
+    other.start = start;
+    auto next = run(patch, other);
+    if (rate(next).beats(now)) best = std::move(next);
+  }
+  // Steps along the normals squeeze triangles, and the fits there stop the flow before it is at rest.
+  for (int k = 0; k < most_fresh_meshes && options.triangles == PatchTriangles::free; ++k) {
+    const RunRating now = rate(best);
+    if (!now.usable || now.converged || cancel.cancelled()) break;
+    EvolutionOptions other = options;
+    other.start = SteadyStart::as_given;
+    auto next = run(remeshed(best.patch), other);
+    if (rate(next).beats(now)) best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,98 @@
+#include "mesh/pieces.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double farthest = 0.5;  ///< of an island from its hole's plane, in the hole's diameters
+
+/// A hole as seen square to its best plane.
+class Outline {
+ public:
+  Outline(const TriMesh& mesh, const BoundaryLoop& loop) : center_(loop.center), reach_(farthest * loop.diameter) {
+    Vec3 normal = Vec3::Zero();
+    const std::size_t n = loop.vertices.size();
+    const auto at = [&](std::size_t i) {
+      return Vec3(mesh.point(TriMesh::VertexHandle(loop.vertices[i % n])) - center_);
+    };
+    for (std::size_t i = 0; i < n; ++i) normal += at(i).cross(at(i + 1));
+    normal_ = normal.normalized();
+    right_ = normal_.unitOrthogonal();
+    up_ = normal_.cross(right_);
+    for (std::size_t i = 0; i < n; ++i) points_.emplace_back(right_.dot(at(i)), up_.dot(at(i)));
+  }
+
+  bool holds(const Vec3& point) const {
+    const Vec3 p = point - center_;
+    if (std::abs(normal_.dot(p)) > reach_) return false;
+    const Eigen::Vector2d q(right_.dot(p), up_.dot(p));
+    bool inside = false;
+    for (std::size_t i = 0, j = points_.size() - 1; i < points_.size(); j = i++) {
+      const Eigen::Vector2d &a = points_[i], &b = points_[j];
+      if ((a.y() > q.y()) != (b.y() > q.y()) && q.x() < (b.x() - a.x()) * (q.y() - a.y()) / (b.y() - a.y()) + a.x())
+        inside = !inside;
+    }
+    return inside;
+  }
+
+ private:
+  Vec3 center_, normal_, right_, up_;
+  double reach_;
+  std::vector<Eigen::Vector2d> points_;
+};
+
+}  // namespace
+
+std::vector<int> pieces_of(const TriMesh& mesh) {
+  std::vector<int> piece(mesh.n_faces(), -1);
+  for (const auto seed : mesh.faces()) {
+    if (piece[seed.idx()] >= 0) continue;
+    std::vector<TriMesh::FaceHandle> queue{seed};
+    piece[seed.idx()] = seed.idx();
+    for (std::size_t q = 0; q < queue.size(); ++q)
+      for (const auto f : mesh.ff_range(queue[q]))
+        if (piece[f.idx()] < 0) {
+          piece[f.idx()] = seed.idx();
+          queue.push_back(f);
+        }
+  }
+  return piece;
+}
+
+int piece_beside(const TriMesh& mesh, const std::vector<int>& piece, const BoundaryLoop& loop) {
+  const auto h = mesh.find_halfedge(TriMesh::VertexHandle(loop.vertices[1]), TriMesh::VertexHandle(loop.vertices[0]));
+  return piece[mesh.face_handle(h).idx()];
+}
+
+std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  const TriMesh& mesh = model.mesh;
+  const std::vector<int> piece = pieces_of(mesh);
+  std::map<int, std::vector<int>> found;
+  for (int island = 0; island < static_cast<int>(loops.size()); ++island) {
+    if (loops[island].kind != LoopKind::outer_rim) continue;
+    int around = -1;
+    for (int hole = 0; hole < static_cast<int>(loops.size()); ++hole) {
+      const BoundaryLoop& loop = loops[hole];
+      if (loop.kind != LoopKind::hole || loop.diameter <= loops[island].diameter) continue;
+      if (around >= 0 && loop.diameter >= loops[around].diameter) continue;
+      if (piece_beside(mesh, piece, loop) == piece_beside(mesh, piece, loops[island])) continue;
+      const Outline outline(mesh, loop);
+      const std::vector<int>& rim = loops[island].vertices;
+      if (std::all_of(rim.begin(), rim.end(),
+                      [&](int v) { return outline.holds(mesh.point(TriMesh::VertexHandle(v))); }))
+        around = hole;
+    }
+    if (around >= 0) found[around].push_back(island);
+  }
+  std::vector<HoleWithIslands> result;
+  for (auto& [hole, islands] : found) result.push_back({hole, std::move(islands)});
+  return result;
+}
+
+}  // namespace loopmend

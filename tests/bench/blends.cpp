@@ -1,0 +1,198 @@
+// loopmend_blends: random sets of tubes joined by default settings, their seams under refinement, and ring-shaped gaps.
+#include "analysis/seam_profile.h"
+#include "evolution/blend_loops.h"
+#include "evolution/evolve_patch.h"
+#include "flows/flow_terms.h"
+#include "known_surfaces.h"
+#include "mesh/quality.h"
+#include "samples/analytic_surfaces.h"
+#include "table.h"
+#include "tube_sets.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+namespace {
+
+using namespace loopmend;
+using namespace loopmend::bench;
+
+struct Problem {
+  SurfaceModel model;
+  std::vector<BoundaryLoop> rims;
+};
+
+Problem problem_of(const std::vector<TubeShape>& tubes) {
+  Problem problem;
+  std::vector<TriangleSoup> parts;
+  for (const TubeShape& tube : tubes) parts.push_back(make_tube(tube));
+  problem.model = make_surface_model(joined(parts));
+  const std::vector<BoundaryLoop> all = find_boundary_loops(problem.model);
+  for (const TubeShape& tube : tubes)
+    problem.rims.push_back(*std::min_element(all.begin(), all.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
+      return (a.center - tube.start).norm() < (b.center - tube.start).norm();
+    }));
+  return problem;
+}
+
+double worst_jump(const std::vector<SeamReport>& seams) {
+  double worst = 0;
+  for (const SeamReport& seam : seams) worst = std::max(worst, seam.h_jump_rms_times_diameter);
+  return worst;
+}
+
+std::string size_text(std::size_t value) { return std::to_string(value); }
+
+void run_sets(std::uint64_t first, int count) {
+  std::map<std::string, std::array<int, 3>> shares;  // converged, valid only, neither
+  Table table({"seed", "tubes", "angles", "radii", "status", "free", "steps", "bending", "min angle", "jump x D", "s",
+               "message"});
+  for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+    const TubeSet set = make_tube_set(seed);
+    Problem problem = problem_of(set.tubes);
+    const BlendResult result = blend_loops(problem.model, problem.rims, {}, {});
+    const bool valid = result.patch && result.quality.folds == 0 && result.quality.self_intersections == 0;
+    const int ending = !valid ? 2 : result.status == LoopStatus::converged ? 0 : 1;
+    for (const std::string& group :
+         {std::string("all"), size_text(set.tubes.size()) + " tubes", set.angles + " angles", set.radii + " radii"})
+      ++shares[group][static_cast<std::size_t>(ending)];
+    table.add({std::to_string(seed), size_text(set.tubes.size()), set.angles, set.radii, to_string(result.status),
+               number(result.patch ? result.patch->free_count : 0), number(result.steps), number(result.bending),
+               number(result.quality.min_angle_deg), number(worst_jump(result.seams_after)),
+               number(result.seconds.total), result.message});
+    std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.status), result.steps);
+  }
+  Table summary({"problems", "converged", "valid, not converged", "invalid or refused"});
+  for (const auto& [group, n] : shares) summary.add({group, number(n[0]), number(n[1]), number(n[2])});
+  std::printf("%s\n%s\n", summary.markdown().c_str(), table.markdown().c_str());
+}
+
+/// Every step of the flow from each of its starts.
+void trace(std::uint64_t seed) {
+  const TubeSet set = make_tube_set(seed);
+  const Problem problem = problem_of(set.tubes);
+  const BridgeOutcome outcome = bridge_loops(problem.model, problem.rims, {}, {});
+  if (!outcome.bridge) {
+    std::printf("%s\n", outcome.message.c_str());
+    return;
+  }
+  const FillerQuality& quality = outcome.bridge->quality;
+  std::printf("start: %d folds, %d cuts, min angle %.1f\n", quality.folds, quality.self_intersections,
+              quality.min_angle_deg);
+  const auto run = [](const Patch& patch, SteadyStart start) {
+    EvolutionOptions options;
+    options.start = start;
+    const EvolvedPatch evolved =
+        run_flow(patch, options,
+                 [](const Evolution& evolution, const StepRecord& step) {
+                   const Patch& p = evolution.patch();
+                   std::printf("%3d  E %-10.5g  sigma %-8.3g  move %-8.3g  %d rejected  %d free, min angle %.1f\n",
+                               step.step, step.energy, step.sigma, step.max_move, step.rejections, p.free_count,
+                               min_angle_deg(p.positions, p.triangles, p.patch_triangles));
+                 },
+                 {});
+    std::printf("%s: %s, %d folds, %d cuts, min angle %.1f\n", evolved.message.c_str(), to_string(evolved.status),
+                evolved.quality.folds, evolved.quality.self_intersections, evolved.quality.min_angle_deg);
+    return evolved.patch;
+  };
+  for (SteadyStart start : {SteadyStart::faired, SteadyStart::evenly_faired, SteadyStart::as_given})
+    run(outcome.bridge->start, start);
+}
+
+/// The jump of H at the seams when the edges are halved, and halved again.
+void run_refinement(std::uint64_t first, int count) {
+  Table table({"seed", "tubes", "flow", "edges 1", "1/2", "1/4", "close fits, edges 1", "1/2", "1/4"});
+  for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed)
+    for (FlowKind flow : {FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
+      std::vector<std::string> wide, close;
+      std::size_t tubes = 0;
+      for (int finer : {1, 2, 4}) {
+        const TubeSet set = make_tube_set(seed, finer);
+        tubes = set.tubes.size();
+        Problem problem = problem_of(set.tubes);
+        FillOptions options;
+        options.evolution->flow = flow;
+        const BlendResult result = blend_loops(problem.model, problem.rims, options, {});
+        const bool good = result.patch && result.status == LoopStatus::converged;
+        wide.push_back(good ? number(wide_curvature_jump(*result.patch)) : to_string(result.status));
+        double square = 0;
+        for (const SeamReport& seam : result.seams_after)
+          square += seam.h_jump_rms * seam.h_jump_rms / static_cast<double>(result.seams_after.size());
+        close.push_back(good ? number(std::sqrt(square)) : to_string(result.status));
+      }
+      std::vector<std::string> row{std::to_string(seed), size_text(tubes), to_string(flow)};
+      row.insert(row.end(), wide.begin(), wide.end());
+      row.insert(row.end(), close.begin(), close.end());
+      table.add(row);
+      std::fprintf(stderr, "seed %d %s\n", static_cast<int>(seed), to_string(flow));
+    }
+  std::printf("%s\n", table.markdown().c_str());
+}
+
+/// A ring missing from a tube whose every point is known.
+void run_rings() {
+  Table table({"surface", "mesh", "around", "status", "free", "steps", "rms, 1e-3 D", "jump x D",
+               "jump x D of the exact surface"});
+  const auto ring = [&](const KnownSurface& surface, const char* mesh, int around, double middle, double half) {
+    SurfaceModel model =
+        make_surface_model(cut(surface.mesh, [&](const Vec3& p) { return std::abs(p.z() - middle) < half; }));
+    std::vector<BoundaryLoop> gap;
+    for (const BoundaryLoop& loop : find_boundary_loops(model))
+      if (std::abs(loop.center.z() - middle) < 1.6 * half) gap.push_back(loop);
+    const double diameter = std::max(gap.front().diameter, gap.back().diameter);
+    const BlendResult result = blend_loops(model, gap, {}, {});
+    if (!result.patch) throw std::runtime_error(result.message);
+    double square = 0;
+    const int free = result.patch->free_count;
+    for (int i = 0; i < free; ++i)
+      square += std::pow(surface.distance(result.patch->to_mesh(result.patch->positions[i])), 2) / free;
+    Patch exact = *result.patch;
+    for (int i = 0; i < free; ++i) {
+      Vec3& p = exact.positions[static_cast<std::size_t>(i)];
+      p = exact.to_frame(surface.project(exact.to_mesh(p)));
+    }
+    table.add({surface.name, mesh, number(around), to_string(result.status), number(free), number(result.steps),
+               number(1e3 * std::sqrt(square) / diameter), number(worst_jump(result.seams_after)),
+               number(worst_jump(seam_reports(exact)))});
+  };
+  for (int around : {24, 40, 60, 96})
+    for (MeshKind kind : {MeshKind::regular, MeshKind::jittered, MeshKind::irregular}) {
+      ring(with_mesh(known_cylinder(6, around), kind, 5), to_string(kind), around, 0, 0.7);
+      ring(with_mesh(known_unduloid(0.3, 3, around), kind, 5), to_string(kind), around, 0, 0.7);
+      std::fprintf(stderr, "rings %d %s\n", around, to_string(kind));
+    }
+  std::printf("%s\n", table.markdown().c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app("Blends of random tubes, their seams under refinement, ring-shaped gaps.", "loopmend_blends");
+  std::uint64_t seed = 0;
+  int count = 64, refine = 0;
+  bool rings = false;
+  std::optional<std::uint64_t> one;
+  app.add_option("--one", one, "Every step of this set alone");
+  app.add_option("--count", count, "Sets of tubes (64); sixteen in a row hold every combination");
+  app.add_option("--seed", seed, "Seed of the first; the others follow by one (0)");
+  app.add_option("--refine", refine, "So many sets are also solved with edges of a half and a quarter (0)");
+  app.add_flag("--rings", rings, "Ring-shaped gaps too");
+  CLI11_PARSE(app, argc, argv);
+  if (one) {
+    trace(*one);
+    return 0;
+  }
+  if (count > 0) run_sets(seed, count);
+  if (refine > 0) run_refinement(seed, refine);
+  if (rings) run_rings();
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "loopmend_blends: %s\n", error.what());
+  return 1;
+}

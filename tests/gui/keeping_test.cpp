@@ -1,0 +1,372 @@
+// What outlasts the moment: preferences, recent files, saving before the window closes, how a session was looked at; and
+// what becomes of a fill where the flow must give way.
+#include "driver.h"
+
+#include "dialogs/help_window.h"
+#include "document/preferences.h"
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "panels/banner.h"
+#include "samples/analytic_surfaces.h"
+#include "samples/paper_inputs.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QProcess>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSpinBox>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+void trigger(MainWindow& window, const char* action) {
+  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
+
+QList<QAction*> recent_entries(MainWindow& window) {
+  for (QMenu* menu : window.findChildren<QMenu*>())
+    if (menu->title().contains(QStringLiteral("recent"))) {
+      Q_EMIT menu->aboutToShow();
+      return menu->actions();
+    }
+  return {};
+}
+
+bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-9 * (1 + b.norm()); }
+
+/// A unit sphere with two neighbouring holes; a plate stands where the patch of the larger one wants to go.
+QString write_obstructed_sphere(const QString& path) {
+  const Vec3 large = Vec3::UnitZ(), small = Vec3(std::sin(1.05), 0, std::cos(1.05));
+  const auto within = [](const Vec3& p, const Vec3& middle, double angle) { return p.dot(middle) > std::cos(angle); };
+  const TriangleSoup sphere =
+      cut(make_icosphere(4), [&](const Vec3& p) { return within(p, large, 0.5) || within(p, small, 0.3); });
+  TriangleSoup plate;
+  for (double x : {-0.1, 0.1})
+    for (double z : {0.95, 1.2}) plate.points.emplace_back(x, 0, z);
+  plate.triangles = {{0, 2, 1}, {1, 2, 3}};
+  write_mesh(path.toStdString(), joined({sphere, plate}));
+  return path;
+}
+
+Points sorted(Points points) {
+  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return points;
+}
+
+}  // namespace
+
+class KeepingTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void preferences_count_at_once_and_stay();
+  void recent_files_are_listed_opened_and_forgotten();
+  void closing_saves_first_if_wanted();
+  void a_session_is_looked_at_as_before();
+  void a_session_of_the_first_version_opens();
+  void where_the_flow_must_give_way();
+  void help_is_there_in_german();
+  void everything_can_be_reached_by_keys();
+  void the_picture_is_moved_and_asked_by_keys();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void KeepingTest::preferences_count_at_once_and_stay() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const QImage light = window.view().picture();
+  trigger(window, "preferences");
+  auto* dialog = window.findChild<QDialog*>(QStringLiteral("preferencesDialog"));
+  QVERIFY(dialog && dialog->isVisible());
+  const auto combo = [&](const char* name) { return dialog->findChild<QComboBox*>(QLatin1String(name)); };
+  const auto number = [&](const char* name) { return dialog->findChild<QSpinBox*>(QLatin1String(name)); };
+  combo("theme")->setCurrentIndex(2);
+  QVERIFY(window.palette().color(QPalette::Window).lightness() < 128);
+  QVERIFY2(picture_changes(window, light, 0.3), "the ground of the picture did not turn dark");
+  combo("defaultMap")->setCurrentIndex(1);
+  QCOMPARE(window.view().look().map, all_color_maps[1]);
+  number("undoMemory")->setValue(100);
+  QCOMPARE(window.undo().budget(), std::size_t{100} << 20);
+  number("timelineMemory")->setValue(64);
+  number("autosaveDelay")->setValue(33);
+  combo("language")->setCurrentIndex(combo("language")->findData(QStringLiteral("de")));
+  dialog->close();
+
+  const Preferences kept = load_preferences();
+  QCOMPARE(kept.theme, Theme::dark);
+  QCOMPARE(kept.undo_megabytes, 100);
+  QCOMPARE(kept.timeline_megabytes, 64);
+  QCOMPARE(kept.autosave_seconds, 33);
+  QCOMPARE(kept.language, QStringLiteral("de"));
+  MainWindow next;
+  QCOMPARE(next.undo().budget(), std::size_t{100} << 20);
+  QCOMPARE(next.view().look().map, all_color_maps[1]);
+
+  // What the file does not make sense of is brought into range, not believed.
+  Preferences wrong = kept;
+  wrong.undo_megabytes = -5;
+  save_preferences(wrong);
+  QCOMPARE(load_preferences().undo_megabytes, 64);
+
+  trigger(window, "preferences");
+  dialog = nullptr;
+  for (QDialog* found : window.findChildren<QDialog*>(QStringLiteral("preferencesDialog")))
+    if (found->isVisible()) dialog = found;
+  QVERIFY(dialog);
+  auto* buttons = dialog->findChild<QDialogButtonBox*>();
+  QTest::mouseClick(buttons->button(QDialogButtonBox::RestoreDefaults), Qt::LeftButton);
+  QCOMPARE(load_preferences().undo_megabytes, Preferences().undo_megabytes);
+  QCOMPARE(load_preferences().theme, Theme::system);
+  QVERIFY(window.palette().color(QPalette::Window).lightness() > 128);
+  dialog->close();
+}
+
+void KeepingTest::recent_files_are_listed_opened_and_forgotten() {
+  clear_recent_files();
+  const QString first = sample_file(folder_);
+  const QString second = write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 2);
+  Shown shown({first});
+  MainWindow& window = shown.window;
+  window.open(second);
+  QVERIFY(wait_idle(window));
+  QCOMPARE(recent_files(), (QStringList{second, first}));
+  QList<QAction*> entries = recent_entries(window);
+  QVERIFY(entries.size() >= 2);
+  QVERIFY2(entries[0]->text().contains(QStringLiteral("sheet.ply")), qPrintable(entries[0]->text()));
+  entries[1]->trigger();
+  QVERIFY(wait_idle(window));
+  QCOMPARE(window.document().first_scan().path, first);
+  QCOMPARE(recent_files(), (QStringList{first, second}));
+  QFile::remove(second);
+  QCOMPARE(recent_files(), QStringList{first});  // what is gone is not offered
+  for (int i = 0; i < 15; ++i) {
+    const QString path = folder_.filePath(QStringLiteral("file%1.ply").arg(i));
+    QVERIFY(QFile::copy(first, path));
+    add_recent_file(path);
+  }
+  QCOMPARE(recent_files().size(), 10);
+  recent_entries(window).last()->trigger();  // Forget these
+  QVERIFY(recent_files().isEmpty());
+}
+
+void KeepingTest::closing_saves_first_if_wanted() {
+  const QString path = folder_.filePath(QStringLiteral("closing.loopmend"));
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    const int hole = first_hole(window.document());
+    window.selection().select({hole});
+    press(window, "fill");
+    QVERIFY(wait_idle(window));
+    window.workbench().save_session(path);
+    QVERIFY(wait_idle(window));
+    window.selection().select({hole + 1});
+    press(window, "fill");
+    QVERIFY(wait_idle(window));
+    QVERIFY2(!window.close(), "unsaved work: it should ask");
+    press(window, "answerCancel");
+    settle(100);
+    QVERIFY(window.isVisible());
+    QVERIFY(!window.close());
+    press(window, "answerSave");
+    QVERIFY2(wait_until([&] { return !window.isVisible(); }, 20), "it should save, then close");
+  }
+  Shown shown({path});
+  QVERIFY(shown.ready);
+  QCOMPARE(shown.window.document().patches().size(), std::size_t(2));
+}
+
+void KeepingTest::a_session_is_looked_at_as_before() {
+  const QString path = folder_.filePath(QStringLiteral("looked.loopmend"));
+  Viewpoint from;
+  QImage picture;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    const int hole = first_hole(window.document());
+    window.selection().select({hole});
+    press(window, "fill");
+    QVERIFY(wait_idle(window));
+    key(window, Qt::Key_4);
+    key(window, Qt::Key_W);
+    key(window, Qt::Key_M);
+    window.view().fly_to(hole);
+    settle(900);
+    window.workbench().save_session(path);
+    QVERIFY(wait_idle(window));
+    from = window.view().viewpoint();
+    picture = window.view().picture();
+    QVERIFY(window.close());
+  }
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  QVERIFY(shown.ready);
+  const Viewpoint now = window.view().viewpoint();
+  QVERIFY(near(now.eye, from.eye) && near(now.focus, from.focus) && near(now.up, from.up));
+  QCOMPARE(window.view().look().shading, Shading::zebra);
+  QCOMPARE(window.view().look().edges, Edges::shown);
+  QCOMPARE(window.view().look().seams, Seams::hidden);
+  QVERIFY(part<QAction>(window, "zebra")->isChecked());
+  QVERIFY2(wait_until([&] { return share_changed(picture, window.view().picture()) < 0.01; }, 15),
+           "the picture is another one");
+}
+
+void KeepingTest::a_session_of_the_first_version_opens() {
+  // Without a view, the second version ends in four bytes that say so; the first had none.
+  Session session;
+  session.scans.push_back({sample_file(folder_), 0});
+  {
+    Shown shown({sample_file(folder_)});
+    session = session_of(shown.window.document(), {});
+  }
+  QByteArray bytes = to_bytes(session, folder_.path());
+  constexpr int version_at = 17;  // behind "Loopmend session\n"
+  QCOMPARE(bytes[version_at], '\2');
+  bytes[version_at] = '\1';
+  bytes.chop(4);
+  QFile file(folder_.filePath(QStringLiteral("old.loopmend")));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(bytes);
+  file.close();
+  Shown shown({file.fileName()});
+  QVERIFY(shown.ready);
+  QVERIFY(count_colors(shown.window.view().picture()) >= 64);
+}
+
+void KeepingTest::where_the_flow_must_give_way() {
+  const QString scan = write_obstructed_sphere(folder_.filePath(QStringLiteral("obstructed.ply")));
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.patches().size(), std::size_t(1));  // neighbours: one problem
+  press(window, "steady");
+  QVERIFY(wait_idle(window, 240));
+  // Together they would cut the plate: each by itself, and the large one stays as it was filled.
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  const PatchState &large = *document.patch_of(0)->state, &small = *document.patch_of(1)->state;
+  QVERIFY2(large.stage == PatchStage::filled, large.message.c_str());
+  QVERIFY2(QString::fromStdString(large.message).contains(QStringLiteral("kept")), large.message.c_str());
+  QVERIFY2(small.stage == PatchStage::converged, small.message.c_str());
+  const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
+  window.workbench().export_to(by_hand);
+  QVERIFY(wait_idle(window));
+  const QString by_script = folder_.filePath(QStringLiteral("by-script.ply"));
+  QProcess program;
+  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
+  QVERIFY(program.waitForFinished(120000));
+  QCOMPARE(program.exitCode(), 0);
+  QVERIFY2(
+      sorted(read_mesh(by_hand.toStdString()).soup.points) == sorted(read_mesh(by_script.toStdString()).soup.points),
+      "window and command line do not give the same vertices");
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.patches().size(), std::size_t(1));
+}
+
+void KeepingTest::help_is_there_in_german() {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QStringLiteral("de")));
+  HelpWindow help;
+  auto* pages = help.findChild<QListWidget*>();
+  QSet<QString> names, links;
+  for (int row = 0; row < pages->count(); ++row) {
+    const QString name = pages->item(row)->data(Qt::UserRole).toString();
+    names << name;
+    pages->setCurrentRow(row);
+    QVERIFY2(help.shown_text().contains(QStringLiteral(" der ")), qPrintable(name));
+    // The same links and pictures as in English, and all of them there.
+    QStringList found[2];
+    for (int german : {0, 1}) {
+      QFile page((german ? QStringLiteral(":/help/de/%1.md") : QStringLiteral(":/help/%1.md")).arg(name));
+      QVERIFY(page.open(QIODevice::ReadOnly));
+      auto matches =
+          QRegularExpression(QStringLiteral("\\]\\(([^)]+)\\)")).globalMatch(QString::fromUtf8(page.readAll()));
+      while (matches.hasNext()) found[german] << matches.next().captured(1);
+    }
+    QCOMPARE(found[1], found[0]);
+    for (const QString& link : found[1]) QVERIFY2(QFile::exists(QStringLiteral(":/help/") + link), qPrintable(link));
+  }
+  QLocale::setDefault(before);
+}
+
+void KeepingTest::everything_can_be_reached_by_keys() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  window.view().canvas()->setFocus();
+  QSet<QWidget*> reached;
+  for (int i = 0; i < 200; ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    reached << QApplication::focusWidget();
+  }
+  QStringList missed;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox") ||
+                         widget->inherits("QAbstractSpinBox") || widget->inherits("QAbstractSlider") ||
+                         widget->inherits("QAbstractItemView") || widget->inherits("QLineEdit");
+    const bool inner = widget->objectName().isEmpty() || widget->objectName().startsWith(QStringLiteral("qt_")) ||
+                       widget->inherits("QScrollBar") || qobject_cast<QAbstractSpinBox*>(widget->parentWidget());
+    if (control && !inner && widget->isVisible() && widget->isEnabled() && !reached.contains(widget))
+      missed << widget->objectName();
+  }
+  QVERIFY2(missed.isEmpty(), qPrintable(missed.join(QStringLiteral(", "))));
+  // Every action has a key or stands in a menu, which keys open.
+  QSet<QAction*> in_menus;
+  for (QMenu* menu : window.findChildren<QMenu*>())
+    for (QAction* action : menu->actions()) in_menus << action;
+  for (QAction* action : window.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
+    if (!action->objectName().isEmpty())
+      QVERIFY2(in_menus.contains(action) || !action->shortcut().isEmpty(), qPrintable(action->objectName()));
+}
+
+void KeepingTest::the_picture_is_moved_and_asked_by_keys() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  QWidget* canvas = window.view().canvas();
+  canvas->setFocus();
+  const Viewpoint first = window.view().viewpoint();
+  QTest::keyClick(canvas, Qt::Key_Left);
+  const Viewpoint turned = window.view().viewpoint();
+  QVERIFY(near(turned.focus, first.focus) && !near(turned.eye, first.eye));
+  QTest::keyClick(canvas, Qt::Key_Right, Qt::ShiftModifier);
+  const Viewpoint slid = window.view().viewpoint();
+  QVERIFY(near(slid.eye - turned.eye, slid.focus - turned.focus) && !near(slid.eye, turned.eye));
+  QTest::keyClick(canvas, Qt::Key_Left, Qt::ShiftModifier);
+  QVERIFY((window.view().viewpoint().eye - turned.eye).norm() < 1e-6 * turned.eye.norm());
+  key(window, Qt::Key_P);
+  const QString words = part<QLabel>(window, "statusFigures")->text();
+  QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
+}
+
+int main(int argc, char** argv) {
+  const QTemporaryDir home;
+  use_own_home(home.path());
+  prepare_application();
+  QApplication application(argc, argv);
+  settle_application();
+  KeepingTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "keeping_test.moc"

@@ -1,0 +1,51 @@
+#include "mesh/pieces.h"
+
+#include "samples/analytic_surfaces.h"
+#include "samples/paper_inputs.h"
+
+#include <gtest/gtest.h>
+
+namespace loopmend {
+namespace {
+
+/// A flat sheet with a square hole around the origin.
+TriangleSoup sheet() {
+  return cut(make_graph([](double, double) { return 0.0; }, 2, 40),
+             [](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 1; });
+}
+
+TriangleSoup disc(double x, double z, double radius) {
+  TriangleSoup soup = cut(make_graph([](double, double) { return 0.0; }, radius, 6), [](const Vec3&) { return false; });
+  for (Vec3& p : soup.points) p += Vec3(x, 0, z);
+  return soup;
+}
+
+std::vector<HoleWithIslands> islands_of(const std::vector<TriangleSoup>& parts) {
+  const SurfaceModel model = make_surface_model(joined(parts));
+  return find_islands(model, find_boundary_loops(model));
+}
+
+TEST(FindIslands, FindsThePiecesWithinAHole) {
+  const std::vector<HoleWithIslands> found = islands_of({sheet(), disc(-0.5, 0.1, 0.2), disc(0.5, -0.1, 0.3)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].islands.size(), 2u);
+}
+
+TEST(FindIslands, LeavesWhatIsBesideAboveOrPartOfTheSheet) {
+  EXPECT_TRUE(islands_of({sheet()}).empty());
+  EXPECT_TRUE(islands_of({sheet(), disc(5, 0, 0.3)}).empty());
+  EXPECT_TRUE(islands_of({sheet(), disc(0, 3, 0.3)}).empty());
+  EXPECT_TRUE(islands_of({sheet(), disc(0.9, 0.3, 0.3)}).empty()) << "half over the rim";
+}
+
+TEST(PiecesOf, NumbersThem) {
+  const SurfaceModel model = make_surface_model(joined({make_icosphere(1), make_icosphere(0)}));
+  const std::vector<int> piece = pieces_of(model.mesh);
+  EXPECT_EQ(piece.front(), 0);
+  EXPECT_EQ(piece[79], 0);
+  EXPECT_EQ(piece[80], 80);
+  EXPECT_EQ(piece.back(), 80);
+}
+
+}  // namespace
+}  // namespace loopmend
