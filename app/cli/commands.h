@@ -34,7 +34,8 @@ struct FillCommand {
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   enum class Islands { leave, bridge } islands = Islands::leave;  ///< pieces of surface within a hole
   FillOptions fill;
-  std::string report;  ///< file or "-"; empty: none
+  int trim_rounds = 0;  ///< rings of bad rim triangles to be removed first, 0..100
+  std::string report;   ///< file or "-"; empty: none
   Encoding encoding = Encoding::binary;
   Verbosity verbosity = Verbosity::normal;
   std::string command_line;  ///< as typed, for the report

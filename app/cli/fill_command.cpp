@@ -7,6 +7,7 @@
 
 #include "core/version.h"
 #include "io/atomic_file.h"
+#include "rim/trim_rim.h"
 
 #include <sys/resource.h>
 
@@ -128,12 +129,70 @@ std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<Bou
   return results;
 }
 
+nlohmann::ordered_json faces_json(const std::vector<BadRimFace>& faces) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const BadRimFace& bad : faces)
+    json.push_back({{"face", bad.face}, {"fault", to_string(bad.fault)}, {"ring", bad.ring}});
+  return json;
+}
+
+/// What --trim-rim did, or would find.
+struct RimWork {
+  std::vector<BadRimFace> removed;  ///< faces of the input
+  std::vector<BadRimFace> bad;      ///< left at the rims that are filled
+};
+
+/// Trims the rims of the loops that are to be filled, and chooses anew: what grew out of them.
+RimWork trim_chosen(OpenedModel& opened, std::vector<BoundaryLoop>& loops, std::vector<LoopChoice>& choices,
+                    int rounds) {
+  const auto chosen = [&] {
+    std::vector<BoundaryLoop> result;
+    for (std::size_t k = 0; k < loops.size(); ++k)
+      if (choices[k].fill) result.push_back(loops[k]);
+    return result;
+  };
+  RimWork work;
+  if (rounds == 0) {
+    work.bad = bad_rim_faces(opened.model, chosen());
+    return work;
+  }
+  TrimmedModel trimmed = trim_rim(opened.model, chosen(), rounds);
+  work.removed = std::move(trimmed.removed);
+  work.bad = bad_rim_faces(trimmed.model, trimmed.loops);
+  if (work.removed.empty()) return work;
+  std::vector<char> gone(opened.as_read.triangles.size(), 0);
+  for (const BadRimFace& bad : work.removed) gone[bad.face] = 1;
+  Triangles left;
+  for (std::size_t f = 0; f < gone.size(); ++f)
+    if (!gone[f]) left.push_back(opened.as_read.triangles[f]);
+  opened.as_read.triangles = std::move(left);
+  std::size_t turned = 0;
+  for (std::size_t f = 0; f < opened.as_read.triangles.size(); ++f)
+    turned += trimmed.model.soup.triangles[f] != opened.as_read.triangles[f];
+  trimmed.model.repairs.reoriented_faces = turned;
+  opened.model = std::move(trimmed.model);
+  loops = find_boundary_loops(opened.model);
+  choices.assign(loops.size(), {});
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const bool can_be_filled = loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim;
+    choices[k].fill = can_be_filled && std::any_of(trimmed.loops.begin(), trimmed.loops.end(),
+                                                   [&](const auto& loop) { return loop.number == loops[k].number; });
+    if (!choices[k].fill) choices[k].why_not = "not asked for";
+  }
+  return work;
+}
+
 nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ModelRepairs& repairs,
-                                   const std::vector<LoopResult>& results) {
+                                   const std::vector<LoopResult>& results, const RimWork& rims) {
   nlohmann::ordered_json json;
   json["version"] = version();
   json["command_line"] = command.command_line;
   json["input"] = input_json(command.input, import, repairs);
+  json["trimmed_faces"] = faces_json(rims.removed);
+  json["bad_rim_faces"] = faces_json(rims.bad);
+  if (!rims.bad.empty() && command.trim_rounds == 0)
+    json["suggestion"] = std::to_string(rims.bad.size()) +
+                         " bad triangles at the rims: --trim-rim 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
   for (const LoopResult& result : results) json["loops"].push_back(loop_json(result));
   return json;
@@ -148,8 +207,9 @@ int run_fill(const FillCommand& command) {
   if (!command.report.empty() && command.report != "-") check_writable(command.report);
   OpenedModel opened = open_model(command.input);
   SurfaceModel& model = opened.model;
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  const std::vector<LoopChoice> choices = choose_loops(model, loops, command);
+  std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  std::vector<LoopChoice> choices = choose_loops(model, loops, command);
+  const RimWork rims = trim_chosen(opened, loops, choices, command.trim_rounds);
 
   const std::vector<LoopResult> results = fill_selected(model, loops, choices, command);
   const bool unchanged = starts_with(model.soup, opened.as_read, model.repairs.reoriented_faces);
@@ -158,7 +218,7 @@ int run_fill(const FillCommand& command) {
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!command.report.empty()) {
-    nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results);
+    nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results, rims);
     json["exterior_unchanged"] = unchanged;
     json["peak_memory_mb"] = peak_memory_mb();
     json["total_seconds"] = seconds;
@@ -169,6 +229,10 @@ int run_fill(const FillCommand& command) {
     if (model.repairs.reoriented_faces > 0)
       std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n",
                    model.repairs.reoriented_faces);
+    if (!rims.removed.empty())
+      std::fprintf(out, "%zu bad triangles were removed at the rims.\n", rims.removed.size());
+    else if (!rims.bad.empty())
+      std::fprintf(out, "%zu bad triangles at the rims; --trim-rim 3 would remove them.\n", rims.bad.size());
     if (loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else

@@ -50,6 +50,7 @@ struct FillWords {
   std::string flow = "mmcvf";
   std::string mode = "steady";
   std::string solver = "auto";
+  std::string rim = "auto", continuity = "curvature";
   int steps = 0;
   double sigma = 10;
   bool include_outer_rim = false, bridge_islands = false, quiet = false, ascii = false;
@@ -83,6 +84,17 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--solver", words.solver, "Linear solver of the steps")
       ->check(CLI::IsMember({"auto", "direct", "gmres"}))
       ->capture_default_str();
+  fill->add_option("--rim", words.rim,
+                   "Curvature at the rim: auto, as far as it deserves; exact: literally; smooth: as on a rough scan")
+      ->check(CLI::IsMember({"auto", "exact", "smooth"}))
+      ->capture_default_str();
+  fill->add_option("--continuity", words.continuity, "What runs through the seam (mmcvf, steady)")
+      ->check(CLI::IsMember({"position", "tangent", "curvature"}))
+      ->capture_default_str();
+  fill->add_option("--trim-rim", command.trim_rounds,
+                   "First remove up to N rings of bad rim triangles (dangling, slivers, spikes, flipped)")
+      ->check(between(0, 100))
+      ->type_name("N");
   fill->add_option("--density", command.fill.filler.density, "Vertices along a length, relative to the surroundings")
       ->check(between(0.1, 10))
       ->capture_default_str();
@@ -117,7 +129,14 @@ void take_words(const FillWords& words, FillCommand& command) {
     command.fill.evolution.reset();
     return;
   }
+  static const std::map<std::string, RimTrust> rims{
+      {"auto", RimTrust::automatic}, {"exact", RimTrust::exact}, {"smooth", RimTrust::smooth}};
+  static const std::map<std::string, SeamContinuity> continuities{{"position", SeamContinuity::position},
+                                                                  {"tangent", SeamContinuity::tangent},
+                                                                  {"curvature", SeamContinuity::curvature}};
   EvolutionOptions& evolution = *command.fill.evolution;
+  evolution.rim = rims.at(words.rim);
+  evolution.continuity = continuities.at(words.continuity);
   evolution.flow = flows.at(words.flow);
   evolution.mode = words.mode == "steps" ? EvolutionMode::steps : EvolutionMode::steady;
   evolution.solver = solvers.at(words.solver);

@@ -50,6 +50,25 @@ Json loop_json(const BoundaryLoop& loop) {
           {"turning", loop.turning},   {"kind", to_string(loop.kind)}};
 }
 
+namespace {
+
+Json rim_json(const LoopResult& result) {
+  const RimSummary& rim = result.rim;
+  return {{"surroundings", to_string(rim.roughness.kind)},
+          {"noise", number(rim.noise)},
+          {"noise_per_edge", number(rim.noise_per_edge)},
+          {"unevenness", number(rim.roughness.unevenness)},
+          {"correlation", number(rim.roughness.correlation)},
+          {"normal_sigma_deg", number(rim.normal_sigma_deg)},
+          {"h_rms", number(rim.H)},
+          {"h_sigma", number(rim.H_sigma)},
+          {"gradient_h_rms", number(rim.gradient)},
+          {"gradient_h_sigma", number(rim.gradient_sigma)},
+          {"fitted_vertices", rim.fitted}};
+}
+
+}  // namespace
+
 Json loop_json(const LoopResult& result) {
   Json json = loop_json(result.loop);
   json["status"] = to_string(result.status);
@@ -57,6 +76,7 @@ Json loop_json(const LoopResult& result) {
   json["free_vertices"] = result.free_vertices;
   json["steps"] = result.steps;
   json["bending"] = result.bending;
+  json["rim"] = rim_json(result);
   json["seconds"] = {{"filler", result.seconds.filler},
                      {"assemble", result.seconds.assemble},
                      {"solve", result.seconds.solve},

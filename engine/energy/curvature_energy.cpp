@@ -10,6 +10,7 @@ namespace {
 
 /// H on rings 0..2 can depend on the patch (two-ring fits, and one-ring fits that had to be widened).
 constexpr int active_rings = 2;
+static_assert(energy_reach == active_rings + 1, "the triangles beyond ring 2 end on ring 3");
 
 bool is_active(const Patch& patch, const Triangle& t) {
   return std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= active_rings;

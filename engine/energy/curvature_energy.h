@@ -12,6 +12,9 @@ struct EnergyWeights {
   double bending = 0;    ///< Willmore, ∫H² dA
 };
 
+/// Rings of fixed vertices whose H the energies ask for.
+inline constexpr int energy_reach = 3;
+
 /// The energy as a quadratic form in H at fixed geometry, E = Hᵀ Q H, over the triangles whose H the patch can change.
 struct CurvatureEnergy {
   SparseMatrix Q;          ///< #V by #V: variation · C + bending · M

@@ -2,9 +2,9 @@
 
 #include "core/error.h"
 #include "energy/curvature_energy.h"
+#include "evolution/coarse_patch.h"
 #include "evolution/linear_start.h"
 #include "evolution/mesh_care.h"
-#include "evolution/rim_roughness.h"
 #include "evolution/state.h"
 #include "evolution/stopwatch.h"
 #include "flows/decay_rate.h"
@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace loopmend {
 
@@ -35,8 +37,13 @@ constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a sm
 constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
 constexpr double room_beyond_fairing = 0.35;
 constexpr double newton_tolerance = 1 + 1e-9;
-constexpr double small_move = 1e-3;     ///< in mean edge lengths: no eye sees it
-constexpr double smallest_step = 1e-6;  ///< relative to the step that was asked for: below, the flow has stalled
+constexpr int rough_passes = 4;        ///< of rim_blend: one of second order, three that weigh the rim
+constexpr int most_passes = 12;        ///< of the fairings for position or tangent, which are iterated to their end
+constexpr double small_move = 1e-3;    ///< in mean edge lengths: no eye sees it
+constexpr double settled_move = 5e-5;  ///< in patch radii: what such a bold step leaves is a few hundredths of it
+constexpr double near_the_end_move = 0.05;  ///< in mean edge lengths: the next bold step would go a hundredth of that
+constexpr std::size_t most_coarse_steps = 12;  ///< straight ways take fewer; a longer one may lead to a bubble
+constexpr double smallest_step = 1e-6;         ///< relative to the step that was asked for: below, the flow has stalled
 
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
 int order_of(FlowKind flow) { return flow == FlowKind::mcf ? 2 : flow == FlowKind::mmcvf ? 6 : 4; }
@@ -55,6 +62,16 @@ Eigen::AlignedBox3d room_around(const Patch& patch, double share) {
     for (int v : loop) box.extend(patch.positions[v]);
   const Vec3 margin = Vec3::Constant(share * box.diagonal().norm());
   return {box.min() - margin, box.max() + margin};
+}
+
+/// How far the middle of the free vertices has come, patch frame: where vertices come and go, the only way to tell.
+double way_of_centroid(const Patch& from, const Patch& to) {
+  const auto centroid = [](const Patch& patch) {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < patch.free_count; ++i) sum += patch.positions[i];
+    return Vec3(sum / patch.free_count);
+  };
+  return (centroid(from) - centroid(to)).norm();
 }
 
 /// What came of one Gauss-Newton solve.
@@ -108,10 +125,13 @@ struct Evolution::Impl {
   double start_edge_length = 0;      ///< mean, of the patch
   bool smooth_surroundings = false;  ///< fits of all widths agree on the curvature: it can be trusted to high order
   double blend = 0;                  ///< αR² of the order blend in force
-  double decay_rate = 0;             ///< patch frame
-  double sigma = 0;                  ///< of the next semi-implicit step; falls on rejection, recovers
-  double mu = 0;                     ///< of the next Gauss-Newton step
-  int fairings_left = 0;             ///< linear fairing steps that may still be tried before Gauss-Newton
+  std::optional<RimRoughness> rim;   ///< of the surroundings; MMCVF to the steady state only
+  int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
+  double decay_rate = 0;  ///< patch frame
+  double sigma = 0;       ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;          ///< of the next Gauss-Newton step
+  bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
+  int fairings_left = 0;           ///< linear fairing steps that may still be tried before Gauss-Newton
   double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
   int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
   double start_measure = 0;   ///< at the last set_options
@@ -127,6 +147,11 @@ struct Evolution::Impl {
   void care_for_mesh(double limit);
   bool replace_if_good(Patch patch, double limit);
   bool fairing_step(const CancelToken& cancel);
+  void blend_step();
+  bool coarse_step(const CancelToken& cancel);
+  void take_start(EvolutionState next, StepRecord record, double move);
+  double decay();
+  bool near_the_end() const { return last_bold_move > 0 && last_bold_move < near_the_end_move; }
   bool go_over_to_cubic_fits();
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
@@ -159,11 +184,25 @@ Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   blend = 0;
   smooth_surroundings = false;
   stencil = Stencil::two_ring;
+  rim.reset();
+  blends_left = 0;
   if (new_options.flow != FlowKind::mmcvf || new_options.mode != EvolutionMode::steady) return {new_options.flow, 0};
-  const RimRoughness rim = rim_roughness(state.patch);
-  blend = new_options.bending.value_or(rim.bending);
-  smooth_surroundings = blend == 0 && rim.unevenness < smooth_unevenness;
-  return {new_options.flow, blend / (rim.radius * rim.radius)};
+  rim = rim_roughness(state.patch);
+  const double scale = rim->radius * rim->radius;
+  if (new_options.continuity != SeamContinuity::curvature) {
+    blends_left = most_passes;
+    return {new_options.flow, 0};
+  }
+  const bool automatic = new_options.rim == RimTrust::automatic;
+  const bool rough = automatic && !new_options.bending && rim->kind == Surroundings::rough;
+  if (rough || new_options.rim == RimTrust::smooth) {
+    blends_left = rough_passes;
+    blend = rough_bending;
+    return {new_options.flow, blend / scale};
+  }
+  blend = new_options.bending.value_or(automatic ? rim->bending : 0);
+  smooth_surroundings = blend == 0 && rim->unevenness < smooth_unevenness;
+  return {new_options.flow, blend / scale, energy_reach};
 }
 
 void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
@@ -175,17 +214,26 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
     state = make_state(std::move(state.patch), objective, stencil, state.topology);
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
-  decay_rate = slowest_decay_rate(options.flow, state.patch);
-  if (!(decay_rate > 0)) decay_rate = 1;
+  decay_rate = 0;
+  mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
-  mu = decay_rate / (2 * first_gauss_newton_sigma);
   small_moves = 0;
   last_bold_move = 0;
   fairings_left = history.empty() && options.start != SteadyStart::as_given ? most_fairings : 0;
+  coarse_start_left = history.empty() && newton && options.start == SteadyStart::faired &&
+                      options.triangles == PatchTriangles::free && worth_coarsening(state.patch);
   start_measure = lowest_measure = state.measure;
   general = make_general_solver(options.solver);
   spd = make_spd_solver();
   stop(EvolutionStatus::ready, "");
+}
+
+/// The slowest decay rate, found when it is first asked for.
+double Evolution::Impl::decay() {
+  if (decay_rate > 0) return decay_rate;
+  decay_rate = slowest_decay_rate(options.flow, state.patch);
+  if (!(decay_rate > 0)) decay_rate = 1;
+  return decay_rate;
 }
 
 bool Evolution::Impl::acceptable(const EvolutionState& next, double limit) const {
@@ -199,7 +247,7 @@ void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen
   record.step = static_cast<int>(history.size()) + 1;
   record.max_move = s.cwiseAbs().maxCoeff() / edge_length();
   record.sigma = used_sigma;
-  record.tau = used_sigma / decay_rate * std::pow(state.patch.scale, order_of(options.flow));
+  record.tau = used_sigma / decay() * std::pow(state.patch.scale, order_of(options.flow));
   state = std::move(next);
   record.energy = shown_energy(options.flow, state);
   history.push_back(record);
@@ -215,8 +263,11 @@ bool Evolution::Impl::replace_if_good(Patch patch, double limit) {
 /// Only while the surface still moves: near the end the mesh must stand still for the solve to converge.
 void Evolution::Impl::care_for_mesh(double limit) {
   if (history.size() > steps_with_mesh_care || history.back().max_move < 0.05) return;
-  replace_if_good(tangentially_relaxed(state), limit);
-  replace_if_good(with_delaunay_flips(state.patch), limit);
+  const Patch relaxed = tangentially_relaxed(state);
+  if (!replace_if_good(with_delaunay_flips(relaxed), limit)) {
+    replace_if_good(relaxed, limit);
+    replace_if_good(with_delaunay_flips(state.patch), limit);
+  }
   if (state.folds > 0) {
     EvolutionState next = make_state(remeshed(state.patch), objective, stencil);
     if (next.folds < state.folds && std::isfinite(next.measure)) state = std::move(next);
@@ -236,15 +287,75 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   if (!acceptable(faired.state, state.measure)) return false;
   if (faired.state.measure > 0.5 * state.measure && faired.state.folds == 0) fairings_left = 0;
   StepRecord record;
-  record.step = static_cast<int>(history.size()) + 1;
   record.assemble_seconds = faired.assemble_seconds;
   record.solve_seconds = faired.solve_seconds;
-  state = std::move(faired.state);
+  take_start(std::move(faired.state), record, faired.move);
+  return true;
+}
+
+/// A better start has been found: the way to the steady state goes on from there.
+void Evolution::Impl::take_start(EvolutionState next, StepRecord record, double move) {
+  state = std::move(next);
   room = room_around(state.patch, room_beyond_fairing);
-  record.max_move = faired.move / edge_length();
+  record.step = static_cast<int>(history.size()) + 1;
+  record.max_move = move / edge_length();
   record.energy = shown_energy(options.flow, state);
   history.push_back(record);
+}
+
+/// The steady state of a coarse copy, in place of the linear fairings: near enough for one or two Gauss-Newton steps.
+/// @returns false if there was none, or it does not lower the energy; then the state is as it was.
+bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
+  Stopwatch watch;
+  EvolutionOptions coarse_options = options;
+  coarse_options.bending = blend;
+  Evolution coarse(coarsened(state.patch), coarse_options);
+  const Impl& there = *coarse.impl_;
+  while (coarse.status() == EvolutionStatus::ready && there.history.size() < most_coarse_steps && !there.near_the_end())
+    coarse.step(cancel);
+  StepRecord record;
+  record.solve_seconds = watch.lap();
+  if (coarse.status() != EvolutionStatus::converged && !there.near_the_end()) return false;
+  EvolutionState next = make_state(refined(there.state, state.patch.grading), objective, there.stencil);
+  record.assemble_seconds = watch.lap();
+  if (!acceptable(next, state.measure)) return false;
+  if (there.stencil != stencil)
+    initial_energy = shown_energy(options.flow, make_state(start, objective, there.stencil));
+  stencil = there.stencil;
+  decay_rate = there.decay_rate;
+  fairings_left = 0;
+  take_start(std::move(next), record, way_of_centroid(there.start, there.state.patch));
   return true;
+}
+
+/// One linear fairing of those that are the whole way. The first on rough surroundings is of second order, from which the
+/// rim vertices are judged.
+void Evolution::Impl::blend_step() {
+  Stopwatch watch;
+  const bool judged = options.continuity == SeamContinuity::curvature;
+  const bool first = judged && blends_left == rough_passes;
+  const double R = rim->radius;
+  Patch patch = state.patch;
+  const bool solved = first
+                          ? blend_once(patch, SeamContinuity::tangent, {}, R)
+                          : blend_once(patch, options.continuity, judged ? rim_trust(patch, R) : Eigen::VectorXd(), R);
+  if (!solved) return stop(EvolutionStatus::failed, "stopped early: the patch is too degenerate to be faired");
+  StepRecord record;
+  record.step = static_cast<int>(history.size()) + 1;
+  record.solve_seconds = watch.lap();
+  double move = 0;
+  for (int i = 0; i < patch.free_count; ++i)
+    move = std::max(move, (patch.positions[i] - state.patch.positions[i]).norm());
+  record.max_move = move / edge_length();
+  --blends_left;
+  state = make_state(std::move(patch), objective, stencil, state.topology);
+  if (state.folds > start_folds && options.triangles == PatchTriangles::free)
+    replace_if_good(remeshed(state.patch), std::numeric_limits<double>::max());
+  record.energy = shown_energy(options.flow, state);
+  record.assemble_seconds = watch.lap();
+  history.push_back(record);
+  const bool at_rest = !judged && record.max_move < small_move;
+  if (blends_left == 0 || at_rest) stop(EvolutionStatus::converged, "");
 }
 
 /// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order. Not
@@ -294,7 +405,7 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();
     if (!good) continue;
-    accept(std::move(next), record, move, decay_rate / (2 * mu));
+    accept(std::move(next), record, move, decay() / (2 * mu));
     trial.accepted = true;
     return trial;
   }
@@ -306,6 +417,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   StepRecord record;
   record.assemble_seconds = watch.lap();
+  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
@@ -314,13 +426,14 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     if (trial.accepted) {
       const double move = history.back().max_move;
       // Gauss-Newton steps shrink ever faster: two bold ones tell how far the next would go.
-      const bool next_small = mu <= decay_rate && record.rejections == 0 && move < 0.1 * last_bold_move &&
+      const bool next_small = mu <= decay() && record.rejections == 0 && move < 0.1 * last_bold_move &&
                               move * move / last_bold_move < 0.1 * small_move;
-      last_bold_move = mu <= decay_rate && record.rejections == 0 ? move : 0;
-      const bool small = move < 0.1 * small_move || next_small;
+      last_bold_move = mu <= decay() && record.rejections == 0 ? move : 0;
+      const double settled = std::max(0.1 * small_move, settled_move * radius() / edge_length());
+      const bool small = move < settled || next_small;
       small_moves = small ? small_moves + 1 : 0;
-      const bool bold = mu <= decay_rate;
-      mu = std::max(0.2 * mu, 1e-8 * decay_rate);
+      const bool bold = mu <= decay();
+      mu = std::max(0.2 * mu, 1e-8 * decay());
       if (small && (bold || small_moves >= 3)) return finish();
       if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
       return care_for_mesh(1.2 * state.measure);
@@ -349,11 +462,11 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   for (int trial = 0; trial < most_trials; ++trial) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
     if (trial == 2 && has_energy(options.flow)) {
-      mu = decay_rate / (2 * sigma);
+      mu = decay() / (2 * sigma);
       sigma = std::min(wanted, 100 * sigma);
       return gauss_newton_step(cancel);
     }
-    const double tau = sigma / decay_rate;
+    const double tau = sigma / decay();
     Eigen::VectorXd s;
     const SolveReport report = general->solve(identity - tau * system.jacobian, tau * system.velocity, s);
     record.solve_seconds += watch.lap();
@@ -396,6 +509,11 @@ void Evolution::step(const CancelToken& cancel) {
   if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
   const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
   if (!newton) return impl_->semi_implicit_step(cancel);
+  if (impl_->blends_left > 0) return impl_->blend_step();
+  if (std::exchange(impl_->coarse_start_left, false)) {
+    if (impl_->coarse_step(cancel)) return;
+    if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
+  }
   if (impl_->fairings_left-- > 0) {
     if (impl_->fairing_step(cancel)) return;
     impl_->fairings_left = 0;
@@ -423,6 +541,7 @@ const std::string& Evolution::message() const { return impl_->message; }
 const std::vector<StepRecord>& Evolution::history() const { return impl_->history; }
 double Evolution::initial_energy() const { return impl_->initial_energy; }
 double Evolution::bending() const { return impl_->blend; }
+const std::optional<RimRoughness>& Evolution::roughness() const { return impl_->rim; }
 double Evolution::energy() const { return shown_energy(impl_->options.flow, impl_->state); }
 
 }  // namespace loopmend

@@ -4,6 +4,8 @@
 #include "core/cancel.h"
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
+#include "rim/rim_blend.h"
+#include "rim/rim_roughness.h"
 #include "solvers/solver_kind.h"
 
 #include <functional>
@@ -27,9 +29,16 @@ enum class PatchTriangles {
 
 /// From where MMCVF sets out for the steady state.
 enum class SteadyStart {
-  faired,         ///< from linear fairings of the patch, while they lower the energy
+  faired,         ///< from linear fairings while they lower the energy; large patches from the end of a coarse copy
   evenly_faired,  ///< the same, as if all triangles were equilateral: where slivers spoil the first
   as_given,
+};
+
+/// How MMCVF on its way to the steady state treats the surroundings' curvature.
+enum class RimTrust {
+  automatic,  ///< as the surroundings deserve: see RimRoughness::kind
+  exact,      ///< literally, whatever it is: the pure sixth order
+  smooth,     ///< as on rough surroundings, whatever they are: rim_blend
 };
 
 struct EvolutionOptions {
@@ -44,6 +53,10 @@ struct EvolutionOptions {
   /// MMCVF to the steady state minimises ∫‖∇H‖² + β/R² ∫H², R the patch's radius: β = 0 is the pure flow, 60 to 150 suits
   /// rough scans. Empty: as the roughness of the surroundings asks for, 0 where they are smooth.
   std::optional<double> bending;
+  RimTrust rim =
+      RimTrust::automatic;  ///< MMCVF to the steady state; `bending`, where given, counts more than automatic
+  /// MMCVF to the steady state. Below curvature the patch is the linear fairing of that order, iterated.
+  SeamContinuity continuity = SeamContinuity::curvature;
 };
 
 /// @throws InvalidArgument if an option is out of range.
@@ -62,7 +75,8 @@ const char* to_string(EvolutionStatus status);
 /// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
 /// With bending blended in, what falls is the blend; the energy shown is still ∫‖∇H‖² dA alone, and may rise a little.
 /// Near a smooth steady state the fits go over from quadratics to cubics, and the energy is measured anew by these.
-/// Linear fairing steps at the beginning of the way to the steady state have sigma = tau = 0.
+/// Linear fairings, and the coarse start of a large patch, are steps with sigma = tau = 0; the latter's max_move is that of
+/// the middle of the patch. On rough surroundings all steps are such, and the energy shown need not fall.
 struct StepRecord {
   int step = 0;         ///< from 1
   double energy = 0;    ///< after the step
@@ -103,6 +117,8 @@ class Evolution {
   double initial_energy() const;  ///< of the start, units as in StepRecord; by the same fits as energy()
   double energy() const;          ///< of the present state
   double bending() const;         ///< β in force, see EvolutionOptions::bending; 0 for the pure flow
+  /// Of the surroundings of the patch as it was at the last set_options(). Empty but for MMCVF to the steady state.
+  const std::optional<RimRoughness>& roughness() const;
 
  private:
   struct Impl;

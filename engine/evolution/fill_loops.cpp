@@ -147,7 +147,7 @@ PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop
   }
   if (loops.empty()) return start;
   start.patch = make_patch(model, loops, fillers);
-  start.patch->density = options.density;
+  start.patch->grading.density = options.density;
   return start;
 }
 

@@ -7,6 +7,7 @@
 #include "evolution/evolution.h"
 #include "filling/loop_filler.h"
 #include "mesh/boundary_loops.h"
+#include "rim/rim_fits.h"
 
 #include <functional>
 #include <optional>
@@ -45,6 +46,7 @@ struct LoopResult {
     double initial = 0, final = 0;
   } energy;  ///< of the whole problem that the loop was solved in
   SeamReport seam_before, seam_after;
+  RimSummary rim;  ///< of the surroundings; all zero where nothing was filled
 };
 
 struct FillProgress {

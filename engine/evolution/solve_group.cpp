@@ -1,6 +1,7 @@
 #include "evolution/solve_group.h"
 
 #include "evolution/best_start.h"
+#include "rim/white_noise.h"
 
 #include <algorithm>
 #include <chrono>
@@ -36,10 +37,21 @@ void take_figures(const Evolution& evolution, Evolved& result) {
   result.final_energy = evolution.energy();
 }
 
+/// True if the flow should meet the surroundings without their noise.
+bool sees_noise(const Patch& filler, const EvolutionOptions& options) {
+  const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
+                      options.rim == RimTrust::automatic && !options.bending &&
+                      options.continuity == SeamContinuity::curvature;
+  return judged && rim_roughness(filler).kind == Surroundings::noisy;
+}
+
 /// One run of the flow. @returns true if its result may be kept: if it is no worse than the filler.
 bool evolve_once(const FillSite& site, const Patch& filler, const Patch& start, const EvolutionOptions& options,
                  const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
-  Evolution evolution(start, options);
+  const bool noisy = sees_noise(filler, options);
+  EvolutionOptions in_force = options;
+  if (noisy) in_force.bending = 0;  // what is left without the noise is smooth
+  Evolution evolution(noisy ? without_noise(start, site.model) : start, in_force);
   const EvolutionStatus status = evolution.run(on_step, cancel);
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
@@ -47,11 +59,15 @@ bool evolve_once(const FillSite& site, const Patch& filler, const Patch& start, 
     result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
     return false;
   }
-  if (!no_worse(judge(site, evolution.patch()), judge(site, filler))) {
+  Patch patch = noisy ? with_noise_again(evolution.patch(), filler) : evolution.patch();
+  PatchVerdict verdict = judge(site, patch);
+  const bool clean = verdict.folds == 0 && verdict.total() == 0;
+  if (!clean && !no_worse(verdict, judge(site, filler))) {
     result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
     return false;
   }
-  result.patch = evolution.patch();
+  result.patch = std::move(patch);
+  result.verdict = std::move(verdict);
   result.status = status_after(status);
   result.message = evolution.message();
   result.bending = evolution.bending();
@@ -78,6 +94,18 @@ bool from_the_best_start(const FillSite& site, const Patch& filler, const Evolut
   return result.status != LoopStatus::filled;
 }
 
+/// What to try where the flow spoils the patch: bending energy blended in, and lower orders, which bulge less. On rough
+/// surroundings these come first.
+std::vector<EvolutionOptions> gentler_options(const Patch& filler, const EvolutionOptions& options) {
+  std::vector<EvolutionOptions> gentler(4, options);
+  gentler[0].bending = 60;
+  gentler[1].bending = 300;
+  gentler[2].rim = RimTrust::smooth;
+  gentler[3].continuity = SeamContinuity::tangent;
+  if (rim_roughness(filler).kind == Surroundings::rough) std::reverse(gentler.begin(), gentler.end());
+  return gentler;
+}
+
 }  // namespace
 
 Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
@@ -86,16 +114,15 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
   result.patch = filler;
   if (filler.free_count == 0) {
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    result.verdict = judge(site, filler);
     return result;
   }
   if (from_the_best_start(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
-    for (double bending : {60.0, 300.0}) {
-      EvolutionOptions gentler = options;
-      gentler.bending = bending;
+    for (const EvolutionOptions& gentler : gentler_options(filler, options))
       if (evolve_once(site, filler, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
-    }
   }
+  result.verdict = judge(site, filler);
   result.final_energy = result.initial_energy;
   result.steps = 0;
   return result;
@@ -129,13 +156,18 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   }
   if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
-  evolved.patch = *first.patch;
-  if (options.evolution) evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
+  if (options.evolution) {
+    evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
+  } else {
+    evolved.patch = *first.patch;
+    evolved.verdict = judge(site, evolved.patch);
+  }
   if (cancel.cancelled()) return outcome;
 
-  const PatchVerdict verdict = judge(site, evolved.patch);
+  const PatchVerdict& verdict = evolved.verdict;
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
   const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
+  const RimRoughness roughness = rim_roughness(*first.patch);
   FinishedPatch finished;
   for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
     const auto found = std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {
@@ -145,6 +177,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
     result.seam_before = before[p];
     result.seam_after = after[p];
     result.free_vertices = free[p];
+    result.rim = rim_summary(*first.patch, static_cast<int>(p), roughness);
     if (verdict.total() == 0)
       take_result(evolved, result);
     else

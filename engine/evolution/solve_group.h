@@ -11,6 +11,7 @@ namespace loopmend {
 /// What a flow made of a filler.
 struct Evolved {
   Patch patch;
+  PatchVerdict verdict;  ///< on the patch; empty when cancelled
   LoopStatus status = LoopStatus::filled;
   std::string message;
   int steps = 0;

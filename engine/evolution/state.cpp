@@ -34,7 +34,7 @@ EvolutionState make_state(Patch patch, const Objective& objective, Stencil stenc
   EvolutionState state;
   state.topology = topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
   std::vector<char> wanted(patch.vertex_count());
-  for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= flow_reach;
+  for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= objective.reach;
   state.ops = compute_operators(patch.positions, patch.triangles, *state.topology, stencil, wanted);
   state.measure = measure_of(objective, patch, state.ops);
   state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);

@@ -13,13 +13,14 @@ namespace loopmend {
 struct Objective {
   FlowKind flow = FlowKind::mmcvf;
   double bending = 0;
+  int reach = flow_reach;  ///< rings of fixed vertices on which operators are wanted: energy_reach or flow_reach
 };
 
 /// Built once from a patch, never changed afterwards.
 struct EvolutionState {
   Patch patch;
   std::shared_ptr<const Topology> topology;  ///< shared between states of the same connectivity
-  OperatorSet ops;                           ///< on rings 0..flow_reach
+  OperatorSet ops;                           ///< on rings 0..Objective::reach
   double measure = 0;                        ///< what must not grow over steps: see measure_of()
   int folds = 0;                             ///< of the patch and its rim
 };

@@ -247,7 +247,7 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
   std::optional<Start> best;
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
   for (auto& [first, shape] : first_bridges(empty_patch(model, loops), ends, options.density)) {
-    first.density = options.density;
+    first.grading.density = options.density;
     const double vertices = expected_vertices(first, options.density);
     if (vertices > most_vertices) {
       outcome.message = "the patch would need about " + std::to_string(static_cast<long>(vertices / 1e6)) +

@@ -8,10 +8,7 @@
 
 namespace loopmend {
 
-namespace {
-
-/// Solves Q_ff x_f = −Q_fc x_c for the three coordinates; f the vertices [begin, end), c the others.
-bool solve_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end) {
+bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end) {
   const Eigen::Index n = end - begin;
   if (n == 0) return false;
   const SparseMatrix A = Q.block(begin, begin, n, n);
@@ -19,6 +16,7 @@ bool solve_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int 
   for (std::size_t i = 0; i < points.size(); ++i) x.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
   Eigen::MatrixX3d fixed = x;
   fixed.middleRows(begin, n).setZero();
+  // Q_ff x_f = −Q_fc x_c; f the vertices [begin, end), c the others.
   const Eigen::MatrixX3d rhs = -(Q * fixed).middleRows(begin, n);
   Eigen::MatrixXd solution;
   const auto solver = make_spd_solver();
@@ -27,14 +25,12 @@ bool solve_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int 
   return true;
 }
 
-}  // namespace
-
 Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked) {
   std::vector<int> faces(triangles.size());
   std::iota(faces.begin(), faces.end(), 0);
   Points result = points;
   const SparseMatrix C = clamped_cotan_stiffness(points, triangles, faces, robust_clamp);
-  return solve_quadratic_form(C, result, locked, static_cast<int>(points.size())) ? result : points;
+  return minimise_quadratic_form(C, result, locked, static_cast<int>(points.size())) ? result : points;
 }
 
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
@@ -57,7 +53,7 @@ Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
   SparseMatrix Q = SparseMatrix(L.transpose()) * active_C * L;
   if (bending > 0) Q += bending * (SparseMatrix(C.transpose()) * L);  // Lᵀ M L, as L = M⁻¹ C on its rows
   Points result = patch.positions;
-  return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
+  return minimise_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
 }
 
 Points graph_fairing(const Patch& patch) {
@@ -83,7 +79,7 @@ Points graph_fairing(const Patch& patch) {
   const SparseMatrix L = rows.asDiagonal() * C;
   const SparseMatrix Q = SparseMatrix(L.transpose()) * C_inner * L;
   Points result = patch.positions;
-  return solve_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
+  return minimise_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
 }
 
 }  // namespace loopmend

@@ -6,6 +6,10 @@
 
 namespace loopmend {
 
+/// Minimises xᵀ Q x for each coordinate over the points [begin, end), the others fixed. @param Q  #points square, symmetric.
+/// @returns false if there is nothing to move or Q is not positive definite there; the points are then as they were.
+bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end);
+
 /// Minimises the area to second order about the given shape (cotan Laplace equation, weights clamped), with vertices
 /// 0..locked−1 fixed: one step of Pinkall and Polthier. Returns the new positions, or the old ones if the solve fails.
 Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked);

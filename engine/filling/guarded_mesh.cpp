@@ -50,7 +50,7 @@ double GuardedMesh::target(EH e) const {
   return (size_[mesh_.to_vertex_handle(h).idx()] + size_[mesh_.from_vertex_handle(h).idx()]) / 2;
 }
 
-void GuardedMesh::update_normal(TriMesh::FaceHandle f) {
+void GuardedMesh::update_normal(FH f) {
   const HH h = mesh_.halfedge_handle(f);
   normal_[f.idx()] = unit_normal(mesh_.point(mesh_.from_vertex_handle(h)), mesh_.point(mesh_.to_vertex_handle(h)),
                                  mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h))));
@@ -116,34 +116,53 @@ double GuardedMesh::fan_worst(VH v, const Vec3& position) const {
   return std::min(worst, cosine(last, first));
 }
 
-/// Worst cosine over all edges of a set of triangles that is to stand where the mesh now has others with the same border.
-double GuardedMesh::worst_cosine(const Triangles& faces, const std::map<int, Vec3>& moved) const {
-  const auto place = [&](int v) {
-    const auto found = moved.find(v);
-    return found != moved.end() ? found->second : Vec3(mesh_.point(VH(v)));
+/// Worst cosine over the edges of the faces around v and u; of those that would be left, with u at `*place`, if v were
+/// collapsed into u.
+double GuardedMesh::pair_worst(HH h, const Vec3* place) const {
+  const VH v = mesh_.from_vertex_handle(h), u = mesh_.to_vertex_handle(h);
+  const auto gone = [&](FH f) {
+    return place && (f == mesh_.face_handle(h) || f == mesh_.face_handle(mesh_.opposite_halfedge_handle(h)));
   };
-  std::vector<Vec3> normals;
-  for (const Triangle& t : faces) normals.push_back(unit_normal(place(t[0]), place(t[1]), place(t[2])));
+  const auto corner = [&](VH w) { return place && (w == v || w == u) ? *place : Vec3(mesh_.point(w)); };
+  const auto touches = [&](FH f) {
+    for (const auto w : mesh_.fv_range(f))
+      if (w == v || w == u) return true;
+    return false;
+  };
+  const auto normal = [&](FH f) -> Vec3 {
+    if (!place || !touches(f)) return face_normal(f);
+    const HH first = mesh_.halfedge_handle(f);
+    return unit_normal(corner(mesh_.from_vertex_handle(first)), corner(mesh_.to_vertex_handle(first)),
+                       corner(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(first))));
+  };
   double worst = 1;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const int a = faces[f][k], b = faces[f][(k + 1) % 3];
-      bool inside = false;
-      for (std::size_t g = 0; g < faces.size() && !inside; ++g)
-        for (int l = 0; l < 3 && !inside; ++l)
-          if (faces[g][l] == b && faces[g][(l + 1) % 3] == a) {
-            inside = true;
-            if (g > f) worst = std::min(worst, cosine(normals[f], normals[g]));
-          }
-      if (inside) continue;
-      const HH h = mesh_.find_halfedge(VH(b), VH(a));
-      if (!h.is_valid()) continue;
-      const Vec3 outside =
-          mesh_.is_boundary(h) ? rim_normal_[mesh_.edge_handle(h).idx()] : face_normal(mesh_.face_handle(h));
-      if (mesh_.is_boundary(h) && outside.isZero()) continue;
-      worst = std::min(worst, cosine(normals[f], outside));
+  // Around each of the two, every face is compared with those across its three sides; a side onto a face that goes is
+  // compared with what lies beyond that face.
+  for (const VH centre : {v, u})
+    for (const auto spoke : mesh_.voh_range(centre)) {
+      if (mesh_.is_boundary(spoke)) continue;
+      const FH f = mesh_.face_handle(spoke);
+      if (gone(f)) continue;
+      const Vec3 own = normal(f);
+      HH side = spoke;
+      for (int k = 0; k < 3; ++k, side = mesh_.next_halfedge_handle(side)) {
+        HH across = mesh_.opposite_halfedge_handle(side);
+        if (!mesh_.is_boundary(across) && gone(mesh_.face_handle(across))) across = beyond_collapsed(across, h);
+        if (!mesh_.is_boundary(across)) {
+          worst = std::min(worst, cosine(own, normal(mesh_.face_handle(across))));
+        } else if (const Vec3& rim = rim_normal_[mesh_.edge_handle(across).idx()]; !rim.isZero()) {
+          worst = std::min(worst, cosine(own, rim));
+        }
+      }
     }
   return worst;
+}
+
+/// `side` is a halfedge of a face that goes with the collapse of h: the halfedge from outside onto its other lasting side.
+GuardedMesh::HH GuardedMesh::beyond_collapsed(HH side, HH h) const {
+  const EH collapsed = mesh_.edge_handle(h);
+  const HH next = mesh_.next_halfedge_handle(side), previous = mesh_.prev_halfedge_handle(side);
+  return mesh_.opposite_halfedge_handle(mesh_.edge_handle(next) == collapsed ? previous : next);
 }
 
 bool GuardedMesh::guarded_move(VH v, const Vec3& position) {
@@ -168,7 +187,7 @@ int GuardedMesh::split_long_edges() {
       const bool chord = is_locked(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 0))) &&
                          is_locked(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 1)));
       const double ratio = length(e) / target(e);
-      if (ratio > (chord ? 0.5 : 4.0 / 3)) queue.emplace_back(-ratio, e.idx());
+      if (ratio > (chord ? 0.5 : 4.0 / 3)) queue.emplace_back(-std::round(6 * std::log(ratio)), e.idx());
     }
     if (queue.empty()) break;
     count += static_cast<int>(queue.size());
@@ -197,24 +216,7 @@ bool GuardedMesh::collapse_guarded(HH h) {
     if (is_locked(u) && is_locked(w) && !mesh_.find_halfedge(u, w).is_valid()) return false;
     if ((mesh_.point(w) - place).norm() > 4.0 / 3 * (size_[w.idx()] + size_[u.idx()]) / 2) return false;
   }
-  std::set<int> faces;
-  for (const auto f : mesh_.vf_range(v)) faces.insert(f.idx());
-  for (const auto f : mesh_.vf_range(u)) faces.insert(f.idx());
-  Triangles before, after;
-  for (int f : faces) {
-    Triangle t;
-    int k = 0, hits = 0;
-    for (const auto w : mesh_.fv_range(TriMesh::FaceHandle(f))) {
-      t[k++] = w.idx();
-      if (w == u || w == v) ++hits;
-    }
-    before.push_back(t);
-    if (hits == 2) continue;
-    for (int& w : t)
-      if (w == v.idx()) w = u.idx();
-    after.push_back(t);
-  }
-  if (after.empty() || !allowed(worst_cosine(after, {{u.idx(), place}}), worst_cosine(before, {}))) return false;
+  if (!allowed(pair_worst(h, &place), pair_worst(h, nullptr))) return false;
   mesh_.collapse(h);
   mesh_.set_point(u, place);
   update_normals_around(u);

@@ -48,18 +48,20 @@ class GuardedMesh {
   using VH = TriMesh::VertexHandle;
   using EH = TriMesh::EdgeHandle;
   using HH = TriMesh::HalfedgeHandle;
+  using FH = TriMesh::FaceHandle;
 
   bool is_locked(VH v) const { return v.idx() < locked_; }
   double target(EH e) const;
   double length(EH e) const;
-  const Vec3& face_normal(TriMesh::FaceHandle f) const { return normal_[f.idx()]; }
-  void update_normal(TriMesh::FaceHandle f);
+  const Vec3& face_normal(FH f) const { return normal_[f.idx()]; }
+  void update_normal(FH f);
   void update_normals_around(VH v);
   Vec3 normal_across(HH h) const;
   double edge_cosine(EH e) const;
   double fan_worst(VH v) const;
   double fan_worst(VH v, const Vec3& position) const;
-  double worst_cosine(const Triangles& faces, const std::map<int, Vec3>& moved) const;
+  double pair_worst(HH h, const Vec3* place) const;
+  HH beyond_collapsed(HH side, HH h) const;
   bool guarded_move(VH v, const Vec3& position);
   bool flip_guarded(EH e);
   bool collapse_guarded(HH h);

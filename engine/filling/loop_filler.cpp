@@ -17,10 +17,11 @@ namespace loopmend {
 
 namespace {
 
+constexpr int longest_for_cubic_first = 100;
 constexpr int longest_for_cubic = 350;  // FILLING.md, step 1
 constexpr int longest_for_all_methods = 5000;
-constexpr std::size_t large_patch = 20000;  // vertices
-constexpr double most_vertices = 2e6;       // some 20 GB of solver memory
+constexpr std::size_t from_coarse_to_fine = 200;  // vertices
+constexpr double most_vertices = 2e6;     // some 20 GB of solver memory
 
 /// Everything the filler needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
 struct LoopSite {
@@ -99,8 +100,10 @@ FillerQuality assess(const LoopSite& site, const Candidate& c) {
 /// The triangulations to try, best first; stops at the first that is neither folded nor cut.
 std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelToken& cancel) {
   std::vector<TriangulationMethod> methods;
-  if (site.n <= longest_for_cubic)
+  if (site.n <= longest_for_cubic_first)
     methods = {TriangulationMethod::cubic, TriangulationMethod::delaunay, TriangulationMethod::planar};
+  else if (site.n <= longest_for_cubic)
+    methods = {TriangulationMethod::delaunay_only, TriangulationMethod::cubic, TriangulationMethod::planar};
   else if (site.n <= longest_for_all_methods)
     methods = {TriangulationMethod::delaunay_only, TriangulationMethod::planar};
   else
@@ -146,7 +149,7 @@ bool relax_once(GuardedMesh& mesh) {
   return wanted > still;
 }
 
-/// The same for large patches: the shape is found on coarse meshes, where a round costs little.
+/// The same for all but small patches: the shape is found on coarse meshes, where a round costs little.
 void coarse_to_fine(GuardedMesh& mesh, const CancelToken& cancel) {
   for (double coarser : {8.0, 4.0, 2.0}) {
     mesh.scale_sizes(coarser);
@@ -275,10 +278,10 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
     if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
     return outcome;
   }
-  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, options.density);
+  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
   Candidate best;
   for (const Candidate& candidate : candidates) {
-    Candidate refined = refine(site, size, candidate, vertices > large_patch, cancel);
+    Candidate refined = refine(site, size, candidate, vertices > from_coarse_to_fine, cancel);
     if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
     if (!best.wants_another(site.n) || cancel.cancelled()) break;
   }

@@ -72,7 +72,7 @@ GuardedMesh open_for_remeshing(const Patch& patch) {
     }
   }
   const auto field = std::make_shared<SizeField>(Points(points.begin(), points.begin() + rim),
-                                                 rim_edge_lengths(patch, rim), patch.density);
+                                                 rim_edge_lengths(patch, rim), patch.grading);
   return GuardedMesh(points, triangles, rim, normals, [field](const Vec3& p) { return field->at(p); });
 }
 

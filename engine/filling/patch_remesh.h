@@ -11,7 +11,7 @@ namespace loopmend {
 bool remesh_once(GuardedMesh& mesh);
 
 /// The patch's own triangles, the loops locked, guarded against the surroundings; target sizes from the rim and
-/// Patch::density.
+/// Patch::grading.
 GuardedMesh open_for_remeshing(const Patch& patch);
 
 /// The same patch with the interior of `mesh`; fixed vertices and surroundings are those of `patch`.

@@ -13,7 +13,7 @@ namespace bg = boost::geometry;
 using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 
 /// By how much the target may fall per length of way from the rim.
-constexpr double grading = 0.4;
+constexpr double steepest_fall = 0.4;
 
 }  // namespace
 
@@ -26,7 +26,8 @@ struct SizeField::Rim {
   }
 };
 
-SizeField::SizeField(const Points& places, const std::vector<double>& sizes, double density) : density_(density) {
+SizeField::SizeField(const Points& places, const std::vector<double>& sizes, const Grading& grading)
+    : grading_(grading) {
   const std::size_t stride = 1 + places.size() / 256;
   double mean = 0;
   for (std::size_t i = 0; i < places.size(); i += stride) {
@@ -36,7 +37,7 @@ SizeField::SizeField(const Points& places, const std::vector<double>& sizes, dou
   }
   mean /= static_cast<double>(place_.size());
   floor_ = 0.01 * mean * mean;
-  if (density <= 1) return;
+  if (grading.density <= 1 && grading.growth == 0) return;
   std::vector<TreePoint> points;
   for (const Vec3& p : places) points.emplace_back(p.x(), p.y(), p.z());
   rim_ = std::make_unique<Rim>();
@@ -56,7 +57,10 @@ double SizeField::at(const Vec3& p) const {
     total += weight;
   }
   const double rim = sum / total;
-  return rim_ ? std::max(rim / density_, rim - grading * rim_->distance(p)) : rim / density_;
+  if (!rim_) return rim / grading_.density;
+  const double way = rim_->distance(p);
+  if (grading_.growth > 0) return std::max(rim, std::min(rim + grading_.growth * way, grading_.longest));
+  return std::max(rim / grading_.density, rim - steepest_fall * way);
 }
 
 }  // namespace loopmend

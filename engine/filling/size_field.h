@@ -1,7 +1,7 @@
 // Target edge length over a patch: that of its rim, interpolated by inverse distance, by the density.
 #pragma once
 
-#include "core/types.h"
+#include "mesh/patch.h"
 
 #include <memory>
 #include <vector>
@@ -15,8 +15,7 @@ class SizeField {
  public:
   /// @param places   rim vertices, at least one; long rims are thinned to some 256 for the interpolation.
   /// @param sizes    edge length at each, same unit as the places.
-  /// @param density  0.1..10.
-  SizeField(const Points& places, const std::vector<double>& sizes, double density);
+  SizeField(const Points& places, const std::vector<double>& sizes, const Grading& grading);
   ~SizeField();
   SizeField(SizeField&&) noexcept;
   SizeField& operator=(SizeField&&) noexcept;
@@ -27,7 +26,7 @@ class SizeField {
   Points place_;
   std::vector<double> size_;
   double floor_ = 0;
-  double density_ = 1;
+  Grading grading_;
   std::unique_ptr<Rim> rim_;
 };
 

@@ -1,15 +1,17 @@
 #include "flows/gauss_newton.h"
 
+#include "flows/congruence.h"
+
 namespace loopmend {
 
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights) {
   const CurvatureEnergy energy = curvature_energy(patch, weights);
-  const SparseMatrix B = curvature_jacobian(ops, patch.free_count);
+  const RowSparseMatrix B = curvature_jacobian(ops, patch.free_count);
   GaussNewtonSystem system;
   const Eigen::VectorXd QH = energy.Q * ops.H;
   system.energy = ops.H.dot(QH);
   system.half_gradient = B.transpose() * QH + 0.5 * metric_gradient(patch, ops, weights, energy.faces);
-  system.curvature = SparseMatrix(B.transpose()) * SparseMatrix(energy.Q * B);
+  system.curvature = lower_congruence(B, energy.Q);
   system.mass = energy.mass.head(patch.free_count);
   return system;
 }

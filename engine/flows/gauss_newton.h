@@ -9,7 +9,7 @@ namespace loopmend {
 struct GaussNewtonSystem {
   double energy = 0;              ///< E at the present state
   Eigen::VectorXd half_gradient;  ///< n: ½ ∂E/∂s
-  SparseMatrix curvature;         ///< n by n: Bᵀ Q B
+  SparseMatrix curvature;         ///< n by n: the lower triangle of Bᵀ Q B
   Eigen::VectorXd mass;           ///< n
 };
 

@@ -5,12 +5,21 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
 
+#include <limits>
+
 namespace loopmend {
 
 /// A filler for one loop: the loop's vertices first, in loop order, then the new ones.
 struct LoopFiller {
   Points points;        ///< mesh units
   Triangles triangles;  ///< oriented like the surroundings
+};
+
+/// How the target length of a patch's edges changes inward from its rim.
+struct Grading {
+  double density = 1;  ///< 0.1..10: edges aim at those of the rim divided by this
+  double growth = 0;   ///< 0..1: where not 0, what edges gain per length of way from the rim, whatever the density
+  double longest = std::numeric_limits<double>::max();  ///< edge that growth may lead to, patch frame
 };
 
 /// Free vertices come first, then ring 1 (the loops), ring 2, ... All positions are in the patch's own frame
@@ -27,7 +36,7 @@ struct Patch {
   std::vector<int> loop_numbers;        ///< BoundaryLoop::number of each
   Vec3 center = Vec3::Zero();           ///< of the frame, mesh units
   double scale = 1;                     ///< of the frame, mesh units
-  double density = 1;                   ///< edges of the patch aim at those of the rim divided by this
+  Grading grading;                      ///< what remeshing aims at
 
   int vertex_count() const { return static_cast<int>(positions.size()); }
   Vec3 to_mesh(const Vec3& p) const { return p * scale + center; }

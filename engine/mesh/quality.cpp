@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -22,27 +23,35 @@ double min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 int count_folds(const Points& points, const Triangles& triangles, int count) {
+  // The sides of all triangles in buckets by their lower vertex; each bucket in order.
   struct Side {
-    int low, high, face;
+    int high, face;
   };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
+  std::vector<int> begin(points.size() + 1, 0);
+  const auto lower = [&](const Triangle& t, int k) { return std::min(t[k], t[(k + 1) % 3]); };
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) ++begin[lower(t, k) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Side> sides(3 * triangles.size());
+  std::vector<int> next(begin.begin(), begin.end() - 1);
   for (std::size_t f = 0; f < triangles.size(); ++f)
     for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangles[f][k], triangles[f][(k + 1) % 3]);
-      sides.push_back({low, high, static_cast<int>(f)});
+      const Triangle& t = triangles[f];
+      sides[next[lower(t, k)]++] = {std::max(t[k], t[(k + 1) % 3]), static_cast<int>(f)};
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-  });
   const auto normal = [&](int f) {
     const Triangle& t = triangles[f];
     return unit_normal(points[t[0]], points[t[1]], points[t[2]]);
   };
   int folds = 0;
-  for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
-    if (sides[s].low != sides[s + 1].low || sides[s].high != sides[s + 1].high || sides[s].face >= count) continue;
-    if (normal(sides[s].face).dot(normal(sides[s + 1].face)) <= 0) ++folds;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const auto first = sides.begin() + begin[v], last = sides.begin() + begin[v + 1];
+    std::sort(first, last,
+              [](const Side& a, const Side& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
+    for (auto s = first; s != last && s + 1 != last; ++s) {
+      if (s->high != (s + 1)->high || s->face >= count) continue;
+      if (normal(s->face).dot(normal((s + 1)->face)) <= 0) ++folds;
+    }
   }
   return folds;
 }

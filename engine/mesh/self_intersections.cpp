@@ -34,6 +34,9 @@ std::vector<int> merged_by_place(const Points& points) {
   return merged;
 }
 
+/// Relative to the sizes at hand: far beyond rounding, far below what matters.
+constexpr double clearly = 1e-10;
+
 /// The pair test by the number of shared vertices.
 class PairTest {
  public:
@@ -57,6 +60,8 @@ class PairTest {
     if (shared == 2 && plain_normal(a).dot(plain_normal(b)) > 0) return false;
     // One triangle on one side of the other's plane, up to what they share and far beyond rounding: common too.
     if (shared < 2 && (aside(a, b, in_b, shared) || aside(b, a, in_a, shared))) return false;
+    if (shared == 1 && apart_around(a, in_a[0], b, in_b[0])) return false;
+    if (shared == 0 && apart(a, b)) return false;
     const Kernel::Triangle_3 s = triangle(a), t = triangle(b);
     if (s.is_degenerate() || t.is_degenerate()) return false;
     if (shared == 3) return true;  // one triangle on top of the other
@@ -86,8 +91,50 @@ class PairTest {
       high = std::max(high, height);
       size = std::max(size, d.norm());
     }
-    const double margin = 1e-10 * normal.norm() * size;
+    const double margin = clearly * normal.norm() * size;
     return low > margin || high < -margin;
+  }
+  /// True if a plane through the shared corner, across the way from one triangle to the other, clearly parts them.
+  bool apart_around(const Triangle& a, int in_a, const Triangle& b, int in_b) const {
+    const Vec3& p = points_[a[in_a]];
+    const std::array<Vec3, 2> from_p_to_a{points_[a[(in_a + 1) % 3]] - p, points_[a[(in_a + 2) % 3]] - p};
+    const std::array<Vec3, 2> from_p_to_b{points_[b[(in_b + 1) % 3]] - p, points_[b[(in_b + 2) % 3]] - p};
+    const auto bisector = [](const std::array<Vec3, 2>& sides) {
+      return (sides[0].normalized() + sides[1].normalized()).normalized();
+    };
+    const Vec3 axis = bisector(from_p_to_a) - bisector(from_p_to_b);
+    const auto beyond = [&](const Vec3& side, double sign) { return sign * axis.dot(side) > clearly * side.norm(); };
+    return beyond(from_p_to_a[0], 1) && beyond(from_p_to_a[1], 1) && beyond(from_p_to_b[0], -1) &&
+           beyond(from_p_to_b[1], -1);
+  }
+  /// True if a plane clearly parts them: one across the line of the centroids, or one that stands on an edge.
+  bool apart(const Triangle& a, const Triangle& b) const {
+    const auto centroid = [&](const Triangle& t) { return Vec3((points_[t[0]] + points_[t[1]] + points_[t[2]]) / 3); };
+    if (parted_along(centroid(a) - centroid(b), a, b)) return true;
+    for (const Triangle* t : {&a, &b}) {
+      const Vec3 normal = plain_normal(*t);
+      for (int k = 0; k < 3; ++k)
+        if (parted_along(normal.cross(points_[(*t)[(k + 1) % 3]] - points_[(*t)[k]]), a, b)) return true;
+    }
+    return false;
+  }
+  bool parted_along(const Vec3& axis, const Triangle& a, const Triangle& b) const {
+    const Vec3& origin = points_[a[0]];
+    std::array<double, 2> low, high;
+    double size = 0;
+    for (int side : {0, 1}) {
+      low[side] = std::numeric_limits<double>::max();
+      high[side] = -low[side];
+      for (int v : side == 0 ? a : b) {
+        const Vec3 d = points_[v] - origin;
+        const double along = axis.dot(d);
+        low[side] = std::min(low[side], along);
+        high[side] = std::max(high[side], along);
+        size = std::max(size, d.norm());
+      }
+    }
+    const double margin = clearly * axis.norm() * size;
+    return low[0] > high[1] + margin || low[1] > high[0] + margin;
   }
   Kernel::Triangle_3 triangle(const Triangle& t) const { return {point(t[0]), point(t[1]), point(t[2])}; }
   Kernel::Segment_3 opposite_edge(const Triangle& t, int corner) const {

@@ -71,7 +71,8 @@ OperatorSet compute_operators(const Points& points, const Triangles& triangles, 
   // Runs of fixed length, joined in order: the same bits for any number of threads.
   constexpr int run_length = 256;
   std::vector<Rows> runs((n + run_length - 1) / run_length);
-#pragma omp parallel
+  const bool long_enough = runs.size() > 8;  // else waking and waiting for threads costs more than they save
+#pragma omp parallel if (long_enough)
   {
     FitScratch scratch(n);
     LocalFit fit;

@@ -132,6 +132,7 @@ EvolutionOptions one_step_of(EvolutionMode mode) {
   EvolutionOptions options;
   options.mode = mode;
   options.max_steps = 1;
+  options.start = SteadyStart::as_given;
   options.bending = 0.0;
   return options;
 }

@@ -71,7 +71,13 @@ KnownSurface analytic_surface(const Wish& wish) {
   }
 }
 
-/// A few places for the hole; the first that gives a clean cut of the right size.
+/// True if the surface is sound where it was cut: a patch for a place where the scan cuts or folds itself has no truth.
+bool sound(const RegionCut& cut) {
+  const OriginalFaults faults = faults_of_original(cut.removed, cut.open);
+  return faults.cuts == 0 && faults.folds == 0;
+}
+
+/// A few places for the hole; the first that gives a clean cut of the right size out of a sound surface.
 std::optional<RegionCut> find_cut(const TriangleSoup& whole, const Wish& wish, double scale, Random& random) {
   RegionPlan plan;
   plan.shape = wish.shape;
@@ -82,7 +88,8 @@ std::optional<RegionCut> find_cut(const TriangleSoup& whole, const Wish& wish, d
     plan.turn = random.uniform(0, 2 * pi);
     if (expected_vertices(whole, plan) > 2 * most_removed) continue;
     std::optional<RegionCut> cut = cut_region(whole, plan);
-    if (cut && cut->removed_vertices >= least_removed && cut->removed_vertices <= most_removed) return cut;
+    if (cut && cut->removed_vertices >= least_removed && cut->removed_vertices <= most_removed && sound(*cut))
+      return cut;
   }
   return std::nullopt;
 }

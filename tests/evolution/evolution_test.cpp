@@ -1,7 +1,6 @@
 #include "evolution/evolution.h"
 
 #include "core/error.h"
-#include "evolution/rim_roughness.h"
 #include "flows/flow_terms.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
@@ -202,17 +201,6 @@ TEST(Evolution, DoesNotDependOnTheUnit) {
   const Points millimetres = solve(1), metres = solve(0x1p-10);
   ASSERT_EQ(millimetres.size(), metres.size());
   for (std::size_t i = 0; i < metres.size(); ++i) EXPECT_LT((millimetres[i] - metres[i]).norm(), 1e-9);
-}
-
-TEST(RimRoughness, SmoothSurroundingsAskForThePureFlowRoughOnesForBending) {
-  EXPECT_EQ(rim_roughness(test::start_of(test::open_sphere(4, 0.8))).bending, 0);
-  EXPECT_EQ(rim_roughness(test::start_of(test::rough_open_sphere(4, 0.8))).bending, 0);
-  TriangleSoup scan = make_icosphere(5);
-  for (Vec3& p : scan.points) p *= 1 + 0.02 * std::sin(31 * p.x()) * std::sin(29 * p.y()) * std::cos(33 * p.z());
-  const RimRoughness rough = rim_roughness(
-      test::start_of(make_surface_model(trim_rims(cut(scan, [](const Vec3& p) { return p.z() > 0.85; })))));
-  EXPECT_GT(rough.bending, 1);
-  EXPECT_LT(rough.correlation, 0.9);
 }
 
 }  // namespace

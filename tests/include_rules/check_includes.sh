@@ -23,7 +23,8 @@ exec awk '
     may["flows"] = "core mesh operators energy solvers"
     may["filling"] = "core mesh operators solvers"
     may["analysis"] = "core mesh operators"
-    may["evolution"] = "core mesh operators energy flows solvers filling analysis"
+    may["rim"] = "core mesh operators energy solvers filling"
+    may["evolution"] = "core mesh operators energy flows solvers filling rim analysis"
     may["samples"] = "core mesh"
 
     heavy = "^(CGAL/|suitesparse/|SuiteSparse|cholmod|umfpack|Eigen/(Cholmod|UmfPack)Support)"

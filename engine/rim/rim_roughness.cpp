@@ -1,8 +1,9 @@
-#include "evolution/rim_roughness.h"
+#include "rim/rim_roughness.h"
 
 #include "energy/curvature_energy.h"
 #include "mesh/quality.h"
 #include "operators/local_fit.h"
+#include "rim/cubic_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,45 @@ Exterior fit_exterior(const Patch& patch) {
   return exterior;
 }
 
+/// Median residual of cubic fits at the four rings next to the patch; 0 where there are none.
+double median_residual(const Patch& patch, const Topology& topology, const Points& normals, int rings) {
+  constexpr int fitted_rings = 4;
+  std::vector<char> mark(patch.vertex_count(), 0);
+  std::vector<double> residuals;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
+    if (patch.ring[i] > fitted_rings || normals[i].isZero()) continue;
+    const auto fit = fit_cubic(patch.positions, topology, i, normals[i], rings, Outliers::count, mark);
+    if (fit) residuals.push_back(fit->residual);
+  }
+  if (residuals.empty()) return 0;
+  const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return *middle;
+}
+
+void measure_residuals(const Patch& patch, RimRoughness& rim) {
+  const Triangles around(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
+  const Topology topology(patch.vertex_count(), around);
+  const Points normals = angle_weighted_normals(patch.positions, around);
+  rim.noise = median_residual(patch, topology, normals, 2);
+  const double wide = median_residual(patch, topology, normals, 4);
+  if (rim.noise > 0 && wide > 0) rim.growth = std::log2(wide / rim.noise);
+}
+
+// What a cubic leaves over grows with the fourth power of the neighbourhood's width on a smooth surface, not at all under
+// white noise, and about linearly on the scans. Measured: 3.0 to 3.9, 0.05 to 0.15, 0.2 to 2.7.
+constexpr double least_smooth_growth = 2.8, most_white_growth = 0.17;
+constexpr double smooth_correlation = 0.985;  ///< of H from here on, the rim's curvature tells that of the hole
+constexpr double even_curvature = 0.005;      ///< unevenness below, noise does not matter
+constexpr double plain_roughness = 0.3;  ///< unevenness above, growth is that of large features, not of a smooth shape
+
+Surroundings kind_of(const RimRoughness& rim) {
+  if (rim.growth < most_white_growth) return Surroundings::noisy;
+  if (rim.unevenness < even_curvature || rim.correlation > smooth_correlation) return Surroundings::smooth;
+  return rim.growth > least_smooth_growth && rim.unevenness < plain_roughness ? Surroundings::smooth
+                                                                              : Surroundings::rough;
+}
+
 /// Correlation of H₄ between vertices at 0.8 to 1.2 of the distance.
 double correlation_at(const Patch& patch, const Exterior& exterior, double distance) {
   double product = 0, square = 0;
@@ -64,6 +104,15 @@ double bending_for(double a) {
 
 }  // namespace
 
+const char* to_string(Surroundings surroundings) {
+  switch (surroundings) {
+    case Surroundings::smooth: return "smooth";
+    case Surroundings::noisy: return "noisy";
+    case Surroundings::rough: return "rough";
+  }
+  return "";
+}
+
 RimRoughness rim_roughness(const Patch& patch) {
   RimRoughness rim;
   rim.radius = std::sqrt(patch_area(patch) / (std::numbers::pi * static_cast<double>(patch.loops.size())));
@@ -81,6 +130,8 @@ RimRoughness rim_roughness(const Patch& patch) {
   const double per_length = rim.radius / distance * std::log(rim.correlation);
   const double gate = std::clamp(std::log(rim.unevenness / 0.1) / std::log(3.0), 0.0, 1.0);
   rim.bending = bending_for(per_length * per_length * gate);
+  measure_residuals(patch, rim);
+  rim.kind = kind_of(rim);
   return rim;
 }
 

@@ -1,0 +1,79 @@
+#include "rim/cubic_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int terms = 10, least_vertices = 14, reweightings = 4;
+constexpr double least_condition = 1e-12;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Eigen::VectorXd huber_weights(const Eigen::VectorXd& residuals) {
+  std::vector<double> sizes(residuals.size());
+  for (Eigen::Index k = 0; k < residuals.size(); ++k) sizes[k] = std::abs(residuals[k]);
+  const double limit = 1.5 * 1.4826 * median_of(sizes);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(residuals.size());
+  for (Eigen::Index k = 0; k < residuals.size(); ++k)
+    if (sizes[k] > limit) weights[k] = limit / sizes[k];
+  return weights;
+}
+
+}  // namespace
+
+std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology, int i, const Vec3& reference_normal,
+                                  int rings, Outliers outliers, std::vector<char>& mark) {
+  std::vector<int> near;
+  topology.k_ring(i, rings, near, mark);
+  near.push_back(i);
+  const Eigen::Index m = static_cast<Eigen::Index>(near.size());
+  if (m < least_vertices) return std::nullopt;
+  CubicFit fit;
+  fit.normal = reference_normal;
+  fit.e1 = reference_normal.unitOrthogonal();
+  fit.e2 = reference_normal.cross(fit.e1);
+  double unit = 0;  // mean distance, so that all columns are of one size
+  for (int v : near) unit += (points[v] - points[i]).norm() / static_cast<double>(m - 1);
+  if (!(unit > 0)) return std::nullopt;
+  Eigen::Matrix<double, Eigen::Dynamic, terms> A(m, terms);
+  Eigen::VectorXd height(m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const Vec3 d = (points[near[k]] - points[i]) / unit;
+    const double u = d.dot(fit.e1), v = d.dot(fit.e2);
+    A.row(k) << 1, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v;
+    height[k] = d.dot(fit.normal);
+  }
+  using Square = Eigen::Matrix<double, terms, terms>;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(m), residuals;
+  Eigen::LDLT<Square> factors;
+  for (int round = 0; round <= (outliers == Outliers::count ? 0 : reweightings); ++round) {
+    if (round > 0) weights = huber_weights(residuals);
+    const Eigen::Matrix<double, terms, Eigen::Dynamic> weighted = A.transpose() * weights.asDiagonal();
+    factors.compute(weighted * A);
+    if (!factors.isPositive() || !(factors.rcond() > least_condition)) return std::nullopt;
+    fit.coefficients = factors.solve(weighted * height);
+    residuals = height - A * fit.coefficients;
+  }
+  const double freedom = std::max(weights.sum() - terms, 1.0);
+  const double variance = (weights.array() * residuals.array().square()).sum() / freedom;
+  fit.covariance = variance * factors.solve(Square::Identity());
+  fit.residual = std::sqrt(variance) * unit;
+  // Back from the unit of the fit: a coefficient of degree p has length^(1 − p).
+  Eigen::Matrix<double, terms, 1> scale;
+  scale << unit, 1, 1, 1 / unit, 1 / unit, 1 / unit, Eigen::Vector4d::Constant(1 / (unit * unit));
+  fit.coefficients = scale.asDiagonal() * fit.coefficients;
+  fit.covariance = scale.asDiagonal() * fit.covariance * scale.asDiagonal();
+  return fit;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,89 @@
+#include "rim/rim_blend.h"
+
+#include "filling/fairing.h"
+#include "operators/operator_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double trust_in_median = 8, trust_in_radius = 8;
+constexpr int data_rings = 2;  ///< rings 1 and 2: from their Laplacians tangent and curvature run into the patch
+
+SparseMatrix stiffness(const Patch& patch) {
+  std::vector<int> all(patch.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return clamped_cotan_stiffness(patch.positions, patch.triangles, all, robust_clamp);
+}
+
+/// ∫ w ‖∇f‖² over the triangles with a Laplacian at each corner that the patch can change.
+SparseMatrix trusted_stiffness(const Patch& patch, const Eigen::VectorXd& trust) {
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (const Triangle& t : patch.triangles) {
+    const auto [nearest, farthest] = std::minmax({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]});
+    if (farthest > data_rings || nearest > 1) continue;
+    const double weight = std::min({trust[t[0]], trust[t[1]], trust[t[2]]});
+    const auto cotangents = half_cotangents(patch.positions, t);
+    for (int k = 0; k < 3; ++k) {
+      const int i = t[(k + 1) % 3], j = t[(k + 2) % 3];
+      const double value = weight * std::clamp(cotangents[k], robust_clamp.low / 2, robust_clamp.high / 2);
+      triplets.emplace_back(i, i, value);
+      triplets.emplace_back(j, j, value);
+      triplets.emplace_back(i, j, -value);
+      triplets.emplace_back(j, i, -value);
+    }
+  }
+  SparseMatrix C(patch.vertex_count(), patch.vertex_count());
+  C.setFromTriplets(triplets.begin(), triplets.end());
+  return C;
+}
+
+}  // namespace
+
+Eigen::VectorXd rim_trust(const Patch& patch, double radius) {
+  Eigen::MatrixX3d x(patch.vertex_count(), 3);
+  for (int i = 0; i < patch.vertex_count(); ++i) x.row(i) = patch.positions[i].transpose();
+  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
+  const Eigen::VectorXd bend =
+      (mass.cwiseInverse().asDiagonal() * Eigen::MatrixX3d(stiffness(patch) * x)).rowwise().norm();
+  const auto on_rim = [&](int i) { return patch.ring[i] >= 1 && patch.ring[i] <= data_rings; };
+  std::vector<double> rim;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
+    if (on_rim(i)) rim.push_back(bend[i]);
+  Eigen::VectorXd trust = Eigen::VectorXd::Ones(patch.vertex_count());
+  if (rim.empty()) return trust;
+  const auto middle = rim.begin() + static_cast<long>(rim.size() / 2);
+  std::nth_element(rim.begin(), middle, rim.end());
+  if (!(*middle > 0)) return trust;
+  const double limit = 1 / (1 / (trust_in_median * *middle) + radius / trust_in_radius);
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
+    if (on_rim(i) && bend[i] > limit) trust[i] = (limit / bend[i]) * (limit / bend[i]);
+  return trust;
+}
+
+bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius) {
+  const SparseMatrix C = stiffness(patch);
+  if (continuity == SeamContinuity::position) return minimise_quadratic_form(C, patch.positions, 0, patch.free_count);
+  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
+  Eigen::VectorXd rows = mass.cwiseInverse(), bending = mass;
+  for (int i = 0; i < patch.vertex_count(); ++i) {
+    if (patch.ring[i] > data_rings) rows[i] = 0;
+    if (patch.ring[i] > 1) bending[i] = 0;
+  }
+  const SparseMatrix L = rows.asDiagonal() * C;
+  const SparseMatrix transposed = L.transpose();
+  if (continuity == SeamContinuity::tangent) {
+    const SparseMatrix Q = transposed * SparseMatrix(bending.asDiagonal()) * L;
+    return minimise_quadratic_form(Q, patch.positions, 0, patch.free_count);
+  }
+  bending = rough_bending / (radius * radius) * bending.cwiseProduct(trust);
+  SparseMatrix Q = transposed * trusted_stiffness(patch, trust) * L;
+  Q += SparseMatrix(transposed * SparseMatrix(bending.asDiagonal()) * L);
+  return minimise_quadratic_form(Q, patch.positions, 0, patch.free_count);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,30 @@
+// The patch for rough surroundings: linear fairing of blended order that believes each rim vertex as far as it deserves.
+#pragma once
+
+#include "mesh/patch.h"
+
+#include <Eigen/Core>
+
+namespace loopmend {
+
+/// What runs through the seam.
+enum class SeamContinuity {
+  position,   ///< the patch meets the loop, no more: a minimal surface
+  tangent,    ///< and its tangent planes: least ∫‖Δr‖²
+  curvature,  ///< and its curvature: the order blend
+};
+
+/// Trust in each vertex, 0..1, #V: 1 everywhere but on rings 1 and 2, where it is min(1, (T / |Δr|)²) with
+/// 1/T = 1/(8 m) + R/8, m the median of |Δr| over the two rings, R the patch's radius: what is bent much more than its
+/// neighbours, or than anything that could run through the hole, counts little.
+Eigen::VectorXd rim_trust(const Patch& patch, double radius);
+
+/// αR² of the order blend on rough surroundings. Measured: 3 to 30 give the same within 2 %.
+inline constexpr double rough_bending = 10;
+
+/// One fairing for the metric of the present shape: minimises ∫ w ‖∇Δr‖² + α ∫ w ‖Δr‖² with α = rough_bending / R² and
+/// w = trust (a triangle takes that of its worst corner); for `tangent` ∫ ‖Δr‖², for `position` ∫ ‖∇r‖² alone.
+/// @returns false if the system could not be solved; the patch is then as it was.
+bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius);
+
+}  // namespace loopmend

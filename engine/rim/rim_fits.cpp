@@ -1,0 +1,105 @@
+#include "rim/rim_fits.h"
+
+#include "operators/local_fit.h"
+#include "rim/cubic_fit.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int narrowest = 3, widest = 5;
+constexpr double white_growth = 1.5;  ///< NUMERICS §12.4
+
+/// Curvature of the graph z(u, v) at the origin, and its uncertainty to first order, the slopes taken as exact: H hardly
+/// depends on them, since the plane of the graph is nearly tangential.
+RimFit at_origin(const CubicFit& cubic) {
+  const auto& c = cubic.coefficients;
+  const double g = std::sqrt(1 + c[1] * c[1] + c[2] * c[2]);
+  RimFit fit;
+  fit.valid = true;
+  fit.normal = (cubic.normal - c[1] * cubic.e1 - c[2] * cubic.e2) / g;
+  fit.normal_sigma = std::sqrt(cubic.covariance(1, 1) + cubic.covariance(2, 2)) / (g * g);
+  Eigen::Matrix<double, 10, 1> slope = Eigen::Matrix<double, 10, 1>::Zero();  // ∂H/∂c
+  slope[3] = (1 + c[2] * c[2]) / (g * g * g);
+  slope[4] = -c[1] * c[2] / (g * g * g);
+  slope[5] = (1 + c[1] * c[1]) / (g * g * g);
+  fit.H = slope.dot(c);
+  fit.H_sigma = std::sqrt(slope.dot(cubic.covariance * slope));
+  Eigen::Matrix<double, 10, 1> along_u = Eigen::Matrix<double, 10, 1>::Zero(), along_v = along_u;
+  along_u[6] = along_v[9] = 3;
+  along_u[8] = along_v[7] = 1;
+  fit.gradient = std::hypot(along_u.dot(c), along_v.dot(c));
+  fit.gradient_sigma = std::sqrt(along_u.dot(cubic.covariance * along_u) + along_v.dot(cubic.covariance * along_v));
+  return fit;
+}
+
+double median_residual(const std::vector<std::optional<CubicFit>>& fits) {
+  std::vector<double> residuals;
+  for (const auto& fit : fits)
+    if (fit) residuals.push_back(fit->residual);
+  if (residuals.empty()) return 0;
+  const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<RimFit> rim_fits(const Patch& patch, int loop) {
+  const Triangles around(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
+  const Topology topology(patch.vertex_count(), around);
+  const Points normals = angle_weighted_normals(patch.positions, around);
+  std::vector<char> mark(patch.vertex_count(), 0);
+  std::vector<std::optional<CubicFit>> chosen;
+  double smallest = 0;
+  for (int rings = narrowest; rings <= widest; ++rings) {
+    std::vector<std::optional<CubicFit>> fits;
+    for (int v : patch.loops[loop])
+      fits.push_back(normals[v].isZero()
+                         ? std::nullopt
+                         : fit_cubic(patch.positions, topology, v, normals[v], rings, Outliers::weighted_down, mark));
+    const double residual = median_residual(fits);
+    if (rings > narrowest && residual > white_growth * smallest) break;
+    smallest = rings > narrowest ? std::min(smallest, residual) : residual;
+    chosen = std::move(fits);
+  }
+  std::vector<RimFit> result;
+  for (const auto& fit : chosen) result.push_back(fit ? at_origin(*fit) : RimFit{});
+  return result;
+}
+
+RimSummary rim_summary(const Patch& patch, int loop, const RimRoughness& roughness) {
+  RimSummary summary;
+  summary.roughness = roughness;
+  summary.noise = roughness.noise * patch.scale;
+  const std::vector<int>& rim = patch.loops[loop];
+  double edges = 0;
+  for (std::size_t k = 0; k < rim.size(); ++k)
+    edges += (patch.positions[rim[(k + 1) % rim.size()]] - patch.positions[rim[k]]).norm();
+  if (edges > 0) summary.noise_per_edge = roughness.noise * static_cast<double>(rim.size()) / edges;
+  for (const RimFit& fit : rim_fits(patch, loop)) {
+    if (!fit.valid) continue;
+    ++summary.fitted;
+    summary.normal_sigma_deg += fit.normal_sigma * fit.normal_sigma;
+    summary.H += fit.H * fit.H;
+    summary.H_sigma += fit.H_sigma * fit.H_sigma;
+    summary.gradient += fit.gradient * fit.gradient;
+    summary.gradient_sigma += fit.gradient_sigma * fit.gradient_sigma;
+  }
+  if (summary.fitted == 0) return summary;
+  const auto rms = [&](double squares, double unit) { return std::sqrt(squares / summary.fitted) / unit; };
+  summary.normal_sigma_deg = rms(summary.normal_sigma_deg, std::numbers::pi / 180);
+  summary.H = rms(summary.H, patch.scale);
+  summary.H_sigma = rms(summary.H_sigma, patch.scale);
+  summary.gradient = rms(summary.gradient, patch.scale * patch.scale);
+  summary.gradient_sigma = rms(summary.gradient_sigma, patch.scale * patch.scale);
+  return summary;
+}
+
+}  // namespace loopmend

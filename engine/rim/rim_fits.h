@@ -1,0 +1,37 @@
+// Normal, H and ∇H of the surroundings along a loop, each with its uncertainty.
+#pragma once
+
+#include "mesh/patch.h"
+#include "rim/rim_roughness.h"
+
+namespace loopmend {
+
+/// At one loop vertex, from the surroundings alone. Patch frame; uncertainties are standard deviations.
+struct RimFit {
+  bool valid = false;  ///< false where the surroundings do not determine a cubic
+  Vec3 normal = Vec3::Zero();
+  double normal_sigma = 0;  ///< radians
+  double H = 0;             ///< 1/length; −1/R on a sphere with outward normals
+  double H_sigma = 0;
+  double gradient = 0;  ///< ‖∇H‖, 1/length²
+  double gradient_sigma = 0;
+};
+
+/// Robust cubic fits at the vertices of a loop (Patch::loops), in loop order. Their width, 3 to 5 rings, is the largest
+/// that leaves over no more than white noise does: at most 1.5 times the smallest residual of the narrower ones.
+std::vector<RimFit> rim_fits(const Patch& patch, int loop);
+
+/// What a person wants to know of one rim. Mesh units.
+struct RimSummary {
+  RimRoughness roughness;                   ///< of the whole problem; patch frame
+  double noise = 0;                         ///< RimRoughness::noise, length
+  double noise_per_edge = 0;                ///< the same in mean edge lengths of the loop
+  double normal_sigma_deg = 0;              ///< rms of RimFit::normal_sigma over the loop
+  double H = 0, H_sigma = 0;                ///< rms over the loop, 1/length
+  double gradient = 0, gradient_sigma = 0;  ///< rms over the loop, 1/length²
+  int fitted = 0;                           ///< loop vertices with a valid fit
+};
+
+RimSummary rim_summary(const Patch& patch, int loop, const RimRoughness& roughness);
+
+}  // namespace loopmend

@@ -1,0 +1,31 @@
+// How rough the surroundings of a patch are, told from the surroundings alone.
+#pragma once
+
+#include "mesh/patch.h"
+
+namespace loopmend {
+
+/// What a sixth-order patch may make of its surroundings.
+enum class Surroundings {
+  smooth,  ///< the curvature at the rim is what it seems
+  noisy,   ///< a smooth surface under white noise
+  rough,   ///< relief on every scale: the curvature at the rim says little about the hole
+};
+
+const char* to_string(Surroundings surroundings);
+
+/// Sixth order takes the curvature at the rim literally; where that is roughness, the patch blows up (NUMERICS §12).
+struct RimRoughness {
+  Surroundings kind = Surroundings::smooth;
+  double unevenness = 0;   ///< q = R · rms(H₂ − H₄): curvature of two-ring against four-ring fits, no unit
+  double correlation = 1;  ///< C of H₄ at a quarter of the patch radius, 0.01..1: 1 is smooth
+  double noise = 0;  ///< σ: median residual of cubic two-ring fits, patch frame; the standard deviation of white noise
+  double growth =
+      4;  ///< log₂ of the residual of four-ring over that of two-ring fits: 0 white noise, 3 and more smooth
+  double bending = 0;  ///< αR² of the order blend ∫‖∇H‖² + α∫H² that these ask for; 0 on smooth surroundings
+  double radius = 0;  ///< R = sqrt(patch area / (π · loops)), patch frame
+};
+
+RimRoughness rim_roughness(const Patch& patch);
+
+}  // namespace loopmend

@@ -1,0 +1,124 @@
+#include "rim/trim_rim.h"
+
+#include "core/error.h"
+#include "mesh/quality.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double sliver_angle = 5 * std::numbers::pi / 180;
+constexpr double spike_cosine = 0.5, flipped_cosine = -0.5;
+
+Vec3 normal_of(const SurfaceModel& model, int view_face) {
+  const auto& [a, b, c] = model.soup.triangles[model.soup_face[view_face]];
+  return unit_normal(model.soup.points[a], model.soup.points[b], model.soup.points[c]);
+}
+
+std::optional<RimFault> fault_of(const SurfaceModel& model, int view_face) {
+  const auto& [a, b, c] = model.soup.triangles[model.soup_face[view_face]];
+  const Points& p = model.soup.points;
+  std::vector<Vec3> beside;
+  for (const auto f : model.mesh.ff_range(TriMesh::FaceHandle(view_face))) beside.push_back(normal_of(model, f.idx()));
+  if (beside.size() <= 1) return RimFault::dangling;
+  if (min_angle(p[a], p[b], p[c]) < sliver_angle) return RimFault::sliver;
+  const Vec3 own = normal_of(model, view_face);
+  const auto leans = [&](double cosine) { return [&own, cosine](const Vec3& n) { return own.dot(n) < cosine; }; };
+  // Where the neighbours disagree among themselves, it is the surface that folds there, not the triangle.
+  const bool agree = beside[0].dot(beside[1]) > spike_cosine;
+  if (!agree) return std::nullopt;
+  if (std::any_of(beside.begin(), beside.end(), leans(flipped_cosine))) return RimFault::flipped;
+  if (std::all_of(beside.begin(), beside.end(), leans(spike_cosine))) return RimFault::spike;
+  return std::nullopt;
+}
+
+/// View faces with an edge on one of the loops that are holes.
+std::set<int> rim_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::set<int> faces;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.kind != LoopKind::hole) continue;
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+      const TriMesh::VertexHandle from(loop.vertices[k]), to(loop.vertices[(k + 1) % loop.vertices.size()]);
+      const auto edge = model.mesh.find_halfedge(from, to);
+      if (!edge.is_valid()) continue;
+      for (const auto half : {edge, model.mesh.opposite_halfedge_handle(edge)}) {
+        const auto face = model.mesh.face_handle(half);
+        if (face.is_valid()) faces.insert(face.idx());
+      }
+    }
+  }
+  return faces;
+}
+
+std::set<int> soup_vertices(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::set<int> vertices;
+  for (const BoundaryLoop& loop : loops)
+    for (int v : loop.vertices) vertices.insert(model.soup_vertex[v]);
+  return vertices;
+}
+
+}  // namespace
+
+const char* to_string(RimFault fault) {
+  switch (fault) {
+    case RimFault::dangling: return "dangling";
+    case RimFault::sliver: return "sliver";
+    case RimFault::spike: return "spike";
+    case RimFault::flipped: return "flipped";
+  }
+  return "";
+}
+
+std::vector<BadRimFace> bad_rim_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<BadRimFace> bad;
+  for (int f : rim_faces(model, loops))
+    if (const auto fault = fault_of(model, f)) bad.push_back({model.soup_face[f], *fault, 1});
+  std::sort(bad.begin(), bad.end(), [](const BadRimFace& a, const BadRimFace& b) { return a.face < b.face; });
+  return bad;
+}
+
+TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
+  if (rounds < 0 || rounds > 100)
+    throw InvalidArgument("between 0 and 100 rings of a rim can be trimmed, not " + std::to_string(rounds));
+  TrimmedModel result{model, {}, loops};
+  std::vector<int> original(model.soup.triangles.size());
+  std::iota(original.begin(), original.end(), 0);
+  std::set<int> touched = soup_vertices(model, loops);
+  for (int round = 1; round <= rounds; ++round) {
+    const std::vector<BadRimFace> bad = bad_rim_faces(result.model, result.loops);
+    if (bad.empty()) break;
+    TriangleSoup left = result.model.soup;
+    left.triangles.clear();
+    std::vector<int> numbers;
+    auto next = bad.begin();
+    for (int f = 0; f < static_cast<int>(original.size()); ++f) {
+      const Triangle& t = result.model.soup.triangles[f];
+      if (next == bad.end() || next->face != f) {
+        left.triangles.push_back(t);
+        numbers.push_back(original[f]);
+        continue;
+      }
+      result.removed.push_back({original[f], next->fault, round});
+      touched.insert(t.begin(), t.end());
+      ++next;
+    }
+    if (left.triangles.empty()) throw InvalidArgument("trimming the rim would leave no triangle");
+    original = std::move(numbers);
+    result.model = make_surface_model(std::move(left));
+    result.loops.clear();
+    for (BoundaryLoop& loop : find_boundary_loops(result.model))
+      if (std::any_of(loop.vertices.begin(), loop.vertices.end(),
+                      [&](int v) { return touched.count(result.model.soup_vertex[v]) > 0; }))
+        result.loops.push_back(std::move(loop));
+  }
+  return result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,40 @@
+// Bad triangles at the rim of a hole: finding them, and taking them away where a person asks for it.
+#pragma once
+
+#include "mesh/boundary_loops.h"
+#include "mesh/surface_model.h"
+
+#include <vector>
+
+namespace loopmend {
+
+enum class RimFault {
+  dangling,  ///< stands on one edge: its other two are open
+  sliver,    ///< smallest angle under 5°
+  spike,     ///< leans by more than 60° against each neighbour that it has, all of which agree within 60°
+  flipped,   ///< turned by more than 120° against some neighbour
+};
+
+const char* to_string(RimFault fault);
+
+struct BadRimFace {
+  int face = 0;  ///< soup triangle
+  RimFault fault = RimFault::dangling;
+  int ring = 1;  ///< the round of trimming that took it, from 1
+};
+
+/// Among the triangles that have an edge on these loops, by rising number. Only holes count; other kinds of loops are left.
+std::vector<BadRimFace> bad_rim_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+struct TrimmedModel {
+  SurfaceModel model;               ///< all points are kept, in their order; the other triangles too, in theirs
+  std::vector<BadRimFace> removed;  ///< in the order of removal; numbers as in the soup that was given
+  std::vector<BoundaryLoop>
+      loops;  ///< those that grew out of the loops given; numbers as find_boundary_loops gives them
+};
+
+/// Takes the bad triangles away, then those that are bad at the new rim, `rounds` times at most.
+/// @param rounds  0..100. @throws InvalidArgument if it is not, or if nothing would be left.
+TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds);
+
+}  // namespace loopmend

@@ -1,0 +1,111 @@
+#include "rim/white_noise.h"
+
+#include "filling/fairing.h"
+#include "operators/operator_set.h"
+#include "rim/cubic_fit.h"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int least_rings = 4, most_rings = 10;
+constexpr double more_than_noise = 1.1;  ///< residual of wider fits over that of the narrowest, where shape shows in it
+
+/// The surface around a patch, far enough for the widest fits at its outermost ring. Patch frame.
+struct WideSurroundings {
+  Points points;
+  Triangles triangles;
+  std::vector<int> place;  ///< of the patch's fixed vertex free_count + k in `points`
+};
+
+WideSurroundings wide_surroundings(const Patch& patch, const SurfaceModel& model) {
+  WideSurroundings wide;
+  std::unordered_map<int, int> index;
+  const auto place_of = [&](int view_vertex) {
+    const auto [entry, added] = index.try_emplace(view_vertex, static_cast<int>(wide.points.size()));
+    if (added) wide.points.push_back(patch.to_frame(model.mesh.point(TriMesh::VertexHandle(view_vertex))));
+    return entry->second;
+  };
+  std::vector<int> front;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
+    wide.place.push_back(place_of(patch.view_vertex[i]));
+    front.push_back(patch.view_vertex[i]);
+  }
+  for (int ring = 0; ring < most_rings; ++ring) {
+    std::vector<int> next;
+    for (int v : front)
+      for (const auto w : model.mesh.vv_range(TriMesh::VertexHandle(v)))
+        if (index.count(w.idx()) == 0) {
+          place_of(w.idx());
+          next.push_back(w.idx());
+        }
+    front = std::move(next);
+  }
+  for (const auto face : model.mesh.faces()) {
+    Triangle t;
+    int k = 0;
+    for (const auto v : model.mesh.fv_range(face)) {
+      const auto found = index.find(v.idx());
+      if (found != index.end()) t[k++] = found->second;
+    }
+    if (k == 3) wide.triangles.push_back(t);
+  }
+  return wide;
+}
+
+/// Moves the fixed vertices to `places` (of vertex free_count + k) and carries the free ones along.
+void move_fixed(Patch& patch, const Points& places) {
+  Points offset(patch.vertex_count(), Vec3::Zero());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    offset[patch.free_count + k] = places[k] - patch.positions[patch.free_count + k];
+  std::vector<int> own(patch.patch_triangles);
+  std::iota(own.begin(), own.end(), 0);
+  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, own, robust_clamp);
+  minimise_quadratic_form(C, offset, 0, patch.free_count);
+  for (int i = 0; i < patch.free_count; ++i) patch.positions[i] += offset[i];
+  std::copy(places.begin(), places.end(), patch.positions.begin() + patch.free_count);
+}
+
+}  // namespace
+
+Patch without_noise(const Patch& patch, const SurfaceModel& model) {
+  const WideSurroundings wide = wide_surroundings(patch, model);
+  const Topology topology(static_cast<int>(wide.points.size()), wide.triangles);
+  const Points normals = angle_weighted_normals(wide.points, wide.triangles);
+  std::vector<char> mark(wide.points.size(), 0);
+  Points best;
+  double least = 0;
+  for (int rings = least_rings; rings <= most_rings; rings += 2) {
+    Points places;
+    std::vector<double> residuals;
+    for (int v : wide.place) {
+      places.push_back(wide.points[v]);
+      if (normals[v].isZero()) continue;
+      const auto fit = fit_cubic(wide.points, topology, v, normals[v], rings, Outliers::weighted_down, mark);
+      if (!fit) continue;
+      places.back() += fit->coefficients[0] * fit->normal;
+      residuals.push_back(fit->residual);
+    }
+    if (residuals.empty()) return patch;
+    const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
+    std::nth_element(residuals.begin(), middle, residuals.end());
+    if (rings > least_rings && *middle > more_than_noise * least) break;
+    least = rings > least_rings ? std::min(least, *middle) : *middle;
+    best = std::move(places);
+  }
+  Patch result = patch;
+  move_fixed(result, best);
+  return result;
+}
+
+Patch with_noise_again(const Patch& solved, const Patch& original) {
+  Patch result = solved;
+  move_fixed(result, Points(original.positions.begin() + original.free_count, original.positions.end()));
+  return result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,19 @@
+// Surroundings under white noise: a problem without the noise, and its answer carried back to the surroundings as they are.
+#pragma once
+
+#include "mesh/patch.h"
+
+namespace loopmend {
+
+/// The patch with every fixed vertex put onto a robust cubic fit of its surroundings, and the free ones carried along: the
+/// sixth order then meets the shape instead of the noise. The fits reach over 4, 6, 8 or 10 rings: as far as they leave over
+/// no more than the noise.
+/// @param model  the patch was made of; fits look farther than the patch's own rings.
+Patch without_noise(const Patch& patch, const SurfaceModel& model);
+
+/// The free vertices of `solved`, carried along from its loops to those of `original`: their offset runs harmonically into
+/// the patch. Fixed vertices are those of `original`, bit for bit.
+/// @param solved  from without_noise(original), whatever became of its free vertices and triangles.
+Patch with_noise_again(const Patch& solved, const Patch& original);
+
+}  // namespace loopmend

@@ -1,0 +1,58 @@
+#include "rim/rim_fits.h"
+
+#include "samples/random.h"
+#include "support/patches.h"
+
+#include <gtest/gtest.h>
+
+namespace loopmend {
+namespace {
+
+TEST(RimFits, OfASphereAreExactAndSaySo) {
+  const Patch patch = test::start_of(test::open_sphere(5, 0.8));
+  for (const RimFit& fit : rim_fits(patch, 0)) {
+    ASSERT_TRUE(fit.valid);
+    EXPECT_NEAR(fit.H / patch.scale, -1, 2e-3);
+    EXPECT_LT(fit.H_sigma / patch.scale, 1e-2);
+    EXPECT_LT(fit.gradient / (patch.scale * patch.scale), 0.05);
+  }
+}
+
+/// The uncertainty must be what the errors over many vertices are like.
+TEST(RimFits, UncertaintyIsThatOfTheErrors) {
+  const double sigma = 0.03 * 0.038;  // 3 % of an edge
+  TriangleSoup soup = make_icosphere(5);
+  Random random(9);
+  for (Vec3& p : soup.points) p *= 1 + sigma * random.bell();
+  const Patch patch =
+      test::start_of(make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.6; }))));
+  double error = 0, foreseen = 0, angle = 0, angle_foreseen = 0;
+  int count = 0;
+  const std::vector<RimFit> fits = rim_fits(patch, 0);
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    if (!fits[k].valid) continue;
+    ++count;
+    error += std::pow(fits[k].H / patch.scale + 1, 2);
+    foreseen += std::pow(fits[k].H_sigma / patch.scale, 2);
+    const Vec3 truth = patch.to_mesh(patch.positions[patch.loops[0][k]]).normalized();
+    angle += std::pow(std::acos(std::min(1.0, truth.dot(fits[k].normal))), 2);
+    angle_foreseen += std::pow(fits[k].normal_sigma, 2);
+  }
+  ASSERT_GT(count, 60);
+  EXPECT_GT(error, 0.3 * foreseen);
+  EXPECT_LT(error, 3 * foreseen);
+  EXPECT_GT(angle, 0.3 * angle_foreseen);
+  EXPECT_LT(angle, 3 * angle_foreseen);
+}
+
+TEST(RimFits, SummaryIsInMeshUnits) {
+  TriangleSoup soup = cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.8; });
+  for (Vec3& p : soup.points) p *= 100;
+  const Patch patch = test::start_of(make_surface_model(soup));
+  const RimSummary summary = rim_summary(patch, 0, rim_roughness(patch));
+  EXPECT_NEAR(summary.H, 0.01, 1e-4);
+  EXPECT_EQ(summary.fitted, static_cast<int>(patch.loops[0].size()));
+}
+
+}  // namespace
+}  // namespace loopmend
