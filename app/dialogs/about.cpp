@@ -1,5 +1,7 @@
 #include "dialogs/about.h"
 
+#include "panels/parts.h"
+
 #include "core/version.h"
 #include "panels/icons.h"
 
@@ -26,7 +28,7 @@ About::About(QWidget* parent) : QDialog(parent) {
   text->setWordWrap(true);
   text->setOpenExternalLinks(true);
   text->setMinimumWidth(380);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(20, 20, 20, 16);

@@ -1,5 +1,6 @@
 #include "dialogs/preferences_dialog.h"
 
+#include "panels/look_panel.h"
 #include "panels/parts.h"
 #include "scene/color_map.h"
 
@@ -55,7 +56,7 @@ void PreferencesDialog::build() {
   theme_->addItem(tr("Light"), static_cast<int>(Theme::light));
   theme_->addItem(tr("Dark"), static_cast<int>(Theme::dark));
   map_ = combo("defaultMap", tr("Colours of curvature"), tr("The colours to begin with"));
-  for (ColorMap map : all_color_maps) map_->addItem(QLatin1String(to_string(map)), QLatin1String(to_string(map)));
+  for (ColorMap map : all_color_maps) map_->addItem(color_map_name(map), QLatin1String(to_string(map)));
   undo_ = number("undoMemory", tr("Memory for undo"), tr("Above this, the oldest changes can no longer be taken back"),
                  64, 8192, tr("MB"));
   timeline_ = number("timelineMemory", tr("Memory for each timeline"),
@@ -71,7 +72,7 @@ void PreferencesDialog::build() {
   auto* note = make_note("preferencesNote");
   note->setText(tr("Every change counts at once; another language from the next start on."));
   form->addRow(note);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
+  auto* buttons = make_dialog_buttons(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] {
     preferences_ = Preferences{};

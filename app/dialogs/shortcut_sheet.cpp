@@ -1,5 +1,7 @@
 #include "dialogs/shortcut_sheet.h"
 
+#include "panels/parts.h"
+
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -76,7 +78,7 @@ ShortcutSheet::ShortcutSheet(const std::vector<Group>& groups, QWidget* parent) 
   right->addLayout(table(tr("Mouse and keys in the picture"), gestures()));
   left->addStretch();
   right->addStretch();
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(22, 18, 22, 14);

@@ -31,16 +31,6 @@ QIcon map_icon(ColorMap map) {
   return QIcon(picture);
 }
 
-QString map_name(ColorMap map) {
-  switch (map) {
-    case ColorMap::blue_orange: return LookPanel::tr("Blue, orange");
-    case ColorMap::purple_green: return LookPanel::tr("Purple, green");
-    case ColorMap::brown_teal: return LookPanel::tr("Brown, teal");
-    case ColorMap::grey: return LookPanel::tr("Grey");
-  }
-  return {};
-}
-
 QString shading_help(Shading shading) {
   switch (shading) {
     case Shading::curvature: return LookPanel::tr("Mean curvature H: a patch that fits continues the scan's colours.");
@@ -55,6 +45,16 @@ QString shading_help(Shading shading) {
 }
 
 }  // namespace
+
+QString color_map_name(ColorMap map) {
+  switch (map) {
+    case ColorMap::blue_orange: return LookPanel::tr("Blue, orange");
+    case ColorMap::purple_green: return LookPanel::tr("Purple, green");
+    case ColorMap::brown_teal: return LookPanel::tr("Brown, teal");
+    case ColorMap::grey: return LookPanel::tr("Grey");
+  }
+  return {};
+}
 
 LookPanel::LookPanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("lookPanel"));
@@ -118,7 +118,7 @@ QWidget* LookPanel::build_colors() {
   map_ = new QComboBox;
   map_->setObjectName(QStringLiteral("colorMap"));
   map_->setIconSize(QSize(72, 14));
-  for (ColorMap map : all_color_maps) map_->addItem(map_icon(map), map_name(map), static_cast<int>(map));
+  for (ColorMap map : all_color_maps) map_->addItem(map_icon(map), color_map_name(map), static_cast<int>(map));
   explain(map_, tr("Colours"), tr("Every one of them can be told apart by every kind of colour vision"));
   rule_ = new QComboBox;
   rule_->setObjectName(QStringLiteral("rangeRule"));

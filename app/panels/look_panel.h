@@ -13,6 +13,9 @@ class QSlider;
 
 namespace loopmend {
 
+/// In the language of the window.
+QString color_map_name(ColorMap map);
+
 class LookPanel : public QWidget {
   Q_OBJECT
 

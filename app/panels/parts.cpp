@@ -19,6 +19,12 @@ QLabel* make_note(const char* name) {
   return label;
 }
 
+QDialogButtonBox* make_dialog_buttons(QDialogButtonBox::StandardButtons which) {
+  auto* buttons = new QDialogButtonBox(which);
+  for (QAbstractButton* button : buttons->buttons()) button->setIcon({});
+  return buttons;
+}
+
 void explain(QWidget* widget, const QString& name, const QString& help) {
   widget->setAccessibleName(name);
   widget->setAccessibleDescription(help);

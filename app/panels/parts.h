@@ -1,6 +1,7 @@
 // Small things that the panels share.
 #pragma once
 
+#include <QDialogButtonBox>
 #include <QString>
 
 class QLabel;
@@ -13,6 +14,8 @@ namespace loopmend {
 QPushButton* make_button(const char* name, const QString& text, const QString& help);
 /// A quiet label with a name.
 QLabel* make_note(const char* name);
+/// Without the style's icons, which are made for a light ground.
+QDialogButtonBox* make_dialog_buttons(QDialogButtonBox::StandardButtons which);
 /// Tooltip, and the same words for screen readers.
 void explain(QWidget* widget, const QString& name, const QString& help);
 

@@ -177,7 +177,14 @@ bool MeshScene::warm_up_next() {
   if (impl_->warming) impl_->renderer->RemoveActor(impl_->warming->actor());
   impl_->warming.reset();
   if (std::exchange(impl_->line_for_warmth, false)) impl_->loops.set_lines({});
-  if (impl_->warmed_up == std::size(programs)) return false;
+  impl_->update_legend();
+  if (impl_->warmed_up == std::size(programs)) {
+    ++impl_->warmed_up;  // the last: letters and bar
+    impl_->legend.lay_out(impl_->width, impl_->height);
+    impl_->legend.show();
+    return true;
+  }
+  if (impl_->warmed_up > std::size(programs)) return false;
   const auto [role, edges] = programs[impl_->warmed_up++];
   impl_->warming = impl_->make(role);
   impl_->warming->set_edges(edges);

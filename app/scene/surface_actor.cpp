@@ -26,12 +26,14 @@ constexpr float edge_width = 0.5F;
 constexpr int default_stripes = 9;
 
 // One program for all shadings, coloured or not: to compile another one takes software graphics a quarter of a second.
+// There is no ambient light: VTK leaves in the ambient colour how much of a triangle's edge lies on the pixel.
 // Key light over the left shoulder, soft fill from the right, a little sky: in view coordinates, so it follows the eye.
 // The inside of the surface is dull and dark, so that a hole reads as a hole. A patch lies on top of the rings that it
 // shares with the scan, hence the tiny shift in depth.
 constexpr const char* lighting = R"(//VTK::Light::Impl
   vec3 loopmendNormal = normalize(normalVCVSOutput);
-  vec3 loopmendBase = loopmendColored == 1 ? diffuseColor : loopmendPlain;
+  float loopmendEdge = clamp(ambientColor.b / loopmendEdgeColor.b, 0.0, 1.0);
+  vec3 loopmendBase = loopmendColored == 1 ? diffuseColor / max(0.05, 1.0 - loopmendEdge) : loopmendPlain;
   float loopmendGloss = 0.07;
   bool striped = loopmendShading == 3 || loopmendShading == 4;
   if (striped) {
@@ -51,7 +53,8 @@ constexpr const char* lighting = R"(//VTK::Light::Impl
   float amount = 0.46 + 0.42 * key + 0.12 * fill + 0.10 * sky;
   float shine = pow(max(0.0, dot(loopmendNormal, normalize(vec3(-0.25, 0.35, 1.0)))), 40.0);
   if (striped) amount = mix(1.0, amount, 0.45);
-  fragOutput0 = vec4(loopmendBase * amount + loopmendGloss * shine * (1.0 - inside), 1.0);
+  vec3 loopmendLit = loopmendBase * amount + loopmendGloss * shine * (1.0 - inside);
+  fragOutput0 = vec4(mix(loopmendLit, loopmendEdgeColor, loopmendEdge), 1.0);
 )";
 constexpr const char* patch_on_top = R"(  gl_FragDepth = gl_FragCoord.z - 0.00002;
 )";
@@ -104,9 +107,11 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   const std::string code = std::string(lighting) + (role == Role::patch ? patch_on_top : "");
   shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading_));
-  std::array<float, 3> plain{};
+  std::array<float, 3> plain{}, edge{};
   std::copy(color.begin(), color.end(), plain.begin());
   shader->GetFragmentCustomUniforms()->SetUniform3f("loopmendPlain", plain.data());
+  std::copy(edge_color.begin(), edge_color.end(), edge.begin());
+  shader->GetFragmentCustomUniforms()->SetUniform3f("loopmendEdgeColor", edge.data());
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", 0);
   set_stripes(default_stripes);
 }

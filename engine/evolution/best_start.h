@@ -35,6 +35,7 @@ auto best_of_starts(const Patch& patch, const EvolutionOptions& options, const C
   // Straight ways take fewer steps; those that take more may have ended in a bubble.
   constexpr int suspiciously_many_steps = 12;
   constexpr int most_fresh_meshes = 2;
+  constexpr int worth_trying_again = 20'000;  // free vertices: above, a run takes long
   auto best = run(patch, options);
   if (options.flow != FlowKind::mmcvf || options.mode != EvolutionMode::steady || options.start != SteadyStart::faired)
     return best;
@@ -51,7 +52,7 @@ auto best_of_starts(const Patch& patch, const EvolutionOptions& options, const C
   // Steps along the normals squeeze triangles, and the fits there stop the flow before it is at rest.
   for (int k = 0; k < most_fresh_meshes && options.triangles == PatchTriangles::free; ++k) {
     const RunRating now = rate(best);
-    if (!now.usable || now.converged || cancel.cancelled()) break;
+    if (!now.usable || now.converged || best.patch.free_count > worth_trying_again || cancel.cancelled()) break;
     EvolutionOptions other = options;
     other.start = SteadyStart::as_given;
     auto next = run(remeshed(best.patch), other);

@@ -86,6 +86,16 @@ void FeatureTest::every_look_draws_another_picture() {
   part<QDoubleSpinBox>(window, "ownRange")->setValue(range / 4);
   QCOMPARE(window.view().range(), part<QDoubleSpinBox>(window, "ownRange")->value());
   shoot();
+  // Edges can be seen in every shading.
+  for (Qt::Key digit : {Qt::Key_1, Qt::Key_3, Qt::Key_4}) {
+    key(window, digit);
+    settle(400);
+    const QImage bare = window.view().picture();
+    key(window, Qt::Key_W);
+    QVERIFY2(picture_changes(window, bare, 0.05), "no edges");
+    key(window, Qt::Key_W);
+    QVERIFY(picture_returns(window, bare));
+  }
   for (int i = 0; i < pictures.size(); ++i)
     for (int k = i + 1; k < pictures.size(); ++k)
       QVERIFY2(share_changed(pictures[i], pictures[k]) > 0.001, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
