@@ -6,6 +6,7 @@
 
 #include <vtkActor.h>
 #include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
@@ -127,6 +128,15 @@ void MeshScene::keep_scans(const std::vector<int>& indices) {
     return true;
   });
   impl_->update_legend();
+}
+
+void MeshScene::place_scan(int index, const Eigen::Matrix4d& placement) {
+  const auto scan = impl_->scans.find(index);
+  if (scan == impl_->scans.end()) return;
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, placement(row, column));
+  scan->second->actor()->SetUserMatrix(placement.isIdentity() ? nullptr : matrix.Get());
 }
 
 void MeshScene::set_patch(int id, ShapePtr shape) {

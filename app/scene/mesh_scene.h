@@ -33,6 +33,8 @@ class MeshScene {
   /// Patches that are only thought of: plain, with their edges.
   void set_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& shapes);
   void set_loops(const std::vector<LoopLine>& loops);
+  /// Draws a scan elsewhere while its part is being moved, without touching its arrays.
+  void place_scan(int index, const Eigen::Matrix4d& placement);
   /// To be called before drawing: puts into actors what has changed.
   void update();
 

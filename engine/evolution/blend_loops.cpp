@@ -15,10 +15,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// One run of the flow. @returns true if its result is neither folded nor cut more than the start.
-bool evolve_once(const FillSite& site, const Patch& start, const EvolutionOptions& options, const CancelToken& cancel,
-                 BlendResult& result) {
+bool evolve_once(const FillSite& site, const Patch& start, const EvolutionOptions& options,
+                 const Evolution::OnStep& on_step, const CancelToken& cancel, BlendResult& result) {
   Evolution evolution(start, options);
-  const EvolutionStatus status = evolution.run(nullptr, cancel);
+  const EvolutionStatus status = evolution.run(on_step, cancel);
   if (status == EvolutionStatus::cancelled) return false;
   result.message = evolution.message();
   const bool moved = !evolution.history().empty() || status == EvolutionStatus::converged;
@@ -37,14 +37,14 @@ bool evolve_once(const FillSite& site, const Patch& start, const EvolutionOption
 
 /// The flow from the start; with bending energy blended in where the sixth order alone would spoil the patch; else the
 /// start itself, and a message.
-void evolve(const FillSite& site, const Patch& start, const EvolutionOptions& options, const CancelToken& cancel,
-            BlendResult& result) {
-  if (evolve_once(site, start, options, cancel, result) || cancel.cancelled()) return;
+void evolve(const FillSite& site, const Patch& start, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+            const CancelToken& cancel, BlendResult& result) {
+  if (evolve_once(site, start, options, on_step, cancel, result) || cancel.cancelled()) return;
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending)
     for (double bending : {60.0, 300.0}) {
       EvolutionOptions gentler = options;
       gentler.bending = bending;
-      if (evolve_once(site, start, gentler, cancel, result) || cancel.cancelled()) return;
+      if (evolve_once(site, start, gentler, on_step, cancel, result) || cancel.cancelled()) return;
     }
   result.patch = start;
   result.status = LoopStatus::filled;
@@ -67,7 +67,7 @@ void take_verdict(const FillSite& site, BlendResult& result) {
 }  // namespace
 
 BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
-                        const CancelToken& cancel) {
+                        const CancelToken& cancel, const Evolution::OnStep& on_step) {
   const auto begin = std::chrono::steady_clock::now();
   if (options.evolution) check(*options.evolution);
   BlendResult result;
@@ -83,7 +83,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (!result.bridge || cancel.cancelled()) return result;
   const FillSite site(agreed);
   if (options.evolution && result.bridge->start.free_count > 0) {
-    evolve(site, result.bridge->start, *options.evolution, cancel, result);
+    evolve(site, result.bridge->start, *options.evolution, on_step, cancel, result);
   } else {
     result.patch = result.bridge->membrane;
     result.status = LoopStatus::filled;
