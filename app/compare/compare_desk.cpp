@@ -127,6 +127,7 @@ CompareWindow* CompareDesk::compare(CompareTask task, const Look& look) {
   open_.emplace_back(window, std::move(race));
   connect(window, &QObject::destroyed, this, &CompareDesk::bury);
   window->show();
+  Q_EMIT opened(window);
   return window;
 }
 

@@ -32,6 +32,7 @@ class CompareDesk : public QObject {
   bool shut_down(std::chrono::milliseconds at_most);
 
  Q_SIGNALS:
+  void opened(CompareWindow* window);
   void failed(const QString& words);
 
  private:

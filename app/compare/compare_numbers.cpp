@@ -30,9 +30,9 @@ double energy_of(const PatchEnergies& energies, int which) {
 
 QStringList head_words() {
   const auto tr = [](const char* text) { return CompareNumbers::tr(text); };
-  return {tr("Surface"),           tr("End"),           tr("Steps"),           tr("\u222b|\u2207H|\u00b2"),
-          tr("\u222bH\u00b2"),     tr("Area"),          tr("Jump of H, wide"), tr("Jump of H"),
-          tr("Jump \u00d7 diam."), tr("Angle, \u00b0"), tr("Folds"),           tr("Cuts")};
+  return {tr("Surface"),       tr("End"),           tr("Steps"),     tr("\u222b|\u2207H|\u00b2"),
+          tr("\u222bH\u00b2"), tr("Area"),          tr("Wide jump"), tr("Jump of H"),
+          tr("\u00d7 diam."),  tr("Angle, \u00b0"), tr("Folds"),     tr("Cuts")};
 }
 
 QStringList head_help() {
@@ -45,7 +45,7 @@ QStringList head_help() {
           tr("What MCF and SDF lower, in length\u00b2"),
           tr("Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows"),
           tr("Jump of H across the seam from narrow one-sided fits, rms, in 1/length"),
-          tr("The same times the hole's diameter: without a unit"),
+          tr("The jump of H times the hole's diameter: without a unit"),
           tr("Angle between the normals of both sides at the seam, rms, in degrees"),
           tr("Edges folded by more than 90\u00b0"),
           tr("Places where the patch cuts itself or its surroundings")};
@@ -87,7 +87,7 @@ CompareNumbers::CompareNumbers(const FlowRace& race, QWidget* parent)
   table_->setAlternatingRowColors(true);
   table_->setShowGrid(false);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   table_->horizontalHeader()->setHighlightSections(false);
   which_->setObjectName(QStringLiteral("compareEnergyKind"));
   explain(which_, tr("Which energy"), tr("Which energy the plot shows; each flow lowers its own"));
@@ -99,25 +99,23 @@ CompareNumbers::CompareNumbers(const FlowRace& race, QWidget* parent)
       plot->add_graph(Plot::Side::left, words::flow_name(flow), Plot::Line::solid, ink_of(flow));
   for (Plot* plot : {energies_, profiles_}) plot->set_axis(Plot::Side::left, Plot::Scale::linear);
   profiles_->leave_out_of_fit(0);  // MCF: a crease's curvature would leave the others flat
-  auto* left = new QVBoxLayout;
-  left->setSpacing(3);
-  left->addWidget(which_, 0, Qt::AlignLeft);
-  left->addWidget(energies_, 1);
-  auto* right = new QVBoxLayout;
-  right->setSpacing(3);
-  auto* title = new QLabel(tr("H across the seam: surroundings left of 0, patch right"));
-  right->addWidget(title);
+  for (Plot* plot : {energies_, profiles_}) plot->drop_legend();  // the headings of the views have the colours
+  const auto titled = [](QWidget* title, Plot* plot) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(3);
+    column->addWidget(title);
+    column->addWidget(plot, 1);
+    return column;
+  };
+  which_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* title = new QLabel(tr("H across the seam, patch right of 0"));
   title->setFixedHeight(which_->sizeHint().height());
-  right->addWidget(profiles_, 1);
-  auto* plots = new QHBoxLayout;
-  plots->setSpacing(8);
-  plots->addLayout(left, 1);
-  plots->addLayout(right, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
-  column->addWidget(table_);
-  column->addLayout(plots, 1);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 8);
+  row->setSpacing(8);
+  row->addWidget(table_, 0, Qt::AlignTop);
+  row->addLayout(titled(which_, energies_), 1);
+  row->addLayout(titled(title, profiles_), 1);
   update_all();
 }
 
@@ -145,6 +143,8 @@ void CompareNumbers::update_all() {
   constexpr int rows = flows + 1;
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                          rows * table_->verticalHeader()->defaultSectionSize() + 4);
+  table_->resizeColumnsToContents();
+  table_->setFixedWidth(table_->horizontalHeader()->length() + 2 * table_->frameWidth() + 2);
   update_energies();
   update_profiles();
 }

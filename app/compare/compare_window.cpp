@@ -87,7 +87,6 @@ CompareWindow::CompareWindow(FlowRace& race, CompareTask task, const Look& look,
   column->addWidget(build_look_bar());
   column->addWidget(build_views(), 1);
   numbers_ = new CompareNumbers(race_);
-  numbers_->setContentsMargins(8, 4, 8, 8);
   auto* splitter = new QSplitter(Qt::Vertical);
   splitter->addWidget(upper);
   splitter->addWidget(numbers_);
@@ -278,6 +277,11 @@ void CompareWindow::run() {
   if (run_->isEnabled() || race_.stage() == FlowRace::Stage::ready) race_.run(options());
 }
 
+void CompareWindow::run_when_ready() {
+  run_soon_ = race_.stage() == FlowRace::Stage::preparing;
+  if (!run_soon_) run();
+}
+
 void CompareWindow::set_view_count(int count) {
   std::vector<FlowKind> flows;
   for (int lane = 0; lane < race_.lanes(); ++lane) flows.push_back(race_.flow(lane));
@@ -335,6 +339,7 @@ void CompareWindow::update_all() {
   numbers_->update_all();
   update_wipe();
   update_use();
+  if (race_.stage() == FlowRace::Stage::ready && std::exchange(run_soon_, false)) run();
 }
 
 void CompareWindow::update_lane(int lane) {

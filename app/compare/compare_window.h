@@ -42,6 +42,8 @@ class CompareWindow : public QWidget {
   CompareWindow(FlowRace& race, CompareTask task, const Look& look, QWidget* parent = nullptr);
 
   void run();
+  /// Now, or as soon as the start is there.
+  void run_when_ready();
   /// All views with captions and the legend, device pixels. Null when the graphics cannot.
   QImage picture(const QSize& size);
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
@@ -80,7 +82,7 @@ class CompareWindow : public QWidget {
   CompareTask task_;
   Look look_;
   double range_ = 1;
-  bool faced_ = false;
+  bool faced_ = false, run_soon_ = false;
   std::vector<FlowPane*> panes_;
   FlowCanvas* wipe_ = nullptr;
   QStackedWidget* pages_ = nullptr;

@@ -26,7 +26,7 @@ QString stage_words(const LaneState& lane) {
     case LaneState::Stage::ended: break;
   }
   switch (lane.status) {
-    case EvolutionStatus::converged: return FlowPane::tr("at rest after %1 steps").arg(lane.steps);
+    case EvolutionStatus::converged: return FlowPane::tr("at rest, %1 steps").arg(lane.steps);
     case EvolutionStatus::failed: return FlowPane::tr("stopped early, step %1").arg(lane.steps);
     default: return FlowPane::tr("%1 steps").arg(lane.steps);
   }
@@ -100,11 +100,16 @@ void FlowPane::set_use(Use use) {
 void FlowPane::show_lane(const LaneState& lane, const QString& accepting) {
   const SeamFigures seam = seam_figures(lane.seams);
   words_ = stage_words(lane) + tr(" \u00b7 \u222b|\u2207H|\u00b2 %1").arg(words::number(lane.energies.variation));
-  if (!lane.seams.empty())
-    words_ += tr(" \u00b7 angle %1\u00b0 \u00b7 jump of H %2").arg(words::number(seam.angle), words::number(seam.jump));
+  QString in_full = stage_words(lane) + QLatin1Char('\n') +
+                    tr("Energy \u222b|\u2207H|\u00b2 %1").arg(words::number(lane.energies.variation));
+  if (!lane.seams.empty()) {
+    words_ += tr(" \u00b7 %1\u00b0 \u00b7 \u0394H %2").arg(words::number(seam.angle), words::number(seam.jump));
+    in_full += QLatin1Char('\n') + tr("At the seam: angle %1\u00b0 (rms), jump of H %2 (rms)")
+                                       .arg(words::number(seam.angle), words::number(seam.jump));
+  }
+  if (!lane.message.empty()) in_full += QLatin1Char('\n') + QString::fromStdString(lane.message);
   figures_->setText(words_);
-  figures_->setToolTip(lane.message.empty() ? words_
-                                            : words_ + QLatin1Char('\n') + QString::fromStdString(lane.message));
+  figures_->setToolTip(in_full);
   can_accept_ = !accepting.isEmpty() && lane.stage != LaneState::Stage::start && lane.stage != LaneState::Stage::moving;
   accept_->setToolTip(accepting.isEmpty() ? tr("Run the flows first") : accepting);
   canvas_->show_patch(0, lane.shape);

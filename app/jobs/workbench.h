@@ -40,8 +40,8 @@ class Workbench : public QObject {
   void close_scan(int scan);
   /// A surface that was made comes, in place of these scans and their patches; can be undone.
   void replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text);
-  /// A surface that was made, as the scene or into it.
-  void open_made(const OpenedScanPtr& scan, OpenMode mode);
+  /// Surfaces that were made, as another scene. Nothing of it counts as work.
+  void open_made(const std::vector<OpenedScanPtr>& scans);
   /// @param shown_as  what the scene is called when it comes from a copy that survived a crash; empty: `path` itself.
   void open_session(const QString& path, const QString& shown_as = {});
   void save_session(const QString& path);

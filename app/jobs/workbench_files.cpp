@@ -219,9 +219,10 @@ void Workbench::replace_scans(const std::vector<int>& gone, const OpenedScanPtr&
   undo_.push(std::make_unique<ChangeGroup>(std::move(parts), text));
 }
 
-void Workbench::open_made(const OpenedScanPtr& scan, OpenMode mode) {
+void Workbench::open_made(const std::vector<OpenedScanPtr>& scans) {
   if (busy()) cancel();
-  on_opened(scan, document_.has_scan() ? mode : OpenMode::replace);
+  on_opened(scans.front(), OpenMode::replace);
+  for (std::size_t k = 1; k < scans.size(); ++k) document_.add_scan(scans[k]);
 }
 
 void Workbench::save_session(const QString& path) {

@@ -80,6 +80,11 @@ int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
   return plot_->graphCount() - 1;
 }
 
+void Plot::drop_legend() {
+  key_ = Key::dropped;
+  plot_->legend->setVisible(false);
+}
+
 void Plot::leave_out_of_fit(int graph) { inks_[graph].counts = false; }
 
 void Plot::set_axis_name(Side side, const QString& name) { axis(side)->setLabel(name); }
@@ -113,7 +118,7 @@ void Plot::show_words(const QString& words) {
   auto* item = static_cast<QCPItemText*>(plot_->item(0));
   item->setText(words);
   item->setVisible(!words.isEmpty());
-  plot_->legend->setVisible(words.isEmpty());
+  plot_->legend->setVisible(words.isEmpty() && key_ == Key::shown);
   // Axes without curves are noise.
   for (QCPAxis* at : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
     at->setVisible(words.isEmpty() && (at != plot_->yAxis2 || !at->graphs().isEmpty()));

@@ -31,6 +31,8 @@ class Plot : public QWidget {
   /// @param ink  see plot_ink(). @returns the graph's index.
   int add_graph(Side side, const QString& name, Line line, int ink);
   void set_name(int graph, const QString& name);
+  /// Something else says which line is which.
+  void drop_legend();
   /// Its values do not decide how far the axis reaches.
   void leave_out_of_fit(int graph);
   /// NaN breaks the line.
@@ -60,6 +62,7 @@ class Plot : public QWidget {
   QCustomPlot* plot_;
   QVector<Ink> inks_;
   QString words_;
+  enum class Key { shown, dropped } key_ = Key::shown;
 };
 
 }  // namespace loopmend

@@ -59,7 +59,8 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
   form->addRow(hint);
   form->addRow(scan_);
   form->addRow(all_);
-  form->addRow(picked_, clear_);
+  form->addRow(picked_);
+  form->addRow(clear_);
   form->addRow(count_);
   form->addRow(tr("S&ubdivisions"), subdivide_);
   form->addRow(size_);

@@ -38,6 +38,7 @@ RegionBox::RegionBox(RegionTool& tool, QWidget* parent)
       grow_(make_button("regionGrow", tr("&Grow"), tr("One ring of triangles more"))),
       shrink_(make_button("regionShrink", tr("S&hrink"), tr("One ring of triangles less"))),
       clear_(make_button("regionClear", tr("Clea&r"), tr("Begin the region anew"))) {
+  for (QPushButton* button : {grow_, shrink_, clear_}) button->setMinimumWidth(40);
   auto* hint = make_note("regionHint");
   hint->setText(
       tr("Paint what shall become smooth; everything else is held. Drag beside the surface, or with Shift, to "

@@ -10,6 +10,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace loopmend {
 namespace {
 
@@ -35,6 +37,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Tr
   const auto choice = [&](const char* name, const QString& text, const QString& help, Tool tool) {
     auto* button = make_button(name, text, help);
     button->setCheckable(true);
+    button->setMinimumWidth(40);
     connect(button, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
     choices_.push_back(button);
     row->addWidget(button);
@@ -63,6 +66,11 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Tr
   layout->addWidget(trial_);
   layout->addStretch(1);
   setWidget(content);
+  int widest = 0;
+  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, trial})
+    widest = std::max(widest, part->minimumSizeHint().width());
+  constexpr int frames = 46;  // of the boxes, and the dock's own margins
+  setMinimumWidth(widest + frames);
   choose(Tool::none);
 }
 

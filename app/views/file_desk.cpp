@@ -64,8 +64,11 @@ void FileDesk::open(const QStringList& paths, OpenMode mode) {
 }
 
 void FileDesk::open_sample() {
-  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Open without saving"),
-                [this] { workbench_.open_sample(); });
+  when_safe([this] { workbench_.open_sample(); });
+}
+
+void FileDesk::when_safe(const std::function<void()>& act) {
+  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Open without saving"), act);
 }
 
 void FileDesk::ask_open(OpenMode mode) {

@@ -12,6 +12,7 @@
 #include "panels/patch_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
+#include "views/example_desk.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
 #include "views/tool_desk.h"
@@ -42,6 +43,7 @@ MainWindow::MainWindow(QWidget* parent)
   files_ = new FileDesk(document_, undo_, workbench_, *banner_, this);
   compare_ = new CompareDesk(document_, selection_, workbench_, this);
   build_docks();
+  examples_ = new ExampleDesk({document_, selection_, workbench_, *tools_, *compare_, *view_, *banner_}, this);
   actions_->build_menus(dock_toggles_);
   actions_->build_toolbar();
   status_ = new StatusLine(document_, workbench_);
@@ -175,6 +177,8 @@ void MainWindow::connect_panels() {
   connect(tools_, &ToolDesk::compare_wanted, this, [this] { compare_->compare_trial(tools_->trial(), look_->look()); });
   connect(welcome_, &Welcome::open_wanted, this, [this] { files_->ask_open(OpenMode::replace); });
   connect(welcome_, &Welcome::sample_wanted, this, &MainWindow::open_sample);
+  connect(welcome_, &Welcome::example_wanted, this,
+          [this](const QString& id) { files_->when_safe([this, id] { examples_->open(id); }); });
   connect(welcome_, &Welcome::file_wanted, this, [this](const QString& path) { open(path); });
   connect(files_, &FileDesk::recovered, &autosave_, &Autosave::take_over);
   connect(files_, &FileDesk::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });

@@ -16,6 +16,7 @@ namespace loopmend {
 
 class Banner;
 class CompareDesk;
+class ExampleDesk;
 class FileDesk;
 class HolesPanel;
 class InspectPanel;
@@ -87,6 +88,7 @@ class MainWindow : public QMainWindow {
   Welcome* welcome_ = nullptr;
   Banner* banner_ = nullptr;
   CompareDesk* compare_ = nullptr;
+  ExampleDesk* examples_ = nullptr;
   FileDesk* files_ = nullptr;
   HolesPanel* holes_ = nullptr;
   PatchPanel* patch_ = nullptr;

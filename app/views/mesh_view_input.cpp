@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -57,6 +58,14 @@ bool MeshView::tool_takes(QEvent* event) {
   const auto type = event->type();
   if (type != QEvent::MouseMove && type != QEvent::MouseButtonPress && type != QEvent::MouseButtonRelease) return false;
   const auto& mouse = *static_cast<QMouseEvent*>(event);
+  if (mouse.modifiers().testFlag(Qt::ShiftModifier) && !impl_->tool_has_mouse) {
+    // With a tool in hand Shift turns the picture; the graphics know that as dragging without any key.
+    QMouseEvent bare(type, mouse.localPos(), mouse.windowPos(), mouse.screenPos(), mouse.button(), mouse.buttons(), {});
+    ViewTool* tool = std::exchange(impl_->tool, nullptr);
+    QCoreApplication::sendEvent(impl_->canvas, &bare);
+    impl_->tool = tool;
+    return true;
+  }
   bool taken = false;
   if (type == QEvent::MouseButtonPress) {
     taken = impl_->tool_has_mouse = impl_->tool->mouse(Act::press, mouse, space());

@@ -49,6 +49,8 @@ ToolDesk::ToolDesk(Document& document, HoleSelection& selection, Workbench& work
   connect(place_, &PlacePart::failed, this, &ToolDesk::failed);
   connect(trial_, &Trial::picture_changed, this, [this] {
     view_.show_trial(trial_->picture());
+    // What is shown now is not what the handle holds.
+    if (panel_->tool() == Tool::blend) view_.set_tool(trial_->picture().patch ? nullptr : part_);
     show_region();
   });
   connect(trial_, &Trial::stage_changed, this, &ToolDesk::on_stage);

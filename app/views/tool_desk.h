@@ -25,6 +25,11 @@ class ToolDesk : public QObject {
   PartTool& part() { return *part_; }
 
   void take(Tool tool);
+  /// As the buttons do.
+  void evolve() { pose(Then::evolve); }
+  void compare() { pose(Then::compare); }
+  /// Of each part the loop that looks at the others most.
+  void select_facing();
   /// Esc: @returns whether there was something to step back from.
   bool step_back();
   bool shut_down(std::chrono::milliseconds at_most);
@@ -43,7 +48,6 @@ class ToolDesk : public QObject {
   void give_up_trial();
   void update_wanting();
   void show_region();
-  void select_facing();
   void on_placed(int old_scan, int new_scan);
   TrialWish region_wish() const;
   TrialWish points_wish() const;

@@ -22,6 +22,7 @@
 #include <QTest>
 
 #include <cstdio>
+#include <cstdlib>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -61,6 +62,14 @@ void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
   QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
 }
 
+/// The share of pixels that differ clearly, not by rounding.
+double share_apart(const QImage& a, const QImage& b) {
+  int apart = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) apart += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 40;
+  return static_cast<double>(apart) / (a.width() * a.height());
+}
+
 bool run_all(CompareWindow& window) {
   auto* run = in<QPushButton>(window, "compareRun");
   if (!wait_until([&] { return run->isEnabled(); })) return false;
@@ -82,6 +91,7 @@ class CompareTest : public QObject {
   void two_views_and_other_flows();
   void stop_comes_back_at_once();
   void says_why_it_cannot();
+  void how_fast_it_draws();
 
  private:
   QTemporaryDir folder_;
@@ -161,17 +171,13 @@ void CompareTest::the_line_wipes() {
   };
   const auto eye = window->wipe().pose().position;
   const QImage right = wiped_to(0.02), left = wiped_to(0.98), middle = wiped_to(0.5);
-  if (qEnvironmentVariableIsSet("WIPE_DEBUG")) {
-    right.save(QStringLiteral("/tmp/pw_right.png"));
-    left.save(QStringLiteral("/tmp/pw_left.png"));
-    middle.save(QStringLiteral("/tmp/pw_middle.png"));
-  }
   QVERIFY((window->wipe().pose().position - eye).norm() < 1e-9);  // the line was drawn, not the picture turned
-  QVERIFY(share_changed(left, right) > 0.01);
+  QVERIFY(share_apart(left, right) > 0.03);
   // Left of the line it is the one, right of it the other, at the very same place.
   const QRect left_half(12, 0, 270, 400), right_half(318, 0, 270, 400);
-  QVERIFY(share_changed(middle.copy(left_half), left.copy(left_half)) < 0.02);
-  QVERIFY(share_changed(middle.copy(right_half), right.copy(right_half)) < 0.02);
+  QVERIFY(share_apart(middle.copy(left_half), left.copy(left_half)) < 0.01);
+  QVERIFY(share_apart(middle.copy(right_half), right.copy(right_half)) < 0.01);
+  QVERIFY(share_apart(middle.copy(left_half), right.copy(left_half)) > 0.03);
 }
 
 void CompareTest::pictures_of_any_size() {
@@ -251,6 +257,57 @@ void CompareTest::says_why_it_cannot() {
   key(shown.window, Qt::Key_C);
   QVERIFY(compare_window(shown.window) == nullptr);
   QVERIFY(part<QLabel>(shown.window, "bannerText")->text().contains(QStringLiteral("no hole")));
+}
+
+/// Told, not asserted; only when it is asked for, since it keeps a machine busy for a minute.
+void CompareTest::how_fast_it_draws() {
+  if (!qEnvironmentVariableIsSet("LOOPMEND_MEASURE")) QSKIP("set LOOPMEND_MEASURE to measure");
+  const QString large = folder_.filePath(QStringLiteral("large.ply"));
+  write_mesh(large.toStdString(), cut(make_icosphere(6), [](const Vec3& p) { return p.z() > 0.5; }));
+  Shown shown({large});
+  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  QVERIFY(QTest::qWaitForWindowExposed(window));
+  auto* run = in<QPushButton>(*window, "compareRun");
+  QVERIFY(wait_until([&] { return run->isEnabled(); }, 240));
+  settle(1000);
+  std::printf("%s\n", qPrintable(in<QLabel>(*window, "compareWait")->text()));
+  const auto frames = [&](int k) { return window->pane(k).canvas().frames(); };
+  const auto turn = [&](const char* what) {
+    double worst = 0, sum = 0;
+    constexpr int moves = 10;
+    for (int move = 0; move < moves; ++move) {
+      CameraPose pose = window->pane(0).canvas().pose();
+      pose.position += 0.05 * (pose.position - pose.focus).norm() * pose.up;
+      const int before[4] = {frames(0), frames(1), frames(2), frames(3)};
+      QElapsedTimer clock;
+      clock.start();
+      for (int k = 0; k < 4; ++k) window->pane(k).canvas().set_pose(pose);
+      wait_until([&] {
+        for (int k = 0; k < 4; ++k)
+          if (frames(k) == before[k]) return false;
+        return true;
+      });
+      const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+      worst = std::max(worst, ms);
+      sum += ms;
+    }
+    std::printf("%s: a move of the camera in all four views takes %.0f ms, at worst %.0f\n", what, sum / moves, worst);
+  };
+  turn("at rest");
+  GapMeter gaps;
+  const int first[4] = {frames(0), frames(1), frames(2), frames(3)};
+  QElapsedTimer clock;
+  clock.start();
+  QTest::mouseClick(run, Qt::LeftButton);
+  wait_until([&] { return clock.elapsed() > 4000; }, 10);
+  turn("while the flows run");
+  QVERIFY(wait_until([&] { return run->isEnabled(); }, 400));
+  const double seconds = 1e-3 * static_cast<double>(clock.elapsed());
+  for (int k = 0; k < 4; ++k)
+    std::printf("view %d: %d frames in %.1f s: %.1f per second; %s\n", k, frames(k) - first[k], seconds,
+                (frames(k) - first[k]) / seconds,
+                qPrintable(in<QLabel>(*window, qPrintable(QStringLiteral("paneFigures%1").arg(k)))->text()));
+  gaps.report("four flows on a 20k patch");
 }
 
 int main(int argc, char** argv) {
