@@ -83,6 +83,7 @@ int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
 void Plot::drop_legend() {
   key_ = Key::dropped;
   plot_->legend->setVisible(false);
+  take_colors();
 }
 
 void Plot::leave_out_of_fit(int graph) { inks_[graph].counts = false; }
@@ -181,7 +182,7 @@ void Plot::take_colors() {
     at->grid()->setPen(QPen(faint, 1, Qt::DotLine));
     at->grid()->setZeroLinePen(QPen(faint, 1));
   }
-  plot_->xAxis->ticker()->setTickCount(6);
+  plot_->xAxis->ticker()->setTickCount(key_ == Key::shown ? 6 : 3);
   QColor sheet = ground;
   sheet.setAlpha(200);
   plot_->legend->setBrush(sheet);

@@ -32,7 +32,7 @@ struct MeshScene::Impl {
   std::map<int, std::unique_ptr<SurfaceActor>> scans;
   std::map<int, ShapePtr> patch_shapes;
   std::map<int, std::unique_ptr<SurfaceActor>> patches;
-  PatchBatch batch{table}, ghosts{table};
+  PatchBatch batch{table}, ghosts{table}, marked{table};
   LoopLines loops;
   Legend legend{table};
   LegendPlace legend_place = LegendPlace::over_the_picture;
@@ -90,12 +90,13 @@ struct MeshScene::Impl {
 };
 
 MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
-  for (PatchBatch* batch : {&impl_->batch, &impl_->ghosts}) {
+  for (PatchBatch* batch : {&impl_->batch, &impl_->ghosts, &impl_->marked}) {
     batch->surface().actor()->VisibilityOff();
     impl_->renderer->AddActor(batch->surface().actor());
   }
   impl_->ghosts.surface().set_shading(Shading::plain);
   impl_->ghosts.surface().set_edges(Edges::shown);
+  impl_->marked.surface().set_shading(Shading::plain);
   impl_->loops.add_to(impl_->renderer);
   impl_->legend.add_to(impl_->renderer);
   impl_->legend.hide();
@@ -158,6 +159,10 @@ void MeshScene::set_ghosts(const std::vector<ShapePtr>& shapes) {
   PatchBatch::Shapes numbered;
   for (const ShapePtr& shape : shapes) numbered.emplace(static_cast<int>(numbered.size()), shape);
   impl_->ghosts.show(numbered);
+}
+
+void MeshScene::set_marked(ShapePtr shape) {
+  impl_->marked.show(shape ? PatchBatch::Shapes{{0, std::move(shape)}} : PatchBatch::Shapes{});
 }
 
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) { impl_->loops.set_lines(loops); }

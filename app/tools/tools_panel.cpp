@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -26,7 +25,6 @@ QGroupBox* group(const QString& title, QWidget* content) {
 
 ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, TrialBox* trial, QWidget* parent)
     : QScrollArea(parent),
-      pages_(new QStackedWidget),
       trial_(trial) {
   setObjectName(QStringLiteral("toolsPanel"));
   setFrameShape(QFrame::NoFrame);
@@ -50,19 +48,14 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Tr
       tr("Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
          "of a polyhedron; Blend joins rims of one or several parts."));
   none->setAlignment(Qt::AlignTop);
-  pages_->addWidget(none);
-  pages_->addWidget(group(tr("Region"), region));
-  pages_->addWidget(group(tr("Surface through points"), points));
-  pages_->addWidget(group(tr("Join rims"), blend));
-  // Pages that are not shown must not hold the others open.
-  for (int page = 0; page < pages_->count(); ++page)
-    pages_->widget(page)->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+  pages_ = {none, group(tr("Region"), region), group(tr("Surface through points"), points),
+            group(tr("Join rims"), blend)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 8);
   layout->setSpacing(8);
   layout->addLayout(row);
-  layout->addWidget(pages_);
+  for (QWidget* page : pages_) layout->addWidget(page);
   layout->addWidget(trial_);
   layout->addStretch(1);
   setWidget(content);
@@ -77,10 +70,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Tr
 void ToolsPanel::choose(Tool tool) {
   tool_ = tool;
   const int page = static_cast<int>(tool);
-  pages_->currentWidget()->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-  pages_->setCurrentIndex(page);
-  pages_->currentWidget()->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-  pages_->adjustSize();
+  for (std::size_t k = 0; k < pages_.size(); ++k) pages_[k]->setVisible(static_cast<int>(k) == page);
   for (std::size_t k = 0; k < choices_.size(); ++k) choices_[k]->setChecked(static_cast<int>(k) + 1 == page);
   trial_->setVisible(tool != Tool::none);
   Q_EMIT tool_chosen(tool);

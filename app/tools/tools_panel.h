@@ -10,7 +10,6 @@
 #include <QScrollArea>
 
 class QPushButton;
-class QStackedWidget;
 
 namespace loopmend {
 
@@ -31,7 +30,7 @@ class ToolsPanel : public QScrollArea {
  private:
   Tool tool_ = Tool::none;
   std::vector<QPushButton*> choices_;
-  QStackedWidget* pages_;
+  std::vector<QWidget*> pages_;  ///< in the order of Tool
   TrialBox* trial_;
 };
 

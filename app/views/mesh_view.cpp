@@ -173,6 +173,11 @@ void MeshView::show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>
   redraw();
 }
 
+void MeshView::show_marked(std::shared_ptr<const SurfaceShape> shape) {
+  impl_->scene.set_marked(std::move(shape));
+  redraw();
+}
+
 void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
   if (!std::exchange(impl_->preview_shown, true)) impl_->pose_before = pose_of(impl_->camera());
   impl_->scene.clear();

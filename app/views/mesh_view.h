@@ -43,6 +43,8 @@ class MeshView : public QWidget {
   /// Patches that are only thought of.
   void show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts);
 
+  /// A part of a surface that was painted; null: none.
+  void show_marked(std::shared_ptr<const SurfaceShape> shape);
   /// In place of scans and their patches; an empty picture shows these again.
   void show_trial(const TrialPicture& picture);
   /// Takes the mouse first; null: none. Stays alive as long as it is set.

@@ -113,11 +113,8 @@ void ToolDesk::update_wanting() {
 
 /// The painted triangles, until what becomes of them is shown.
 void ToolDesk::show_region() {
-  std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
   const bool shown = panel_->tool() == Tool::region && trial_->picture().patch == nullptr;
-  if (shown)
-    if (auto shape = region_->shape()) ghosts.push_back(std::move(shape));
-  view_.show_ghosts(ghosts);
+  view_.show_marked(shown ? region_->shape() : nullptr);
 }
 
 void ToolDesk::pose(Then then) {
