@@ -29,26 +29,28 @@ double energy_of(const PatchEnergies& energies, int which) {
 }
 
 QStringList head_words() {
-  const auto tr = [](const char* text) { return CompareNumbers::tr(text); };
-  return {tr("Surface"),       tr("End"),           tr("Steps"),     tr("\u222b|\u2207H|\u00b2"),
-          tr("\u222bH\u00b2"), tr("Area"),          tr("Wide jump"), tr("Jump of H"),
-          tr("\u00d7 diam."),  tr("Angle, \u00b0"), tr("Folds"),     tr("Cuts")};
+  return {CompareNumbers::tr("Surface"),       CompareNumbers::tr("End"),
+          CompareNumbers::tr("Steps"),         CompareNumbers::tr("\u222b|\u2207H|\u00b2"),
+          CompareNumbers::tr("\u222bH\u00b2"), CompareNumbers::tr("Area"),
+          CompareNumbers::tr("Wide jump"),     CompareNumbers::tr("Jump of H"),
+          CompareNumbers::tr("\u00d7 diam."),  CompareNumbers::tr("Angle, \u00b0"),
+          CompareNumbers::tr("Folds"),         CompareNumbers::tr("Cuts")};
 }
 
 QStringList head_help() {
-  const auto tr = [](const char* text) { return CompareNumbers::tr(text); };
-  return {tr("Which flow"),
-          tr("How the flow ended"),
-          tr("Accepted steps"),
-          tr("What MMCVF lowers, in 1/length\u00b2"),
-          tr("What WF lowers, without a unit"),
-          tr("What MCF and SDF lower, in length\u00b2"),
-          tr("Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows"),
-          tr("Jump of H across the seam from narrow one-sided fits, rms, in 1/length"),
-          tr("The jump of H times the hole's diameter: without a unit"),
-          tr("Angle between the normals of both sides at the seam, rms, in degrees"),
-          tr("Edges folded by more than 90\u00b0"),
-          tr("Places where the patch cuts itself or its surroundings")};
+  return {CompareNumbers::tr("Which flow"),
+          CompareNumbers::tr("How the flow ended"),
+          CompareNumbers::tr("Accepted steps"),
+          CompareNumbers::tr("What MMCVF lowers, in 1/length\u00b2"),
+          CompareNumbers::tr("What WF lowers, without a unit"),
+          CompareNumbers::tr("What MCF and SDF lower, in length\u00b2"),
+          CompareNumbers::tr(
+              "Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows"),
+          CompareNumbers::tr("Jump of H across the seam from narrow one-sided fits, rms, in 1/length"),
+          CompareNumbers::tr("The jump of H times the hole's diameter: without a unit"),
+          CompareNumbers::tr("Angle between the normals of both sides at the seam, rms, in degrees"),
+          CompareNumbers::tr("Edges folded by more than 90\u00b0"),
+          CompareNumbers::tr("Places where the patch cuts itself or its surroundings")};
 }
 
 /// The engine's words for an end, in the window's language.

@@ -20,7 +20,11 @@ LegendStrip::LegendStrip(QWidget* parent) : QWidget(parent) {
   explain(this, tr("Legend"), tr("The colours of all pictures"));
 }
 
-QSize LegendStrip::sizeHint() const { return {fontMetrics().horizontalAdvance(tr("Mean curvature H")) + 24, 200}; }
+QSize LegendStrip::sizeHint() const {
+  QFont bold = font();
+  bold.setBold(true);
+  return {QFontMetrics(bold).horizontalAdvance(tr("Mean curvature H")) + 24, 200};
+}
 
 void LegendStrip::show_range(const Look& look, double half_width) {
   look_ = look;

@@ -27,6 +27,13 @@ std::shared_ptr<const SurfaceShape> around(const TrialBase& base, const PosedPro
   return without_triangles(*base.shape, left_out);
 }
 
+std::vector<PatchStatePtr> patches_of(const Document& document, const std::vector<int>& scans) {
+  std::vector<PatchStatePtr> states;
+  for (const OpenPatch& patch : document.patches())
+    if (std::find(scans.begin(), scans.end(), patch.scan) != scans.end()) states.push_back(patch.state);
+  return states;
+}
+
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
 }  // namespace
@@ -46,6 +53,7 @@ Trial::Trial(Document& document, Workbench& workbench, QObject* parent)
       workbench_(workbench) {
   connect(&document_, &Document::scans_changed, this, &Trial::watch_scans);
   connect(&document_, &Document::patches_changed, this, &Trial::watch_scans);
+  connect(&document_, &Document::patch_moved, this, &Trial::watch_scans);
   connect(&document_, &Document::opened, this, &Trial::discard);
 }
 
@@ -68,6 +76,7 @@ void Trial::forget() {
   solution_.reset();
   made_.reset();
   models_.clear();
+  patches_.clear();
   picture_ = {};
 }
 
@@ -88,6 +97,7 @@ void Trial::watch_scans() {
       return;
     }
   }
+  if (patches_of(document_, wish_.scans) != patches_) discard();
 }
 
 void Trial::fail(const QString& words, Stage back_to) {
@@ -101,6 +111,7 @@ void Trial::pose(TrialWish wish) {
   Q_EMIT picture_changed();
   wish_ = std::move(wish);
   for (int index : wish_.scans) models_.push_back(document_.scan(index)->model);
+  patches_ = patches_of(document_, wish_.scans);
   job_ = std::make_shared<Job>(this);
   go_to(Stage::posing, tr("Making the start\u2026"));
   tasks_.start([this, job = job_, parts = parts_of(document_, wish_.scans), wish = wish_] {

@@ -85,7 +85,8 @@ class Trial : public QObject {
   Workbench& workbench_;
   Stage stage_ = Stage::none;
   TrialWish wish_;
-  std::vector<ModelPtr> models_;  ///< of the wish's scans, as they were
+  std::vector<ModelPtr> models_;        ///< of the wish's scans, as they were
+  std::vector<PatchStatePtr> patches_;  ///< of their patches, likewise
   QString words_;
   TrialPicture picture_;
   std::shared_ptr<const TrialBase> base_;

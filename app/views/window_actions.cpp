@@ -193,10 +193,12 @@ void WindowActions::build_toolbar() {
   group({"undo", "redo"}, Qt::ToolButtonIconOnly);
   group({"curvature", "gaussian", "plain", "zebra", "isophotes"}, Qt::ToolButtonTextBesideIcon);
   group({"wireframe", "seams", "frame", "screenshot"}, Qt::ToolButtonIconOnly);
+  group({"compare"}, Qt::ToolButtonTextBesideIcon);
   const auto short_name = [this](const char* name, const QString& text) { (*this)[name]->setIconText(text); };
   short_name("open", tr("Open"));
   short_name("saveSession", tr("Save"));
   short_name("export", tr("Export"));
+  short_name("compare", tr("Compare"));
   short_name("curvature", tr("H"));
   short_name("gaussian", tr("K"));
 }

@@ -27,102 +27,6 @@
             <source>, vertex %1</source>
             <translation>, Ecke %1</translation>
         </message>
-        <message>
-            <source>Surface</source>
-            <translation>Fläche</translation>
-        </message>
-        <message>
-            <source>End</source>
-            <translation>Ende</translation>
-        </message>
-        <message>
-            <source>Steps</source>
-            <translation>Schritte</translation>
-        </message>
-        <message>
-            <source>∫|∇H|²</source>
-            <translation>∫|∇H|²</translation>
-        </message>
-        <message>
-            <source>∫H²</source>
-            <translation>∫H²</translation>
-        </message>
-        <message>
-            <source>Area</source>
-            <translation>Fläche</translation>
-        </message>
-        <message>
-            <source>Wide jump</source>
-            <translation>Weiter Sprung</translation>
-        </message>
-        <message>
-            <source>Jump of H</source>
-            <translation>Sprung von H</translation>
-        </message>
-        <message>
-            <source>× diam.</source>
-            <translation>× Durchm.</translation>
-        </message>
-        <message>
-            <source>Angle, °</source>
-            <translation>Winkel, °</translation>
-        </message>
-        <message>
-            <source>Folds</source>
-            <translation>Falten</translation>
-        </message>
-        <message>
-            <source>Cuts</source>
-            <translation>Schnitte</translation>
-        </message>
-        <message>
-            <source>Which flow</source>
-            <translation>Welcher Fluss</translation>
-        </message>
-        <message>
-            <source>How the flow ended</source>
-            <translation>Wie der Fluss endete</translation>
-        </message>
-        <message>
-            <source>Accepted steps</source>
-            <translation>Angenommene Schritte</translation>
-        </message>
-        <message>
-            <source>What MMCVF lowers, in 1/length²</source>
-            <translation>Was MMCVF senkt, in 1/Länge²</translation>
-        </message>
-        <message>
-            <source>What WF lowers, without a unit</source>
-            <translation>Was WF senkt, ohne Einheit</translation>
-        </message>
-        <message>
-            <source>What MCF and SDF lower, in length²</source>
-            <translation>Was MCF und SDF senken, in Länge²</translation>
-        </message>
-        <message>
-            <source>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</source>
-            <translation>Sprung von H an der Naht aus weiten einseitigen Anpassungen, quadratisches Mittel, in 1/Länge: die gerechteste Zahl zwischen Flüssen</translation>
-        </message>
-        <message>
-            <source>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</source>
-            <translation>Sprung von H an der Naht aus engen einseitigen Anpassungen, quadratisches Mittel, in 1/Länge</translation>
-        </message>
-        <message>
-            <source>The jump of H times the hole's diameter: without a unit</source>
-            <translation>Der Sprung von H mal dem Durchmesser des Lochs: ohne Einheit</translation>
-        </message>
-        <message>
-            <source>Angle between the normals of both sides at the seam, rms, in degrees</source>
-            <translation>Winkel zwischen den Normalen beider Seiten an der Naht, quadratisches Mittel, in Grad</translation>
-        </message>
-        <message>
-            <source>Edges folded by more than 90°</source>
-            <translation>Kanten, die um mehr als 90° gefaltet sind</translation>
-        </message>
-        <message>
-            <source>Places where the patch cuts itself or its surroundings</source>
-            <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
-        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -327,6 +231,102 @@
         <message>
             <source>There is no seam to look across.</source>
             <translation>Es gibt keine Naht, über die man blicken könnte.</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>Ende</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>Schritte</translation>
+        </message>
+        <message>
+            <source>∫|∇H|²</source>
+            <translation>∫|∇H|²</translation>
+        </message>
+        <message>
+            <source>∫H²</source>
+            <translation>∫H²</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <source>Wide jump</source>
+            <translation>Weiter Sprung</translation>
+        </message>
+        <message>
+            <source>Jump of H</source>
+            <translation>Sprung von H</translation>
+        </message>
+        <message>
+            <source>× diam.</source>
+            <translation>× Durchm.</translation>
+        </message>
+        <message>
+            <source>Angle, °</source>
+            <translation>Winkel, °</translation>
+        </message>
+        <message>
+            <source>Folds</source>
+            <translation>Falten</translation>
+        </message>
+        <message>
+            <source>Cuts</source>
+            <translation>Schnitte</translation>
+        </message>
+        <message>
+            <source>Which flow</source>
+            <translation>Welcher Fluss</translation>
+        </message>
+        <message>
+            <source>How the flow ended</source>
+            <translation>Wie der Fluss endete</translation>
+        </message>
+        <message>
+            <source>Accepted steps</source>
+            <translation>Angenommene Schritte</translation>
+        </message>
+        <message>
+            <source>What MMCVF lowers, in 1/length²</source>
+            <translation>Was MMCVF senkt, in 1/Länge²</translation>
+        </message>
+        <message>
+            <source>What WF lowers, without a unit</source>
+            <translation>Was WF senkt, ohne Einheit</translation>
+        </message>
+        <message>
+            <source>What MCF and SDF lower, in length²</source>
+            <translation>Was MCF und SDF senken, in Länge²</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</source>
+            <translation>Sprung von H an der Naht aus weiten einseitigen Anpassungen, quadratisches Mittel, in 1/Länge: die gerechteste Zahl zwischen Flüssen</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</source>
+            <translation>Sprung von H an der Naht aus engen einseitigen Anpassungen, quadratisches Mittel, in 1/Länge</translation>
+        </message>
+        <message>
+            <source>The jump of H times the hole's diameter: without a unit</source>
+            <translation>Der Sprung von H mal dem Durchmesser des Lochs: ohne Einheit</translation>
+        </message>
+        <message>
+            <source>Angle between the normals of both sides at the seam, rms, in degrees</source>
+            <translation>Winkel zwischen den Normalen beider Seiten an der Naht, quadratisches Mittel, in Grad</translation>
+        </message>
+        <message>
+            <source>Edges folded by more than 90°</source>
+            <translation>Kanten, die um mehr als 90° gefaltet sind</translation>
+        </message>
+        <message>
+            <source>Places where the patch cuts itself or its surroundings</source>
+            <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
         </message>
     </context>
     <context>
@@ -1089,6 +1089,10 @@
         <message>
             <source>Page</source>
             <translation>Seite</translation>
+        </message>
+        <message>
+            <source>Compare, region, points, blend</source>
+            <translation>Vergleich, Gebiet, Punkte, Verbinden</translation>
         </message>
     </context>
     <context>
@@ -2904,6 +2908,10 @@
         <message>
             <source>&amp;Tools</source>
             <translation>&amp;Werkzeuge</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Vergleichen</translation>
         </message>
     </context>
     <context>

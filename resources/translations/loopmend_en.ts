@@ -27,102 +27,6 @@
             <source>, vertex %1</source>
             <translation>, vertex %1</translation>
         </message>
-        <message>
-            <source>Surface</source>
-            <translation>Surface</translation>
-        </message>
-        <message>
-            <source>End</source>
-            <translation>End</translation>
-        </message>
-        <message>
-            <source>Steps</source>
-            <translation>Steps</translation>
-        </message>
-        <message>
-            <source>∫|∇H|²</source>
-            <translation>∫|∇H|²</translation>
-        </message>
-        <message>
-            <source>∫H²</source>
-            <translation>∫H²</translation>
-        </message>
-        <message>
-            <source>Area</source>
-            <translation>Area</translation>
-        </message>
-        <message>
-            <source>Wide jump</source>
-            <translation>Wide jump</translation>
-        </message>
-        <message>
-            <source>Jump of H</source>
-            <translation>Jump of H</translation>
-        </message>
-        <message>
-            <source>× diam.</source>
-            <translation>× diam.</translation>
-        </message>
-        <message>
-            <source>Angle, °</source>
-            <translation>Angle, °</translation>
-        </message>
-        <message>
-            <source>Folds</source>
-            <translation>Folds</translation>
-        </message>
-        <message>
-            <source>Cuts</source>
-            <translation>Cuts</translation>
-        </message>
-        <message>
-            <source>Which flow</source>
-            <translation>Which flow</translation>
-        </message>
-        <message>
-            <source>How the flow ended</source>
-            <translation>How the flow ended</translation>
-        </message>
-        <message>
-            <source>Accepted steps</source>
-            <translation>Accepted steps</translation>
-        </message>
-        <message>
-            <source>What MMCVF lowers, in 1/length²</source>
-            <translation>What MMCVF lowers, in 1/length²</translation>
-        </message>
-        <message>
-            <source>What WF lowers, without a unit</source>
-            <translation>What WF lowers, without a unit</translation>
-        </message>
-        <message>
-            <source>What MCF and SDF lower, in length²</source>
-            <translation>What MCF and SDF lower, in length²</translation>
-        </message>
-        <message>
-            <source>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</source>
-            <translation>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</translation>
-        </message>
-        <message>
-            <source>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</source>
-            <translation>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</translation>
-        </message>
-        <message>
-            <source>The jump of H times the hole's diameter: without a unit</source>
-            <translation>The jump of H times the hole's diameter: without a unit</translation>
-        </message>
-        <message>
-            <source>Angle between the normals of both sides at the seam, rms, in degrees</source>
-            <translation>Angle between the normals of both sides at the seam, rms, in degrees</translation>
-        </message>
-        <message>
-            <source>Edges folded by more than 90°</source>
-            <translation>Edges folded by more than 90°</translation>
-        </message>
-        <message>
-            <source>Places where the patch cuts itself or its surroundings</source>
-            <translation>Places where the patch cuts itself or its surroundings</translation>
-        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -327,6 +231,102 @@
         <message>
             <source>There is no seam to look across.</source>
             <translation>There is no seam to look across.</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>Surface</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>End</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>Steps</translation>
+        </message>
+        <message>
+            <source>∫|∇H|²</source>
+            <translation>∫|∇H|²</translation>
+        </message>
+        <message>
+            <source>∫H²</source>
+            <translation>∫H²</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Area</translation>
+        </message>
+        <message>
+            <source>Wide jump</source>
+            <translation>Wide jump</translation>
+        </message>
+        <message>
+            <source>Jump of H</source>
+            <translation>Jump of H</translation>
+        </message>
+        <message>
+            <source>× diam.</source>
+            <translation>× diam.</translation>
+        </message>
+        <message>
+            <source>Angle, °</source>
+            <translation>Angle, °</translation>
+        </message>
+        <message>
+            <source>Folds</source>
+            <translation>Folds</translation>
+        </message>
+        <message>
+            <source>Cuts</source>
+            <translation>Cuts</translation>
+        </message>
+        <message>
+            <source>Which flow</source>
+            <translation>Which flow</translation>
+        </message>
+        <message>
+            <source>How the flow ended</source>
+            <translation>How the flow ended</translation>
+        </message>
+        <message>
+            <source>Accepted steps</source>
+            <translation>Accepted steps</translation>
+        </message>
+        <message>
+            <source>What MMCVF lowers, in 1/length²</source>
+            <translation>What MMCVF lowers, in 1/length²</translation>
+        </message>
+        <message>
+            <source>What WF lowers, without a unit</source>
+            <translation>What WF lowers, without a unit</translation>
+        </message>
+        <message>
+            <source>What MCF and SDF lower, in length²</source>
+            <translation>What MCF and SDF lower, in length²</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</source>
+            <translation>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</source>
+            <translation>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</translation>
+        </message>
+        <message>
+            <source>The jump of H times the hole's diameter: without a unit</source>
+            <translation>The jump of H times the hole's diameter: without a unit</translation>
+        </message>
+        <message>
+            <source>Angle between the normals of both sides at the seam, rms, in degrees</source>
+            <translation>Angle between the normals of both sides at the seam, rms, in degrees</translation>
+        </message>
+        <message>
+            <source>Edges folded by more than 90°</source>
+            <translation>Edges folded by more than 90°</translation>
+        </message>
+        <message>
+            <source>Places where the patch cuts itself or its surroundings</source>
+            <translation>Places where the patch cuts itself or its surroundings</translation>
         </message>
     </context>
     <context>
@@ -1089,6 +1089,10 @@
         <message>
             <source>Page</source>
             <translation>Page</translation>
+        </message>
+        <message>
+            <source>Compare, region, points, blend</source>
+            <translation>Compare, region, points, blend</translation>
         </message>
     </context>
     <context>
@@ -2904,6 +2908,10 @@
         <message>
             <source>&amp;Tools</source>
             <translation>&amp;Tools</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Compare</translation>
         </message>
     </context>
     <context>
