@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -67,6 +68,7 @@ struct FlowCanvas::Impl {
   std::array<vtkMTimeType, 2> seen{};
   CameraPose pose;
   QTimer redraw_timer;
+  Look look;
   double line = 0.5;
   int frames = 0;
   bool placing = false;  ///< the camera is moved by us, not by the person
@@ -125,12 +127,14 @@ void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape)
   redraw();
 }
 
+/// Only what is another: a new colour map goes to the graphics with every vertex.
 void FlowCanvas::set_look(const Look& look, double half_width) {
+  const Look old = std::exchange(impl_->look, look);
   for (auto& scene : impl_->scenes) {
-    scene->set_shading(look.shading);
-    scene->set_edges(look.edges);
-    scene->set_color_map(look.map);
-    scene->set_stripes(look.stripes);
+    if (look.shading != old.shading) scene->set_shading(look.shading);
+    if (look.edges != old.edges) scene->set_edges(look.edges);
+    if (look.map != old.map) scene->set_color_map(look.map);
+    if (look.stripes != old.stripes) scene->set_stripes(look.stripes);
     if (half_width > 0 && half_width != scene->range()) scene->set_range(half_width);
   }
   redraw();

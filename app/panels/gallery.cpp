@@ -12,7 +12,7 @@ namespace loopmend {
 namespace {
 
 constexpr int columns = 5;
-const QSize picture_size(112, 78);
+const QSize picture_size(102, 72);
 
 // So that the translations know them: the examples themselves know no Qt.
 [[maybe_unused]] const char* const words[] = {

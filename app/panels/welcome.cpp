@@ -65,7 +65,9 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   recent_layout_->setSpacing(2);
   layout->addWidget(recent_, 0, Qt::AlignHCenter);
   layout->addSpacing(10);
-  layout->addWidget(new QuietLabel(tr("Examples of the paper")), 0, Qt::AlignHCenter);
+  auto* examples = new QuietLabel(tr("Examples of the paper"));
+  examples->setWordWrap(false);
+  layout->addWidget(examples, 0, Qt::AlignHCenter);
   layout->addWidget(gallery, 0, Qt::AlignHCenter);
   layout->addStretch(5);
 }

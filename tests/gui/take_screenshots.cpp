@@ -273,6 +273,7 @@ int main(int argc, char** argv) {
   if (!QTest::qWaitForWindowExposed(&window)) return 1;
   QApplication::setActiveWindow(&window);
   if (qEnvironmentVariableIsSet("LOOPMEND_TOOLS_ONLY")) {
+    shoot(window, "welcome");
     window.open(QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
     wait_idle(window);
     show_compare(window);
