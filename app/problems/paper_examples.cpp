@@ -30,9 +30,9 @@ const std::vector<PaperExample>& paper_examples() {
        [] { return std::vector{make_holed_head()}; }},
       {"fig5.4", "Dodecahedron", "A dodecahedron", Kind::points, Flows::one,
        [] { return std::vector{make_dodecahedron()}; }},
-      {"fig5.5", "Flows on tubes", "MMCVF, SDF and WF on the six tubes", Kind::blend, Flows::all,
+      {"fig5.5", "Flows, tubes", "MMCVF, SDF and WF on the six tubes", Kind::blend, Flows::all,
        [] { return tubes(six_tubes(24)); }},
-      {"fig5.6", "Flows on a graph", "The graph of a function: MCF, SDF, WF and MMCVF", Kind::region, Flows::all,
+      {"fig5.6", "Flows, graph", "The graph of a function: MCF, SDF, WF and MMCVF", Kind::region, Flows::all,
        [] { return std::vector{make_bumps()}; }}};
   return all;
 }

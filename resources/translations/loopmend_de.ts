@@ -1004,14 +1004,6 @@
             <translation>Dodekaeder</translation>
         </message>
         <message>
-            <source>Flows on tubes</source>
-            <translation>Flüsse, Rohre</translation>
-        </message>
-        <message>
-            <source>Flows on a graph</source>
-            <translation>Flüsse, Graph</translation>
-        </message>
-        <message>
             <source>A cylinder with parts missing</source>
             <translation>Ein Zylinder, dem Teile fehlen</translation>
         </message>
@@ -1042,6 +1034,14 @@
         <message>
             <source>%1: %2. A click opens it, a second one runs it</source>
             <translation>%1: %2. Ein Klick öffnet es, ein zweiter lässt es laufen</translation>
+        </message>
+        <message>
+            <source>Flows, tubes</source>
+            <translation>Flüsse, Rohre</translation>
+        </message>
+        <message>
+            <source>Flows, graph</source>
+            <translation>Flüsse, Graph</translation>
         </message>
     </context>
     <context>

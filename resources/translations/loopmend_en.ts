@@ -1004,14 +1004,6 @@
             <translation>Dodecahedron</translation>
         </message>
         <message>
-            <source>Flows on tubes</source>
-            <translation>Flows on tubes</translation>
-        </message>
-        <message>
-            <source>Flows on a graph</source>
-            <translation>Flows on a graph</translation>
-        </message>
-        <message>
             <source>A cylinder with parts missing</source>
             <translation>A cylinder with parts missing</translation>
         </message>
@@ -1042,6 +1034,14 @@
         <message>
             <source>%1: %2. A click opens it, a second one runs it</source>
             <translation>%1: %2. A click opens it, a second one runs it</translation>
+        </message>
+        <message>
+            <source>Flows, tubes</source>
+            <translation>Flows, tubes</translation>
+        </message>
+        <message>
+            <source>Flows, graph</source>
+            <translation>Flows, graph</translation>
         </message>
     </context>
     <context>
