@@ -24,6 +24,7 @@ constexpr Page pages[] = {{"first-steps", QT_TRANSLATE_NOOP("loopmend::HelpWindo
                           {"patch", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Patch and flow")},
                           {"look", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Looking at curvature")},
                           {"inspect", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Inspecting the seam")},
+                          {"tools", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Compare, region, points, blend")},
                           {"files", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Files, sessions, recovery")},
                           {"trouble", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "When something goes wrong")}};
 

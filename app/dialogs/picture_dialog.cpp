@@ -22,7 +22,12 @@ constexpr int smallest = 64, largest = 8192;
 
 }  // namespace
 
-PictureDialog::PictureDialog(MeshView& view, QWidget* parent) : QDialog(parent), view_(view) {
+PictureDialog::PictureDialog(MeshView& view, QWidget* parent)
+    : PictureDialog({view.size() * view.devicePixelRatioF(),
+                     [&view](const PictureOptions& options) { return view.picture(options); }},
+                    parent) {}
+
+PictureDialog::PictureDialog(PictureSource source, QWidget* parent) : QDialog(parent), source_(std::move(source)) {
   setObjectName(QStringLiteral("pictureDialog"));
   setWindowTitle(tr("Screenshot"));
   build();
@@ -82,8 +87,15 @@ void PictureDialog::build() {
   form->setVerticalSpacing(10);
   form->addRow(tr("Si&ze"), size_);
   form->addRow(QString(), both);
-  form->addRow(tr("&Ground"), ground_);
-  form->addRow(tr("&With"), extras_);
+  if (source_.offer == PictureSource::Offer::everything) {
+    form->addRow(tr("&Ground"), ground_);
+    form->addRow(tr("&With"), extras_);
+  } else {
+    for (QWidget* unused : {ground_, extras_}) {
+      unused->setParent(this);
+      unused->hide();
+    }
+  }
   form->addRow(trouble_);
   form->addRow(buttons);
 }
@@ -92,7 +104,7 @@ void PictureDialog::propose_size() {
   const int times = size_->currentData().toInt();
   for (QSpinBox* box : {width_, height_}) box->setEnabled(times == own_size);
   if (times == own_size) return;
-  const QSize seen = view_.size() * view_.devicePixelRatioF() * times;
+  const QSize seen = source_.seen * times;
   width_->setValue(seen.width());
   height_->setValue(seen.height());
 }
@@ -106,7 +118,7 @@ PictureOptions PictureDialog::options() const {
 }
 
 bool PictureDialog::save(const QString& path) {
-  const QImage picture = view_.picture(options());
+  const QImage picture = source_.draw(options());
   const bool written = !picture.isNull() && picture.save(path, "PNG");
   trouble_->setVisible(!written);
   if (written) {
@@ -129,7 +141,7 @@ void PictureDialog::ask_and_save() {
 }
 
 void PictureDialog::copy() {
-  const QImage picture = view_.picture(options());
+  const QImage picture = source_.draw(options());
   trouble_->setVisible(picture.isNull());
   if (!picture.isNull()) QGuiApplication::clipboard()->setImage(picture);
 }

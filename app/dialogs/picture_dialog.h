@@ -5,17 +5,27 @@
 
 #include <QDialog>
 
+#include <functional>
+
 class QComboBox;
 class QLabel;
 class QSpinBox;
 
 namespace loopmend {
 
+/// What can be drawn at any size.
+struct PictureSource {
+  QSize seen;                                         ///< device pixels on the screen
+  std::function<QImage(const PictureOptions&)> draw;  ///< null image when the graphics cannot
+  enum class Offer { everything, size_alone } offer = Offer::everything;
+};
+
 class PictureDialog : public QDialog {
   Q_OBJECT
 
  public:
   explicit PictureDialog(MeshView& view, QWidget* parent = nullptr);
+  explicit PictureDialog(PictureSource source, QWidget* parent = nullptr);
 
   /// @returns whether it was written; tells in place if not.
   bool save(const QString& path);
@@ -30,7 +40,7 @@ class PictureDialog : public QDialog {
   void ask_and_save();
   void copy();
 
-  MeshView& view_;
+  PictureSource source_;
   QComboBox *size_ = nullptr, *ground_ = nullptr, *extras_ = nullptr;
   QSpinBox *width_ = nullptr, *height_ = nullptr;
   QLabel* trouble_ = nullptr;

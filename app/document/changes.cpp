@@ -1,5 +1,7 @@
 #include "document/changes.h"
 
+#include <algorithm>
+
 namespace loopmend {
 namespace {
 
@@ -93,6 +95,32 @@ void CloseScan::undo() {
 std::size_t CloseScan::held_bytes(std::set<const void*>& seen) const {
   const bool ours = held_ && !document_.scan(scan_) && seen.insert(held_.get()).second;
   return ours ? size_of(*held_) : 0;
+}
+
+ChangeGroup::ChangeGroup(std::vector<std::unique_ptr<Change>> parts, const QString& text)
+    : Change(text),
+      parts_(std::move(parts)) {}
+
+void ChangeGroup::redo() {
+  for (auto& part : parts_) part->redo();
+}
+
+void ChangeGroup::undo() {
+  for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) (*part)->undo();
+}
+
+std::size_t ChangeGroup::held_bytes(std::set<const void*>& seen) const {
+  std::size_t sum = 0;
+  for (const auto& part : parts_) sum += part->held_bytes(seen);
+  return sum;
+}
+
+void ChangeGroup::forget() {
+  for (auto& part : parts_) part->forget();
+}
+
+bool ChangeGroup::forgotten() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->forgotten(); });
 }
 
 }  // namespace loopmend

@@ -74,4 +74,18 @@ class CloseScan : public Change {
   std::vector<OpenPatch> patches_;
 };
 
+/// Several changes that are one for the person: done in their order, undone backwards.
+class ChangeGroup : public Change {
+ public:
+  ChangeGroup(std::vector<std::unique_ptr<Change>> parts, const QString& text);
+  void undo() override;
+  void redo() override;
+  std::size_t held_bytes(std::set<const void*>& seen) const override;
+  void forget() override;
+  bool forgotten() const override;
+
+ private:
+  std::vector<std::unique_ptr<Change>> parts_;
+};
+
 }  // namespace loopmend

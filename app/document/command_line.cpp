@@ -79,18 +79,24 @@ class ScanCommands {
     const QString name = words::sentence(words::holes(document_, {patch.loops.begin(), patch.loops.end()}));
     if (patch.state->stage == PatchStage::cutting)
       remarks << tr("%1: the patch cuts the surface; the command would leave it open.").arg(name);
+    if (scan_.from == ScanOrigin::made)
+      remarks << tr("%1 was made in the window: export it as surface.ply, without patches, before you use the command.")
+                     .arg(scan_.name);
     if (is_exact(recipe)) return;
     remarks << tr("%1 took several runs, or was stopped halfway through one; the command repeats the last run only.")
                    .arg(name);
   }
 
   QString text() const {
-    const QString file = scan_.path.isEmpty() ? QStringLiteral("sample.ply") : QDir::toNativeSeparators(scan_.path);
+    const bool sample = scan_.from == ScanOrigin::sample;
+    const QString file = sample                           ? QStringLiteral("sample.ply")
+                         : scan_.from == ScanOrigin::made ? QStringLiteral("surface.ply")
+                                                          : QDir::toNativeSeparators(scan_.path);
     const QFileInfo info(file);
     const QString base = info.path() == QStringLiteral(".") ? QString() : info.path() + QLatin1Char('/');
     const QString output = base + info.completeBaseName() + QStringLiteral("-filled.ply");
     QStringList lines;
-    if (scan_.path.isEmpty()) lines << QStringLiteral("loopmend sample -o sample.ply");
+    if (sample) lines << QStringLiteral("loopmend sample -o sample.ply");
     QString input = file;
     for (const auto& [options, loops] : by_options_) {
       // Numbers change when loops are filled; vertices of the input keep theirs.

@@ -8,6 +8,12 @@ bool Document::has_scan() const {
   return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scan != nullptr; });
 }
 
+bool Document::has_work() const {
+  return !patches_.empty() || std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
+    return slot.scan && slot.scan->from == ScanOrigin::made;
+  });
+}
+
 std::vector<int> Document::scans() const {
   std::vector<int> indices;
   for (std::size_t i = 0; i < slots_.size(); ++i)

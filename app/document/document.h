@@ -28,6 +28,8 @@ class Document : public QObject {
   using QObject::QObject;
 
   bool has_scan() const;
+  /// Patches, or surfaces that were made here: what would be lost without saving.
+  bool has_work() const;
   /// Indices of the scans that are there.
   std::vector<int> scans() const;
   /// Null when it was taken away.

@@ -13,9 +13,16 @@
 
 namespace loopmend {
 
+enum class ScanOrigin {
+  file,
+  sample,  ///< the embedded one
+  made,    ///< by the window: a region re-evolved, points interpolated, loops blended; in no file yet
+};
+
 /// Never changes once it is open; only `shape` comes again, with curvature.
 struct OpenedScan {
-  QString path;  ///< empty: the embedded sample
+  QString path;  ///< empty where it is not from a file
+  ScanOrigin from = ScanOrigin::file;
   QString name;  ///< as shown
   ImportReport import;
   std::shared_ptr<const SurfaceModel> model;

@@ -15,8 +15,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 2;
-constexpr qint32 without_view = 1;  ///< the version before
+constexpr qint32 format_version = 3;
+constexpr qint32 first_version = 1;  ///< without the view and without surfaces that were made here
 
 /// Words and numbers in one fixed layout, little-endian, doubles in full.
 class Writer {
@@ -41,6 +41,10 @@ class Writer {
   void put(const Points& values) {
     put(static_cast<quint64>(values.size()));
     raw(values.data(), values.size() * sizeof(Vec3));
+  }
+  void put(const std::vector<Color>& values) {
+    put(static_cast<quint64>(values.size()));
+    raw(values.data(), values.size() * sizeof(Color));
   }
   void put(const Triangles& values) {
     put(static_cast<quint64>(values.size()));
@@ -234,6 +238,7 @@ PatchStatePtr state(Reader& in) {
   s->stage = word(in, PatchStage::cutting);
   s->message = in.text().toStdString();
   s->recipe = recipe(in);
+  s->patch.grading.density = s->recipe.density;
   s->flow = word(in, FlowKind::mmcvf);
   s->steps = in.number<qint32>();
   s->last_step = step(in);
@@ -293,6 +298,21 @@ SessionView session_view(Reader& in) {
   return view;
 }
 
+std::shared_ptr<const TriangleSoup> made_surface(Reader& in) {
+  auto soup = std::make_shared<TriangleSoup>();
+  soup->points = in.array<Vec3>();
+  soup->triangles = in.array<Triangle>();
+  soup->colors = in.array<Color>();
+  const int n = static_cast<int>(soup->points.size());
+  for (const Triangle& t : soup->triangles)
+    for (int v : t)
+      if (v < 0 || v >= n) in.fail("a triangle names a vertex that does not exist");
+  for (const Vec3& p : soup->points)
+    if (!p.allFinite()) in.fail("a coordinate is not a finite number");
+  if (!soup->colors.empty() && soup->colors.size() != soup->points.size()) in.fail("the colours are not complete");
+  return soup;
+}
+
 QString found(const QString& absolute, const QString& relative, const QString& session) {
   if (absolute.isEmpty() || QFileInfo::exists(absolute)) return absolute;
   const QString beside = QFileInfo(session).dir().absoluteFilePath(relative);
@@ -308,7 +328,11 @@ Session session_of(const Document& document, const ViewSource& view) {
   for (int index : document.scans()) {
     place[index] = static_cast<int>(session.scans.size());
     const auto scan = document.scan(index);
-    session.scans.push_back({scan->path, scan->fingerprint});
+    SessionScan entry{scan->path, scan->fingerprint, scan->name, nullptr};
+    // Shares the model: a session may be written while the window goes on.
+    if (scan->from == ScanOrigin::made)
+      entry.made = std::shared_ptr<const TriangleSoup>(scan->model, &scan->model->soup);
+    session.scans.push_back(std::move(entry));
   }
   for (const OpenPatch& patch : document.patches()) {
     SessionPatch entry{place.at(patch.scan), {}, patch.state, patch.acceptance};
@@ -328,6 +352,12 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
     out.put(scan.path);
     out.put(scan.path.isEmpty() ? QString() : QDir(beside).relativeFilePath(scan.path));
     out.put(static_cast<quint64>(scan.fingerprint));
+    out.put(static_cast<qint32>(scan.made ? 1 : 0));
+    if (!scan.made) continue;
+    out.put(scan.name);
+    out.put(scan.made->points);
+    out.put(scan.made->triangles);
+    out.put(scan.made->colors);
   }
   out.put(static_cast<quint64>(session.patches.size()));
   for (const SessionPatch& patch : session.patches) {
@@ -351,14 +381,19 @@ Session session_from_file(const QString& path) {
     throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
   Reader in(bytes.mid(magic_size), path);
   const auto version = in.number<qint32>();
-  if (version != format_version && version != without_view)
+  if (version != format_version && version != first_version)
     throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   Session session;
   const int scans = in.count(sizeof(quint64));
   for (int i = 0; i < scans; ++i) {
     const QString absolute = in.text(), relative = in.text();
-    session.scans.push_back({found(absolute, relative, path), in.number<quint64>()});
+    SessionScan entry{found(absolute, relative, path), in.number<quint64>(), {}, nullptr};
+    if (version != first_version && in.number<qint32>() != 0) {
+      entry.name = in.text();
+      entry.made = made_surface(in);
+    }
+    session.scans.push_back(std::move(entry));
   }
   const int patches = in.count(sizeof(quint64));
   for (int i = 0; i < patches; ++i) {
@@ -371,7 +406,7 @@ Session session_from_file(const QString& path) {
     if (entry.loop_numbers.size() != entry.state->patch.loops.size()) in.fail("the loops of a patch are not complete");
     session.patches.push_back(std::move(entry));
   }
-  if (version != without_view && in.number<qint32>() != 0) session.view = session_view(in);
+  if (version != first_version && in.number<qint32>() != 0) session.view = session_view(in);
   if (!in.at_end()) in.fail("there is more in the file than there should be");
   return session;
 }

@@ -1,5 +1,5 @@
-// A session in a file: which scans are open, every patch as it is, and how it was looked at. The scans themselves stay in
-// their own files.
+// A session in a file: which scans are open, every patch as it is, and how it was looked at. Scans stay in their own files;
+// surfaces that were made here are stored whole.
 #pragma once
 
 #include "document/patch_state.h"
@@ -18,8 +18,10 @@ namespace loopmend {
 inline constexpr const char* session_suffix = "loopmend";
 
 struct SessionScan {
-  QString path;  ///< absolute; empty: the embedded sample
+  QString path;  ///< absolute; empty: the embedded sample, or made
   std::uint64_t fingerprint = 0;
+  QString name;                              ///< of a surface that was made
+  std::shared_ptr<const TriangleSoup> made;  ///< a surface that is in no file: it lies in the session itself
 };
 
 struct SessionPatch {

@@ -44,7 +44,7 @@ void Autosave::change_soon() {
 }
 
 void Autosave::write() {
-  if (document_.patches().empty() || undo_.is_saved()) {
+  if (!document_.has_work() || undo_.is_saved()) {
     finish();
     return;
   }
@@ -105,7 +105,7 @@ std::vector<Leftover> Autosave::leftovers() {
       const Session session = session_from_file(file.filePath());
       QStringList names;
       for (const SessionScan& scan : session.scans)
-        names << (scan.path.isEmpty() ? tr("Sample") : QFileInfo(scan.path).fileName());
+        names << (scan.made ? scan.name : scan.path.isEmpty() ? tr("Sample") : QFileInfo(scan.path).fileName());
       leftover.words =
           tr("%1, %n patch(es), %2", nullptr, static_cast<int>(session.patches.size()))
               .arg(names.join(QStringLiteral(", ")), QLocale().toString(file.lastModified(), QLocale::ShortFormat));

@@ -45,6 +45,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
 
   auto scan = std::make_shared<OpenedScan>();
   scan->path = path;
+  scan->from = path.isEmpty() ? ScanOrigin::sample : ScanOrigin::file;
   scan->name = path.isEmpty() ? tr("Sample") : QFileInfo(path).fileName();
   scan->import = imported.report;
   scan->origin = origin.value_or(scene_origin(imported.soup));
@@ -62,6 +63,21 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
     scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, CurvatureField{}, scan->origin));
   if (cancel.cancelled()) return nullptr;
   say(stages.opened, scan);
+  return scan;
+}
+
+OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& origin) {
+  auto scan = std::make_shared<OpenedScan>();
+  scan->name = name;
+  scan->from = ScanOrigin::made;
+  scan->import.vertices = surface.points.size();
+  scan->import.faces = scan->import.triangles = surface.triangles.size();
+  scan->import.has_colors = !surface.colors.empty();
+  scan->origin = origin;
+  scan->fingerprint = fingerprint_of(surface);
+  scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(surface)));
+  scan->loops = find_boundary_loops(*scan->model);
+  scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, curvature_field(scan->model->mesh), origin));
   return scan;
 }
 

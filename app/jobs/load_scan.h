@@ -24,6 +24,9 @@ struct LoadStages {
 OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const LoadStages& stages,
                         const CancelToken& cancel);
 
+/// A surface that the window has made, with curvature.
+OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& origin);
+
 /// The scan's shape with curvature. Null when cancelled.
 std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel);
 

@@ -2,6 +2,10 @@
 
 #include <QMetaObject>
 
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <algorithm>
 
 namespace loopmend {
@@ -13,6 +17,13 @@ void Job::tell(std::function<void()> act) const {
         if (!token.cancelled()) act();
       },
       Qt::QueuedConnection);
+}
+
+void yield_to_window() {
+  constexpr int steps_back = 5;
+  // Linux gives every thread a niceness of its own; where that fails, nothing is lost but smoothness.
+  const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
+  ::setpriority(PRIO_PROCESS, thread, ::getpriority(PRIO_PROCESS, thread) + steps_back);
 }
 
 TaskRunner::~TaskRunner() {

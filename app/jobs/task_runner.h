@@ -41,6 +41,9 @@ class Job {
 };
 using JobPtr = std::shared_ptr<Job>;
 
+/// From a worker: it steps back behind the window's thread when both want the processor.
+void yield_to_window();
+
 class TaskRunner {
  public:
   TaskRunner() = default;

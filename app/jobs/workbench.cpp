@@ -2,6 +2,7 @@
 
 #include "document/timeline.h"
 #include "document/words.h"
+#include "jobs/state_making.h"
 
 #include <algorithm>
 
@@ -294,6 +295,33 @@ void Workbench::record_run(const EvolveResult& result) {
   run_start_.clear();
   recorder_.reset();
   push(std::move(pairs), run_name_);
+}
+
+void Workbench::adopt(OpenPatch patch) {
+  if (busy() || !document_.scan(patch.scan)) return;
+  const JobPtr job = begin(Activity::filling, tr("Taking over %1").arg(words::holes(document_, loops_of(patch))));
+  tasks_.start([this, job, patch, site = site_of(patch.scan)] {
+    const PatchStatePtr state = judged(patch.state, &patch.timeline->front()->patch, *site);
+    job->tell([this, patch, state] { on_judged(patch, state); });
+  });
+}
+
+void Workbench::on_judged(OpenPatch patch, PatchStatePtr state) {
+  end();
+  patch.timeline = std::make_shared<Timeline>(Timeline{patch.timeline->front(), state});
+  patch.state = std::move(state);
+  patch.id = document_.next_patch_id();
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> replaced;
+  for (int loop : patch.loops)
+    if (const OpenPatch* old = document_.patch_of(loop); old && replaced.insert(old->id).second)
+      pairs.push_back({*old, std::nullopt});
+  const QString what =
+      tr("%1 on %2").arg(words::flow_name(patch.state->flow), words::holes(document_, loops_of(patch)));
+  document_.forget_failures(loops_of(patch));
+  Q_EMIT said(run_words(patch, patch));
+  pairs.push_back({std::nullopt, std::move(patch)});
+  push(std::move(pairs), what);
 }
 
 void Workbench::pause() {

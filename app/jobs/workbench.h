@@ -38,6 +38,10 @@ class Workbench : public QObject {
   void open(const QStringList& paths, OpenMode mode);
   void open_sample();
   void close_scan(int scan);
+  /// A surface that was made comes, in place of these scans and their patches; can be undone.
+  void replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text);
+  /// Surfaces that were made, as another scene. Nothing of it counts as work.
+  void open_made(const std::vector<OpenedScanPtr>& scans);
   /// @param shown_as  what the scene is called when it comes from a copy that survived a crash; empty: `path` itself.
   void open_session(const QString& path, const QString& shown_as = {});
   void save_session(const QString& path);
@@ -54,6 +58,8 @@ class Workbench : public QObject {
   /// Comes back at once; what was accepted so far stays and can be undone.
   void cancel();
 
+  /// A patch that was made elsewhere comes into its loops, in place of what is there; tested for cuts first.
+  void adopt(OpenPatch patch);
   void set_acceptance(const std::set<int>& patch_ids, Acceptance acceptance);
   void reject(const std::set<int>& patch_ids);
   /// Shows the state at this place of each patch's timeline; end_scrub() makes it a change that can be undone.
@@ -97,6 +103,7 @@ class Workbench : public QObject {
   Restored restore(const QString& path, const JobPtr& job) const;
   void on_restored(Restored restored, const QString& path, const QString& shown_as);
   std::vector<FillTask> fill_tasks(const std::set<int>& loops, double density);
+  void on_judged(OpenPatch patch, PatchStatePtr state);
   void on_filled(FillResult result, const std::set<int>& wanted);
   void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
   void take_records();

@@ -125,6 +125,12 @@ Workbench::Restored Workbench::restore(const QString& path, const JobPtr& job) c
   restored.view = session.view;
   std::optional<Vec3> origin;
   for (const SessionScan& wanted : session.scans) {
+    if (wanted.made) {
+      const Vec3 middle = origin.value_or(scene_origin(*wanted.made));
+      restored.scans.push_back(made_scan(*wanted.made, wanted.name, middle));
+      origin = middle;
+      continue;
+    }
     const OpenedScanPtr scan = load_scan(wanted.path, origin, {}, job->token());
     if (!scan) return {};
     if (scan->fingerprint != wanted.fingerprint)
@@ -164,6 +170,7 @@ void Workbench::open_session(const QString& path, const QString& shown_as) {
       auto restored = std::make_shared<Restored>(restore(path, job));
       job->tell([this, restored, path, shown_as] { on_restored(*restored, path, shown_as); });
       for (const OpenedScanPtr& scan : restored->scans) {
+        if (!scan->shape->H.empty()) continue;
         const auto shape = colored_shape(*scan, job->token());
         job->tell([this, scan, shape] { show_color(scan, shape); });
       }
@@ -204,6 +211,21 @@ void Workbench::on_restored(Restored restored, const QString& path, const QStrin
   } else {
     undo_.mark_unsaved();
   }
+}
+
+void Workbench::replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text) {
+  if (busy()) return;
+  std::vector<std::unique_ptr<Change>> parts;
+  parts.push_back(std::make_unique<AddScan>(document_, document_.add_scan(come), text));
+  for (int index : gone)
+    if (document_.scan(index)) parts.push_back(std::make_unique<CloseScan>(document_, index, text));
+  undo_.push(std::make_unique<ChangeGroup>(std::move(parts), text));
+}
+
+void Workbench::open_made(const std::vector<OpenedScanPtr>& scans) {
+  if (busy()) cancel();
+  on_opened(scans.front(), OpenMode::replace);
+  for (std::size_t k = 1; k < scans.size(); ++k) document_.add_scan(scans[k]);
 }
 
 void Workbench::save_session(const QString& path) {

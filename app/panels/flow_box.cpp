@@ -33,6 +33,7 @@ FlowBox::FlowBox(const Document& document, const HoleSelection& selection, Workb
   connect(step_, &QPushButton::clicked, this, &FlowBox::step);
   connect(run_, &QPushButton::clicked, this, &FlowBox::run_or_pause);
   connect(steady_, &QPushButton::clicked, this, &FlowBox::to_steady_state);
+  connect(compare_, &QPushButton::clicked, this, &FlowBox::compare_wanted);
   connect(flow_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &FlowBox::update_state);
   connect(sigma_, &QSlider::valueChanged, this, &FlowBox::update_state);
 }
@@ -68,6 +69,8 @@ void FlowBox::build() {
   sigma_label->setBuddy(sigma_);
   step_ = make_button("step", tr("&Step"), tr("Take one time step (S)"));
   run_ = make_button("run", tr("&Run"), tr("Take one time step after another until the patch is at rest (Space)"));
+  compare_ = make_button("compareFlows", tr("Compare &flows\u2026"),
+                         tr("Two to four flows from one start, side by side, in a window of their own (C)"));
   grid->addWidget(target_, 0, 0, 1, 2);
   grid->addWidget(flow_, 1, 0, 1, 2);
   grid->addWidget(help_, 2, 0, 1, 2);
@@ -77,6 +80,7 @@ void FlowBox::build() {
   grid->addWidget(sigma_, 5, 0, 1, 2);
   grid->addWidget(step_, 6, 0);
   grid->addWidget(run_, 6, 1);
+  grid->addWidget(compare_, 7, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }
@@ -120,6 +124,7 @@ void FlowBox::update_state() {
   sigma_->setEnabled(idle);
   step_->setEnabled(idle && !to_move.empty());
   steady_->setEnabled(idle && !to_move.empty());
+  compare_->setEnabled(document_.has_scan());
   run_->setEnabled(can_pause || (idle && !to_move.empty()));
   run_->setText(can_pause ? tr("Pau&se") : now == Activity::pausing ? tr("Pausing\u2026") : tr("&Run"));
 }

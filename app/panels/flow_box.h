@@ -26,6 +26,9 @@ class FlowBox : public QGroupBox {
   void to_steady_state();
   void update_state();
 
+ Q_SIGNALS:
+  void compare_wanted();
+
  private:
   void build();
   FlowKind flow() const;
@@ -38,7 +41,7 @@ class FlowBox : public QGroupBox {
   QLabel *target_ = nullptr, *help_ = nullptr, *sigma_value_ = nullptr;
   QComboBox* flow_ = nullptr;
   QSlider* sigma_ = nullptr;
-  QPushButton *step_ = nullptr, *run_ = nullptr, *steady_ = nullptr;
+  QPushButton *step_ = nullptr, *run_ = nullptr, *steady_ = nullptr, *compare_ = nullptr;
 };
 
 }  // namespace loopmend

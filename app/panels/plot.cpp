@@ -11,17 +11,13 @@
 #include <limits>
 
 namespace loopmend {
-namespace {
-
-/// Told apart by every kind of colour vision, on light and on dark ground.
-QColor ink_color(int ink, bool dark) {
-  static const std::array<std::array<QColor, 2>, 3> colors{{{QColor(0, 92, 168), QColor(110, 180, 245)},
+QColor plot_ink(int ink, PlotGround ground) {
+  static const std::array<std::array<QColor, 2>, 4> colors{{{QColor(0, 92, 168), QColor(110, 180, 245)},
                                                             {QColor(190, 88, 0), QColor(250, 165, 80)},
-                                                            {QColor(96, 100, 108), QColor(168, 172, 180)}}};
-  return colors[static_cast<std::size_t>(ink)][dark ? 1 : 0];
+                                                            {QColor(96, 100, 108), QColor(168, 172, 180)},
+                                                            {QColor(0, 128, 96), QColor(80, 205, 165)}}};
+  return colors[static_cast<std::size_t>(ink)][ground == PlotGround::dark ? 1 : 0];
 }
-
-}  // namespace
 
 Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
     : QWidget(parent),
@@ -79,10 +75,20 @@ void Plot::set_name(int graph, const QString& name) { plot_->graph(graph)->setNa
 int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
   QCPGraph* graph = plot_->addGraph(plot_->xAxis, axis(side));
   graph->setName(name);
-  inks_.append({line, ink});
+  inks_.append({line, ink, true});
   take_colors();
   return plot_->graphCount() - 1;
 }
+
+void Plot::drop_legend() {
+  key_ = Key::dropped;
+  plot_->legend->setVisible(false);
+  take_colors();
+}
+
+void Plot::leave_out_of_fit(int graph) { inks_[graph].counts = false; }
+
+void Plot::set_axis_name(Side side, const QString& name) { axis(side)->setLabel(name); }
 
 void Plot::set_data(int graph, const QVector<double>& x, const QVector<double>& y) {
   plot_->graph(graph)->setData(x, y, true);
@@ -113,7 +119,7 @@ void Plot::show_words(const QString& words) {
   auto* item = static_cast<QCPItemText*>(plot_->item(0));
   item->setText(words);
   item->setVisible(!words.isEmpty());
-  plot_->legend->setVisible(words.isEmpty());
+  plot_->legend->setVisible(words.isEmpty() && key_ == Key::shown);
   // Axes without curves are noise.
   for (QCPAxis* at : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
     at->setVisible(words.isEmpty() && (at != plot_->yAxis2 || !at->graphs().isEmpty()));
@@ -124,13 +130,16 @@ void Plot::show_words(const QString& words) {
 void Plot::fit_axis(Side side) {
   QCPAxis* at = axis(side);
   double low = std::numeric_limits<double>::max(), high = -low;
-  for (QCPGraph* graph : at->graphs())
+  for (int g = 0; g < plot_->graphCount(); ++g) {
+    QCPGraph* graph = plot_->graph(g);
+    if (graph->valueAxis() != at || !inks_[g].counts) continue;
     for (const QCPGraphData& point : *graph->data()) {
       const bool counts = std::isfinite(point.value) && (at->scaleType() == QCPAxis::stLinear || point.value > 0);
       if (!counts) continue;
       low = std::min(low, point.value);
       high = std::max(high, point.value);
     }
+  }
   if (low > high) return;
   if (at->scaleType() == QCPAxis::stLogarithmic) {
     at->setRange(low / 1.6, high * 1.6);
@@ -173,7 +182,7 @@ void Plot::take_colors() {
     at->grid()->setPen(QPen(faint, 1, Qt::DotLine));
     at->grid()->setZeroLinePen(QPen(faint, 1));
   }
-  plot_->xAxis->ticker()->setTickCount(6);
+  plot_->xAxis->ticker()->setTickCount(key_ == Key::shown ? 6 : 3);
   QColor sheet = ground;
   sheet.setAlpha(200);
   plot_->legend->setBrush(sheet);
@@ -183,7 +192,7 @@ void Plot::take_colors() {
   static_cast<QCPItemText*>(plot_->item(0))->setColor(ink);
   static_cast<QCPItemStraightLine*>(plot_->item(1))->setPen(QPen(ink, 1, Qt::DashLine));
   for (int g = 0; g < inks_.size(); ++g) {
-    QColor color = ink_color(inks_[g].ink, dark);
+    QColor color = plot_ink(inks_[g].ink, dark ? PlotGround::dark : PlotGround::light);
     if (inks_[g].line == Line::faint) color.setAlpha(110);
     plot_->graph(g)->setPen(QPen(color, 2, inks_[g].line == Line::dotted ? Qt::DotLine : Qt::SolidLine));
   }

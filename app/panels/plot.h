@@ -1,6 +1,7 @@
 // A plot in the palette's colours, quiet and readable; what the inspect dock's two plots share.
 #pragma once
 
+#include <QColor>
 #include <QPointer>
 #include <QVector>
 #include <QWidget>
@@ -10,6 +11,10 @@ class QCPGraph;
 class QCustomPlot;
 
 namespace loopmend {
+
+/// Told apart by every kind of colour vision, on light and on dark ground: 0 blue, 1 orange, 2 grey, 3 green.
+enum class PlotGround { light, dark };
+QColor plot_ink(int ink, PlotGround ground);
 
 class Plot : public QWidget {
   Q_OBJECT
@@ -22,9 +27,14 @@ class Plot : public QWidget {
   enum class Line { solid, faint, dotted };
 
   void set_axis(Side side, Scale scale);
-  /// @returns the graph's index.
+  void set_axis_name(Side side, const QString& name);
+  /// @param ink  see plot_ink(). @returns the graph's index.
   int add_graph(Side side, const QString& name, Line line, int ink);
   void set_name(int graph, const QString& name);
+  /// Something else says which line is which.
+  void drop_legend();
+  /// Its values do not decide how far the axis reaches.
+  void leave_out_of_fit(int graph);
   /// NaN breaks the line.
   void set_data(int graph, const QVector<double>& x, const QVector<double>& y);
   QVector<double> values(int graph) const;
@@ -47,10 +57,12 @@ class Plot : public QWidget {
   struct Ink {
     Line line;
     int ink;
+    bool counts = true;  ///< for the fit of the axis
   };
   QCustomPlot* plot_;
   QVector<Ink> inks_;
   QString words_;
+  enum class Key { shown, dropped } key_ = Key::shown;
 };
 
 }  // namespace loopmend

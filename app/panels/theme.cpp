@@ -46,7 +46,7 @@ void apply_theme(Theme theme) {
   // The style draws a box in the ground's colour, which on dark ground nobody sees.
   QPalette boxes = chosen;
   if (theme == Theme::dark) boxes.setColor(QPalette::Base, QColor(86, 92, 101));
-  QApplication::setPalette(boxes, "QCheckBox");
+  for (const char* kind : {"QCheckBox", "QRadioButton"}) QApplication::setPalette(boxes, kind);
 }
 
 }  // namespace loopmend

@@ -1,5 +1,6 @@
 #include "panels/welcome.h"
 
+#include "panels/gallery.h"
 #include "panels/icons.h"
 #include "panels/parts.h"
 #include "panels/quiet_label.h"
@@ -9,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace loopmend {
@@ -17,7 +19,7 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("welcome"));
   setAutoFillBackground(true);
   auto* picture = new QLabel;
-  picture->setPixmap(application_icon().pixmap(96, 96));
+  picture->setPixmap(application_icon().pixmap(64, 64));
   auto* title = new QLabel(tr("Open a scan, or drop one here"));
   QFont large = title->font();
   large.setPointSizeF(large.pointSizeF() * 1.6);
@@ -37,7 +39,17 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
     buttons->addWidget(button);
   }
   buttons->addStretch();
-  auto* layout = new QVBoxLayout(this);
+  auto* gallery = new Gallery;
+  connect(gallery, &Gallery::example_wanted, this, &Welcome::example_wanted);
+  auto* content = new QWidget;
+  auto* scroll = new QScrollArea;  // small windows do not show all of it at once
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(content);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll);
+  auto* layout = new QVBoxLayout(content);
   layout->setSpacing(8);
   layout->addStretch(4);
   layout->addWidget(picture, 0, Qt::AlignHCenter);
@@ -52,11 +64,16 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   recent_layout_->setContentsMargins(0, 0, 0, 0);
   recent_layout_->setSpacing(2);
   layout->addWidget(recent_, 0, Qt::AlignHCenter);
+  layout->addSpacing(10);
+  auto* examples = new QuietLabel(tr("Examples of the paper"));
+  examples->setWordWrap(false);
+  layout->addWidget(examples, 0, Qt::AlignHCenter);
+  layout->addWidget(gallery, 0, Qt::AlignHCenter);
   layout->addStretch(5);
 }
 
 void Welcome::show_recent(const QStringList& files) {
-  constexpr int most = 6;
+  constexpr int most = 3;
   while (QLayoutItem* item = recent_layout_->takeAt(0)) {
     delete item->widget();
     delete item;

@@ -20,6 +20,7 @@ class Welcome : public QWidget {
   void file_wanted(const QString& path);
   void open_wanted();
   void sample_wanted();
+  void example_wanted(const QString& id);
 
  private:
   QWidget* recent_ = nullptr;

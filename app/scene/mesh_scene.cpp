@@ -6,6 +6,7 @@
 
 #include <vtkActor.h>
 #include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
@@ -42,7 +43,7 @@ struct MeshScene::Impl {
   std::map<int, std::unique_ptr<SurfaceActor>> scans;
   std::map<int, ShapePtr> patch_shapes;
   std::map<int, std::unique_ptr<SurfaceActor>> patches;
-  PatchBatch batch{table}, ghosts{table};
+  PatchBatch batch{table}, ghosts{table}, marked{table};
   LoopLines loops;
   Legend legend{table};
   LegendPlace legend_place = LegendPlace::over_the_picture;
@@ -103,12 +104,13 @@ struct MeshScene::Impl {
 };
 
 MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
-  for (PatchBatch* batch : {&impl_->batch, &impl_->ghosts}) {
+  for (PatchBatch* batch : {&impl_->batch, &impl_->ghosts, &impl_->marked}) {
     batch->surface().actor()->VisibilityOff();
     impl_->renderer->AddActor(batch->surface().actor());
   }
   impl_->ghosts.surface().set_shading(Shading::plain);
   impl_->ghosts.surface().set_edges(Edges::shown);
+  impl_->marked.surface().set_shading(Shading::plain);
   impl_->loops.add_to(impl_->renderer);
   impl_->legend.add_to(impl_->renderer);
   impl_->legend.hide();
@@ -143,6 +145,15 @@ void MeshScene::keep_scans(const std::vector<int>& indices) {
   impl_->update_legend();
 }
 
+void MeshScene::place_scan(int index, const Eigen::Matrix4d& placement) {
+  const auto scan = impl_->scans.find(index);
+  if (scan == impl_->scans.end()) return;
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, placement(row, column));
+  scan->second->actor()->SetUserMatrix(placement.isIdentity() ? nullptr : matrix.Get());
+}
+
 void MeshScene::set_patch(int id, ShapePtr shape) {
   impl_->patch_shapes[id] = std::move(shape);
   impl_->patches_changed = true;
@@ -162,6 +173,10 @@ void MeshScene::set_ghosts(const std::vector<ShapePtr>& shapes) {
   PatchBatch::Shapes numbered;
   for (const ShapePtr& shape : shapes) numbered.emplace(static_cast<int>(numbered.size()), shape);
   impl_->ghosts.show(numbered);
+}
+
+void MeshScene::set_marked(ShapePtr shape) {
+  impl_->marked.show(shape ? PatchBatch::Shapes{{0, std::move(shape)}} : PatchBatch::Shapes{});
 }
 
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) {

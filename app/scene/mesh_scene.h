@@ -32,7 +32,11 @@ class MeshScene {
   void keep_patches(const std::vector<int>& ids);
   /// Patches that are only thought of: plain, with their edges.
   void set_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& shapes);
+  /// Painted over what it lies on; null: nothing.
+  void set_marked(std::shared_ptr<const SurfaceShape> shape);
   void set_loops(const std::vector<LoopLine>& loops);
+  /// Draws a scan elsewhere while its part is being moved, without touching its arrays.
+  void place_scan(int index, const Eigen::Matrix4d& placement);
   /// To be called before drawing: puts into actors what has changed.
   void update();
 

@@ -32,7 +32,7 @@ FileDesk::FileDesk(Document& document, UndoHistory& undo, Workbench& workbench, 
   connect(&workbench_, &Workbench::failed, this, [this] { after_saving_ = nullptr; });
 }
 
-bool FileDesk::has_unsaved_work() const { return !undo_.is_saved() && !document_.patches().empty(); }
+bool FileDesk::has_unsaved_work() const { return !undo_.is_saved() && document_.has_work(); }
 
 void FileDesk::act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act) {
   if (!has_unsaved_work()) {
@@ -60,12 +60,15 @@ void FileDesk::open(const QStringList& paths, OpenMode mode) {
     act();
     return;
   }
-  act_when_safe(tr("There are patches that are neither saved nor exported."), tr("&Open without saving"), act);
+  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Open without saving"), act);
 }
 
 void FileDesk::open_sample() {
-  act_when_safe(tr("There are patches that are neither saved nor exported."), tr("&Open without saving"),
-                [this] { workbench_.open_sample(); });
+  when_safe([this] { workbench_.open_sample(); });
+}
+
+void FileDesk::when_safe(const std::function<void()>& act) {
+  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Open without saving"), act);
 }
 
 void FileDesk::ask_open(OpenMode mode) {
@@ -76,8 +79,10 @@ void FileDesk::ask_open(OpenMode mode) {
 }
 
 QString FileDesk::proposal(const QString& ending) const {
-  const QFileInfo scan(document_.first_scan().path.isEmpty() ? QStringLiteral("sample.ply")
-                                                             : document_.first_scan().path);
+  const OpenedScan& first = document_.first_scan();
+  const QFileInfo scan(first.from == ScanOrigin::file     ? first.path
+                       : first.from == ScanOrigin::sample ? QStringLiteral("sample.ply")
+                                                          : QStringLiteral("surface.ply"));
   return scan.dir().filePath(scan.completeBaseName() + ending);
 }
 
@@ -105,7 +110,7 @@ void FileDesk::save_session_as() {
 
 bool FileDesk::may_close() {
   if (closing_ == Closing::agreed || !has_unsaved_work()) return true;
-  act_when_safe(tr("There are patches that are neither saved nor exported."), tr("&Close without saving"), [this] {
+  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Close without saving"), [this] {
     closing_ = Closing::agreed;
     window_->close();
   });
@@ -123,7 +128,7 @@ void FileDesk::offer_recovery() {
                   *done = connect(&workbench_, &Workbench::activity_changed, this, [this, newest, done] {
                     if (workbench_.busy()) return;
                     disconnect(*done);
-                    if (!document_.patches().empty()) Q_EMIT recovered(newest);
+                    if (document_.has_work()) Q_EMIT recovered(newest);
                   });
                   workbench_.open_session(newest.path, tr("recovered work"));
                 }},

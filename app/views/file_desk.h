@@ -25,6 +25,8 @@ class FileDesk : public QObject {
   /// Scans, or one session. Asks first when patches would be lost.
   void open(const QStringList& paths, OpenMode mode);
   void open_sample();
+  /// Does it, after asking where work would be lost.
+  void when_safe(const std::function<void()>& act);
   void ask_open(OpenMode mode);
   void ask_export();
   void save_session();

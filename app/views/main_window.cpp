@@ -1,8 +1,10 @@
 #include "views/main_window.h"
 
+#include "compare/compare_desk.h"
 #include "panels/banner.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
+#include "panels/flow_box.h"
 #include "panels/holes_panel.h"
 #include "panels/icons.h"
 #include "panels/inspect_panel.h"
@@ -10,8 +12,10 @@
 #include "panels/patch_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
+#include "views/example_desk.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
+#include "views/tool_desk.h"
 #include "views/window_actions.h"
 
 #include <QAbstractButton>
@@ -37,7 +41,9 @@ MainWindow::MainWindow(QWidget* parent)
   resize(1360, 860);
   build_centre();
   files_ = new FileDesk(document_, undo_, workbench_, *banner_, this);
+  compare_ = new CompareDesk(document_, selection_, workbench_, this);
   build_docks();
+  examples_ = new ExampleDesk({document_, selection_, workbench_, *tools_, *compare_, *view_, *banner_}, this);
   actions_->build_menus(dock_toggles_);
   actions_->build_toolbar();
   status_ = new StatusLine(document_, workbench_);
@@ -88,6 +94,7 @@ void MainWindow::build_docks() {
   patch_ = new PatchPanel(document_, selection_, workbench_);
   look_ = new LookPanel;
   inspect_ = new InspectPanel(document_, selection_);
+  tools_ = new ToolDesk(document_, selection_, workbench_, *view_, this);
   const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
     auto* made = new QDockWidget(title);
     made->setObjectName(QLatin1String(name));
@@ -100,7 +107,16 @@ void MainWindow::build_docks() {
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
   QDockWidget* look = dock("lookDock", tr("Look"), look_, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("inspectDock", tr("Inspect"), inspect_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(right, look);
+  QDockWidget* tools = dock("toolsDock", tr("Tools"), tools_->panel(), Qt::RightDockWidgetArea);
+  tabifyDockWidget(right, tools);
+  tabifyDockWidget(tools, look);
+  connect(tools_, &ToolDesk::tool_changed, tools, [this, tools](Tool tool) {
+    if (tool != Tool::none) tools->raise();
+    update_actions();
+  });
+  connect(tools, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    if (!visible && isVisible() && !isMinimized()) tools_->take(Tool::none);
+  });
   right->raise();
   resizeDocks({left, right}, {424, 272}, Qt::Horizontal);
   resizeDocks({bottom}, {214}, Qt::Vertical);
@@ -160,8 +176,16 @@ void MainWindow::connect_panels() {
     update_actions();
   });
   connect(view_, &MeshView::probed, status_, &StatusLine::say);
+  connect(&patch_->flow_box(), &FlowBox::compare_wanted, (*actions_)["compare"], &QAction::trigger);
+  connect(compare_, &CompareDesk::failed, banner_, &Banner::show_problem);
+  connect(tools_, &ToolDesk::failed, banner_, &Banner::show_problem);
+  connect(tools_, &ToolDesk::notice, banner_, &Banner::show_notice);
+  connect(tools_, &ToolDesk::notice, inspect_, &InspectPanel::log);
+  connect(tools_, &ToolDesk::compare_wanted, this, [this] { compare_->compare_trial(tools_->trial(), look_->look()); });
   connect(welcome_, &Welcome::open_wanted, this, [this] { files_->ask_open(OpenMode::replace); });
   connect(welcome_, &Welcome::sample_wanted, this, &MainWindow::open_sample);
+  connect(welcome_, &Welcome::example_wanted, this,
+          [this](const QString& id) { files_->when_safe([this, id] { examples_->open(id); }); });
   connect(welcome_, &Welcome::file_wanted, this, [this](const QString& path) { open(path); });
   connect(files_, &FileDesk::recovered, &autosave_, &Autosave::take_over);
   connect(files_, &FileDesk::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });
@@ -204,7 +228,10 @@ void MainWindow::open_sample() { files_->open_sample(); }
 
 void MainWindow::offer_recovery() { files_->offer_recovery(); }
 
-bool MainWindow::shut_down(std::chrono::milliseconds at_most) { return workbench_.shut_down(at_most); }
+bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
+  const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
+  return workbench_.shut_down(at_most) && compared && tried;
+}
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();

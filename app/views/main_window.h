@@ -15,6 +15,8 @@ class QStackedLayout;
 namespace loopmend {
 
 class Banner;
+class CompareDesk;
+class ExampleDesk;
 class FileDesk;
 class HolesPanel;
 class InspectPanel;
@@ -22,6 +24,7 @@ class LookPanel;
 class MeshView;
 class PatchPanel;
 class StatusLine;
+class ToolDesk;
 class Welcome;
 class WindowActions;
 
@@ -46,6 +49,8 @@ class MainWindow : public QMainWindow {
   UndoHistory& undo() { return undo_; }
   Autosave& autosave() { return autosave_; }
   MeshView& view() { return *view_; }
+  CompareDesk& comparisons() { return *compare_; }
+  ToolDesk& tools() { return *tools_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -82,12 +87,15 @@ class MainWindow : public QMainWindow {
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;
   Banner* banner_ = nullptr;
+  CompareDesk* compare_ = nullptr;
+  ExampleDesk* examples_ = nullptr;
   FileDesk* files_ = nullptr;
   HolesPanel* holes_ = nullptr;
   PatchPanel* patch_ = nullptr;
   LookPanel* look_ = nullptr;
   InspectPanel* inspect_ = nullptr;
   StatusLine* status_ = nullptr;
+  ToolDesk* tools_ = nullptr;
   QStackedLayout* centre_ = nullptr;
   QList<QAction*> dock_toggles_;
 };

@@ -1,6 +1,7 @@
 // What the window's actions do, and when they can be done.
 #include "views/main_window.h"
 
+#include "compare/compare_desk.h"
 #include "dialogs/about.h"
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
@@ -19,8 +20,10 @@
 #include "panels/theme.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
+#include "views/tool_desk.h"
 #include "views/window_actions.h"
 
+#include <QDockWidget>
 #include <QMenu>
 
 namespace loopmend {
@@ -90,6 +93,14 @@ void MainWindow::connect_patch_actions() {
   a.on("acceptAction", &patch_->decision_box(), &DecisionBox::accept_or_reopen);
   a.on("rejectAction", &patch_->decision_box(), &DecisionBox::reject);
   a.on("copyAction", &patch_->decision_box(), &DecisionBox::copy_command);
+  for (const auto& [name, tool] : {std::pair{"toolRegionAction", Tool::region},
+                                   {"toolPointsAction", Tool::points},
+                                   {"toolBlendAction", Tool::blend}})
+    a.on(name, this, [this, wanted = tool] {
+      findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
+      tools_->take(tools_->panel()->tool() == wanted ? Tool::none : wanted);
+    });
+  a.on("compare", this, [this] { compare_->compare_holes(look_->look()); });
   a.on("cancelAction", this, &MainWindow::step_back);
 }
 
@@ -97,9 +108,11 @@ void MainWindow::connect_patch_actions() {
 void MainWindow::step_back() {
   if (workbench_.busy()) {
     workbench_.cancel();
+  } else if (tools_->trial().busy()) {
+    tools_->step_back();
   } else if (banner_->isVisible()) {
     banner_->hide();
-  } else {
+  } else if (!tools_->step_back()) {
     view_->drop_probe();
     selection_.select({});
   }
@@ -113,8 +126,9 @@ void MainWindow::update_actions() {
   a["undo"]->setText(undo_.can_undo() ? tr("&Undo: %1").arg(undo_.undo_text()) : tr("&Undo"));
   a["redo"]->setText(undo_.can_redo() ? tr("&Redo: %1").arg(undo_.redo_text()) : tr("&Redo"));
   for (const char* name : {"export", "saveSession", "saveSessionAs"}) a[name]->setEnabled(idle && scan);
-  for (const char* name : {"add", "screenshot", "frame", "probe", "wireframe", "seams", "selectAll", "nextHole",
-                           "previousHole", "curvature", "gaussian", "plain", "zebra", "isophotes"})
+  for (const char* name : {"add", "compare", "toolRegionAction", "toolPointsAction", "toolBlendAction", "screenshot",
+                           "frame", "probe", "wireframe", "seams", "selectAll", "nextHole", "previousHole", "curvature",
+                           "gaussian", "plain", "zebra", "isophotes"})
     a[name]->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));

@@ -2,10 +2,10 @@
 
 #include "document/words.h"
 #include "views/mesh_view_impl.h"
+#include "views/turn_style.h"
 
 #include <vtkCommand.h>
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkObjectFactory.h>
+#include <vtkInteractorStyle.h>
 #include <vtkRenderWindowInteractor.h>
 
 #include <QElapsedTimer>
@@ -15,17 +15,7 @@
 namespace loopmend {
 namespace {
 
-/// Turning and zooming only: VTK's own keys (q quits!) are not ours.
-class TurnStyle : public vtkInteractorStyleTrackballCamera {
- public:
-  static TurnStyle* New();
-  vtkTypeMacro(TurnStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
-  void OnKeyPress() override {}
-  void OnKeyDown() override {}
-};
-vtkStandardNewMacro(TurnStyle)
-
-    LoopStyle style_of(HoleState state) {
+LoopStyle style_of(HoleState state) {
   switch (state) {
     case HoleState::open: return LoopStyle::open;
     case HoleState::left_out: return LoopStyle::left_out;
@@ -66,13 +56,15 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(impl_->canvas);
   impl_->overlay = new ViewOverlay(this);
+  impl_->sheet = new ToolSheet(this, [this](QPainter& painter) {
+    if (impl_->tool) impl_->tool->paint(painter, space());
+  });
   impl_->flight = new CameraFlight(this);
 
   impl_->window->SetMultiSamples(0);
   impl_->canvas->setRenderWindow(impl_->window);
   impl_->window->AddRenderer(impl_->renderer());
-  vtkNew<TurnStyle> style;
-  impl_->window->GetInteractor()->SetInteractorStyle(style);
+  impl_->window->GetInteractor()->SetInteractorStyle(make_turn_style());
   update_palette();
   update_legend_words();
 
@@ -104,6 +96,8 @@ void MeshView::follow_document() {
   const Document& document = impl_->document;
   const HoleSelection& selection = impl_->selection;
   connect(&document, &Document::opened, this, [this] {
+    impl_->fresh_scene = true;
+    impl_->trial = {};
     // A preview is of the scan that is about to come: it stays, so that it need not go to the graphics again.
     if (!impl_->preview_shown) impl_->scene.keep_scans({});
     impl_->scene.keep_patches({});
@@ -117,7 +111,7 @@ void MeshView::follow_document() {
   });
   connect(&document, &Document::scans_changed, this, &MeshView::on_scans_changed);
   connect(&document, &Document::shape_changed, this, [this](int scan) {
-    impl_->scene.set_scan(scan, impl_->document.scan(scan)->shape);
+    if (!impl_->trial.hidden_scans.contains(scan)) impl_->scene.set_scan(scan, impl_->document.scan(scan)->shape);
     update_range();
     redraw();
   });
@@ -208,6 +202,11 @@ void MeshView::show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>
   redraw();
 }
 
+void MeshView::show_marked(std::shared_ptr<const SurfaceShape> shape) {
+  impl_->scene.set_marked(std::move(shape));
+  redraw();
+}
+
 void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
   if (!std::exchange(impl_->preview_shown, true)) impl_->pose_before = pose_of(impl_->camera());
   impl_->scene.clear();
@@ -233,8 +232,7 @@ void MeshView::drop_preview() {
 
 void MeshView::on_scans_changed() {
   const Document& document = impl_->document;
-  impl_->scene.keep_scans(document.scans());
-  for (int index : document.scans()) impl_->scene.set_scan(index, document.scan(index)->shape);
+  show_surfaces();
   update_range();
   std::vector<std::vector<float>> lines(document.loops().size());
   for (int loop = 0; loop < document.loop_count(); ++loop)
@@ -246,24 +244,58 @@ void MeshView::on_scans_changed() {
   impl_->seen_camera = 0;
   drop_probe();
   update_loops();
-  const bool first_seen =
-      document.scans().size() == 1 && !std::exchange(impl_->preview_shown, false) && document.patches().empty();
-  impl_->preview_shown = false;
+  const bool preview = std::exchange(impl_->preview_shown, false);
+  const bool first_seen = !document.scans().empty() && std::exchange(impl_->fresh_scene, document.scans().empty()) &&
+                          !preview && document.patches().empty();
   first_seen ? face_front() : redraw();
 }
 
 void MeshView::on_patches_changed() {
-  std::vector<int> ids;
-  for (const OpenPatch& patch : impl_->document.patches()) {
-    ids.push_back(patch.id);
+  show_surfaces();
+  redraw();
+}
+
+/// Scans and patches, or what is tried out in their place.
+void MeshView::show_surfaces() {
+  constexpr int trial = -1;
+  const Document& document = impl_->document;
+  std::vector<int> scans, patches;
+  for (int index : document.scans()) {
+    if (impl_->trial.hidden_scans.contains(index)) continue;
+    scans.push_back(index);
+    impl_->scene.set_scan(index, document.scan(index)->shape);
+  }
+  if (impl_->trial.backdrop) {
+    scans.push_back(trial);
+    impl_->scene.set_scan(trial, impl_->trial.backdrop);
+  }
+  for (const OpenPatch& patch : document.patches()) {
+    if (impl_->trial.hidden_scans.contains(patch.scan)) continue;
+    patches.push_back(patch.id);
     impl_->scene.set_patch(patch.id, patch.state->shape);
   }
-  impl_->scene.keep_patches(ids);
+  if (impl_->trial.patch) {
+    patches.push_back(trial);
+    impl_->scene.set_patch(trial, impl_->trial.patch);
+  }
+  impl_->scene.keep_scans(scans);
+  impl_->scene.keep_patches(patches);
+}
+
+void MeshView::show_trial(const TrialPicture& picture) {
+  impl_->trial = picture;
+  show_surfaces();
+  redraw();
+}
+
+void MeshView::place_scan(int scan, const Eigen::Matrix4d& placement) {
+  impl_->scene.place_scan(scan, placement);
   redraw();
 }
 
 void MeshView::on_patch_moved(int id) {
-  if (const OpenPatch* patch = impl_->document.patch(id)) impl_->scene.set_patch(id, patch->state->shape);
+  const OpenPatch* patch = impl_->document.patch(id);
+  if (patch && !impl_->trial.hidden_scans.contains(patch->scan)) impl_->scene.set_patch(id, patch->state->shape);
   redraw();
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "scene/look.h"
+#include "scene/trial_picture.h"
+#include "tools/view_tool.h"
 
 #include <QImage>
 #include <QWidget>
@@ -12,7 +14,6 @@ namespace loopmend {
 
 class Document;
 class HoleSelection;
-struct SurfaceShape;
 
 /// A picture that leaves the program.
 struct PictureOptions {
@@ -44,6 +45,17 @@ class MeshView : public QWidget {
 
   Viewpoint viewpoint() const;
   void set_viewpoint(const Viewpoint& viewpoint);
+  /// A part of a surface that was painted; null: none.
+  void show_marked(std::shared_ptr<const SurfaceShape> shape);
+  /// In place of scans and their patches; an empty picture shows these again.
+  void show_trial(const TrialPicture& picture);
+  /// Takes the mouse first; null: none. Stays alive as long as it is set.
+  void set_tool(ViewTool* tool);
+  /// What the tool paints over the picture is another.
+  void update_tool();
+  ViewSpace space();
+  void place_scan(int scan, const Eigen::Matrix4d& placement);
+
   /// Everything, from where the eye is.
   void frame();
   /// Turns and moves until the loop is seen from above.
@@ -82,6 +94,8 @@ class MeshView : public QWidget {
   void update_legend_words();
   void on_patches_changed();
   void on_patch_moved(int id);
+  void show_surfaces();
+  bool tool_takes(QEvent* event);
   void update_loops();
   void update_highlight();
   void update_palette();

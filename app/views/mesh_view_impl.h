@@ -8,6 +8,7 @@
 #include "views/loop_picker.h"
 #include "views/mesh_view.h"
 #include "views/surface_probe.h"
+#include "views/tool_sheet.h"
 #include "views/view_overlay.h"
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -33,6 +34,7 @@ struct MeshView::Impl {
   HoleSelection& selection;
   QVTKOpenGLNativeWidget* canvas = nullptr;
   ViewOverlay* overlay = nullptr;
+  ToolSheet* sheet = nullptr;
   CameraFlight* flight = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   MeshScene scene;
@@ -46,7 +48,11 @@ struct MeshView::Impl {
   Look look;
   std::optional<Probe> probe;
   bool preview_shown = false;
-  bool warm = false;                   ///< every program of the graphics is ready
+  bool warm = false;        ///< every program of the graphics is ready
+  bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
+  TrialPicture trial;
+  ViewTool* tool = nullptr;
+  bool tool_has_mouse = false;
   bool drawing_elsewhere = false;      ///< into a picture, not onto the screen
   CameraPose pose_before;              ///< of the preview
   std::vector<LoopStyle> loop_styles;  ///< as drawn

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -21,6 +22,7 @@ constexpr double loop_share = 2.4;  ///< how many loop diameters are seen around
 
 bool MeshView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != impl_->canvas) return QWidget::eventFilter(watched, event);
+  if (impl_->tool && tool_takes(event)) return true;
   switch (event->type()) {
     case QEvent::MouseMove: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
@@ -53,6 +55,57 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
     default: break;
   }
   return QWidget::eventFilter(watched, event);
+}
+
+bool MeshView::tool_takes(QEvent* event) {
+  using Act = ViewTool::Act;
+  const auto type = event->type();
+  if (type != QEvent::MouseMove && type != QEvent::MouseButtonPress && type != QEvent::MouseButtonRelease) return false;
+  const auto& mouse = *static_cast<QMouseEvent*>(event);
+  if (mouse.modifiers().testFlag(Qt::ShiftModifier) && !impl_->tool_has_mouse) {
+    // With a tool in hand Shift turns the picture; the graphics know that as dragging without any key.
+    QMouseEvent bare(type, mouse.localPos(), mouse.windowPos(), mouse.screenPos(), mouse.button(), mouse.buttons(), {});
+    ViewTool* tool = std::exchange(impl_->tool, nullptr);
+    QCoreApplication::sendEvent(impl_->canvas, &bare);
+    impl_->tool = tool;
+    return true;
+  }
+  bool taken = false;
+  if (type == QEvent::MouseButtonPress) {
+    taken = impl_->tool_has_mouse = impl_->tool->mouse(Act::press, mouse, space());
+    if (taken) impl_->flight->stop();
+  } else if (type == QEvent::MouseMove) {
+    const bool dragging = impl_->tool_has_mouse;
+    if (dragging || mouse.buttons() == Qt::NoButton)
+      taken = impl_->tool->mouse(dragging ? Act::move : Act::hover, mouse, space()) || dragging;
+  } else {
+    taken = std::exchange(impl_->tool_has_mouse, false);
+    if (taken) impl_->tool->mouse(Act::release, mouse, space());
+  }
+  if (taken) impl_->selection.hover(no_loop);
+  update_tool();
+  return taken;
+}
+
+void MeshView::set_tool(ViewTool* tool) {
+  impl_->tool = tool;
+  impl_->tool_has_mouse = false;
+  impl_->sheet->setVisible(tool != nullptr);
+  impl_->sheet->setGeometry(rect());
+  impl_->sheet->raise();
+  impl_->canvas->unsetCursor();
+  update_tool();
+}
+
+void MeshView::update_tool() {
+  if (impl_->tool) impl_->sheet->update();
+}
+
+ViewSpace MeshView::space() {
+  impl_->follow_camera();
+  const QSize size = impl_->pixels();
+  return {impl_->to_clip(), size.width(), size.height(), impl_->canvas->devicePixelRatioF(),
+          [this](int x, int y) { return impl_->depth_at(x, y); }};
 }
 
 int MeshView::loop_at(const QPoint& at) {
@@ -268,6 +321,7 @@ void MeshView::after_render() {
   if (impl_->drawing_elsewhere) return;
   Q_EMIT drawn();
   impl_->depth_is_fresh = false;
+  update_tool();
   const bool moved = impl_->camera()->GetMTime() != impl_->seen_camera;
   impl_->follow_camera();
   if (!moved) return;
@@ -279,6 +333,8 @@ void MeshView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   impl_->overlay->setGeometry(rect());
   impl_->overlay->raise();
+  impl_->sheet->setGeometry(rect());
+  impl_->sheet->raise();
   const QSize size = this->size() * devicePixelRatioF();
   impl_->scene.set_pixel_ratio(devicePixelRatioF());
   impl_->scene.set_size(size.width(), size.height());

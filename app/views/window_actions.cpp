@@ -85,6 +85,16 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Step after step until at rest"), "Space", nullptr},
     {"steadyAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&To steady state"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Straight to where the flow comes to rest"), "T", nullptr},
+    {"compare", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Compare flows\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Several flows from one start, side by side"), "C", "compare"},
+    {"toolRegionAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Region"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Make a region of a surface smooth, its surroundings held"), "R",
+     nullptr},
+    {"toolPointsAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Surface through &points"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "A smooth surface through the vertices of a polyhedron"), "I",
+     nullptr},
+    {"toolBlendAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Blend rims"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Join two or more rims by one patch"), "B", nullptr},
     {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep the patch as it is, or take it up again"), "A", nullptr},
     {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "R&eject"),
@@ -156,8 +166,9 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian", "plain", "zebra", "isophotes", "-", "wireframe",
                                        "seams", "-", "frame", "probe", "-"});
   view->addActions(docks);
-  add_menu(tr("&Patch"), {"fillAction", "-", "stepAction", "runAction", "steadyAction", "-", "acceptAction",
-                          "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Patch"), {"fillAction", "-", "stepAction", "runAction", "steadyAction", "-", "compare", "-",
+                          "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
 }
 
@@ -184,10 +195,12 @@ void WindowActions::build_toolbar() {
   group({"undo", "redo"}, Qt::ToolButtonIconOnly);
   group({"curvature", "gaussian", "plain", "zebra", "isophotes"}, Qt::ToolButtonTextBesideIcon);
   group({"wireframe", "seams", "frame", "screenshot"}, Qt::ToolButtonIconOnly);
+  group({"compare"}, Qt::ToolButtonTextBesideIcon);
   const auto short_name = [this](const char* name, const QString& text) { (*this)[name]->setIconText(text); };
   short_name("open", tr("Open"));
   short_name("saveSession", tr("Save"));
   short_name("export", tr("Export"));
+  short_name("compare", tr("Compare"));
   short_name("curvature", tr("H"));
   short_name("gaussian", tr("K"));
 }

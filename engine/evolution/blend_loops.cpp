@@ -42,7 +42,7 @@ void take_verdict(const FillSite& site, BlendResult& result) {
 }  // namespace
 
 BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
-                        const CancelToken& cancel) {
+                        const CancelToken& cancel, const Evolution::OnStep& on_step) {
   const auto begin = std::chrono::steady_clock::now();
   if (options.evolution) check(*options.evolution);
   BlendResult result;
@@ -58,7 +58,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (!result.bridge || cancel.cancelled()) return result;
   const FillSite site(agreed);
   if (options.evolution && result.bridge->start.free_count > 0) {
-    take_evolved(evolve_filler(site, result.bridge->start, *options.evolution, nullptr, cancel), result);
+    take_evolved(evolve_filler(site, result.bridge->start, *options.evolution, on_step, cancel), result);
   } else {
     result.patch = result.bridge->membrane;
     result.status = LoopStatus::filled;

@@ -33,6 +33,6 @@ struct BlendResult {
 /// the piece of the first loop being right. When the result is `failed` or cancelled, the model is as it was.
 /// @throws InvalidArgument as bridge_loops, and where pieces cannot be made to agree.
 BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
-                        const CancelToken& cancel);
+                        const CancelToken& cancel, const Evolution::OnStep& on_step = nullptr);
 
 }  // namespace loopmend

@@ -56,6 +56,29 @@ EvolutionOptions options_for(FlowKind flow, const EvolutionOptions& base) {
   return options;
 }
 
+FlowRun run_compared(const Patch& start, FlowKind flow, const EvolutionOptions& base, const Evolution::OnStep& on_step,
+                     const CancelToken& cancel) {
+  FlowRun run;
+  run.flow = flow;
+  run.evolved = run_flow(start, options_for(flow, base), on_step, cancel);
+  run.energies = patch_energies(run.evolved.patch);
+  run.seams = seam_reports(run.evolved.patch);
+  run.wide_jump = wide_curvature_jump(run.evolved.patch);
+  return run;
+}
+
+std::vector<ProfilePoint> profile_across(const Patch& patch, int edge) {
+  return seam_profile(patch, 0, edge, profile_reach(patch));
+}
+
+void add_profiles(FlowComparison& comparison) {
+  if (comparison.runs.empty() || comparison.runs.front().evolved.patch.loops.empty()) return;
+  comparison.profile_edge = widest_jump(comparison.runs);
+  comparison.profiles.clear();
+  for (const FlowRun& run : comparison.runs)
+    comparison.profiles.push_back(profile_across(run.evolved.patch, comparison.profile_edge));
+}
+
 FlowComparison compare_flows(const Patch& start, const EvolutionOptions& base,
                              const std::function<void(FlowKind)>& progress, const CancelToken& cancel) {
   FlowComparison comparison;
@@ -64,19 +87,9 @@ FlowComparison compare_flows(const Patch& start, const EvolutionOptions& base,
   for (FlowKind flow : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
     if (cancel.cancelled()) return comparison;
     if (progress) progress(flow);
-    FlowRun run;
-    run.flow = flow;
-    run.evolved = run_flow(start, options_for(flow, base), nullptr, cancel);
-    run.energies = patch_energies(run.evolved.patch);
-    run.seams = seam_reports(run.evolved.patch);
-    run.wide_jump = wide_curvature_jump(run.evolved.patch);
-    comparison.runs.push_back(std::move(run));
+    comparison.runs.push_back(run_compared(start, flow, base, nullptr, cancel));
   }
-  if (start.loops.empty()) return comparison;
-  comparison.profile_edge = widest_jump(comparison.runs);
-  for (const FlowRun& run : comparison.runs)
-    comparison.profiles.push_back(
-        seam_profile(run.evolved.patch, 0, comparison.profile_edge, profile_reach(run.evolved.patch)));
+  add_profiles(comparison);
   return comparison;
 }
 

@@ -38,6 +38,16 @@ struct FlowComparison {
 /// surface is strongly curved (NUMERICS §10).
 EvolutionOptions options_for(FlowKind flow, const EvolutionOptions& base);
 
+/// One flow of a comparison, from `start` to its end. @param base  its flow does not count.
+FlowRun run_compared(const Patch& start, FlowKind flow, const EvolutionOptions& base, const Evolution::OnStep& on_step,
+                     const CancelToken& cancel);
+
+/// H across one edge of loop 0, as far as a comparison shows it. @param edge  0-based, along the loop.
+std::vector<ProfilePoint> profile_across(const Patch& patch, int edge);
+
+/// Fills in profile_edge and profiles, once all runs are there; nothing for patches without a loop.
+void add_profiles(FlowComparison& comparison);
+
 /// Runs the flows one after another, each from `start` itself.
 /// @param base      its flow does not count.
 /// @param progress  called before each flow.

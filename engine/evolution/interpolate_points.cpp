@@ -20,7 +20,8 @@ void add_effort(const EvolvedPatch& before, EvolvedPatch& after) {
 }  // namespace
 
 Interpolation interpolate_points(const SurfaceModel& polyhedron, const SubdivisionOptions& subdivision,
-                                 const std::optional<EvolutionOptions>& evolution, const CancelToken& cancel) {
+                                 const std::optional<EvolutionOptions>& evolution, const CancelToken& cancel,
+                                 const Evolution::OnStep& on_step) {
   Interpolation result;
   const PolyhedronPatch finest = subdivide_polyhedron(polyhedron, subdivision);
   result.initial = polyhedron_surface(finest, finest.patch);
@@ -36,10 +37,10 @@ Interpolation interpolate_points(const SurfaceModel& polyhedron, const Subdivisi
   PolyhedronPatch level = subdivide_polyhedron(polyhedron, coarse);
   EvolutionOptions options = *evolution;
   options.triangles = PatchTriangles::kept;  // the subdivision was asked for
-  result.evolved = evolve_patch(level.patch, options, nullptr, cancel);
+  result.evolved = evolve_patch(level.patch, options, on_step, cancel);
   for (int k = coarse.subdivisions; k < subdivision.subdivisions && !cancel.cancelled(); ++k) {
     level = split_further(level, result.evolved.patch);
-    EvolvedPatch finer = evolve_patch(level.patch, options, nullptr, cancel);
+    EvolvedPatch finer = evolve_patch(level.patch, options, on_step, cancel);
     add_effort(result.evolved, finer);
     result.evolved = std::move(finer);
   }

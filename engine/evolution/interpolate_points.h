@@ -17,6 +17,7 @@ struct Interpolation {
 /// subdivision starts from it. With evolution options empty the surface is the subdivided polyhedron.
 /// @throws InvalidArgument as subdivide_polyhedron and Evolution.
 Interpolation interpolate_points(const SurfaceModel& polyhedron, const SubdivisionOptions& subdivision,
-                                 const std::optional<EvolutionOptions>& evolution, const CancelToken& cancel);
+                                 const std::optional<EvolutionOptions>& evolution, const CancelToken& cancel,
+                                 const Evolution::OnStep& on_step = nullptr);
 
 }  // namespace loopmend

@@ -22,8 +22,12 @@ if [[ -n ${3:-} ]]; then
   shoot light2 2 2800x1800
   shoot dark2 2 2800x1800 dark
 fi
-mkdir -p "$pictures"
-for name in window holes patch running look zebra inspect; do
+mkdir -p "$pictures" "$pictures/../../gallery"
+for name in window holes patch running look zebra inspect compare region; do
   cp "$folder/light/$name.png" "$pictures/$name.png"
+done
+for example in "$folder"/light/gallery_*.png; do
+  name=$(basename "$example")
+  cp "$example" "$pictures/../../gallery/${name#gallery_}"
 done
 echo "pictures of the help pages: $pictures; all: $folder"

@@ -69,6 +69,486 @@
         </message>
     </context>
     <context>
+        <name>loopmend::BlendBox</name>
+        <message>
+            <source>Those that &amp;face each other</source>
+            <translation>Die ein&amp;ander zugewandten</translation>
+        </message>
+        <message>
+            <source>Select of each part the loop that looks at the others most</source>
+            <translation>Von jedem Teil den Rand auswählen, der am meisten zu den anderen blickt</translation>
+        </message>
+        <message>
+            <source>Select two or more rims, in the picture or in the table; Ctrl adds. One patch will join them.</source>
+            <translation>Zwei oder mehr Ränder auswählen, im Bild oder in der Tabelle; Strg nimmt dazu. Ein Flicken verbindet sie.</translation>
+        </message>
+        <message>
+            <source>Density</source>
+            <translation>Dichte</translation>
+        </message>
+        <message>
+            <source>Edges along a length, relative to the surroundings</source>
+            <translation>Kanten auf eine Länge, im Verhältnis zur Umgebung</translation>
+        </message>
+        <message>
+            <source>Part to place</source>
+            <translation>Teil zum Platzieren</translation>
+        </message>
+        <message>
+            <source>This part gets a handle in the picture: arrows move it, rings turn it, the square scales it</source>
+            <translation>Dieses Teil bekommt im Bild einen Griff: Pfeile verschieben, Ringe drehen, das Quadrat vergrößert</translation>
+        </message>
+        <message>
+            <source>&amp;Density</source>
+            <translation>&amp;Dichte</translation>
+        </message>
+        <message>
+            <source>&amp;Place</source>
+            <translation>&amp;Platzieren</translation>
+        </message>
+        <message>
+            <source>no part</source>
+            <translation>kein Teil</translation>
+        </message>
+        <message>
+            <source>Open the parts first.</source>
+            <translation>Zuerst die Teile öffnen.</translation>
+        </message>
+        <message>
+            <source>Only holes and outer rims can be joined, not a loop of the kind: %1.</source>
+            <translation>Nur Löcher und Außenränder lassen sich verbinden, nicht ein Rand der Art: %1.</translation>
+        </message>
+        <message>
+            <source>A selected hole is filled: reject its patch first.</source>
+            <translation>Ein ausgewähltes Loch ist gefüllt: zuerst seinen Flicken verwerfen.</translation>
+        </message>
+        <message>
+            <source>Select at least two rims.</source>
+            <translation>Mindestens zwei Ränder auswählen.</translation>
+        </message>
+        <message>
+            <source>No rim is selected.</source>
+            <translation>Kein Rand ist ausgewählt.</translation>
+        </message>
+        <message>
+            <source>Selected: %1</source>
+            <translation>Ausgewählt: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::CompareDesk</name>
+        <message>
+            <source>There is no hole to compare flows on. Open a scan with holes, or pose a region, points or a bridge.</source>
+            <translation>Es gibt kein Loch, an dem sich Flüsse vergleichen ließen. Einen Scan mit Löchern öffnen oder ein Gebiet, Punkte oder eine Brücke stellen.</translation>
+        </message>
+        <message>
+            <source>The holes belong to several scans. Select holes of one of them.</source>
+            <translation>Die Löcher gehören zu mehreren Scans. Löcher von einem davon auswählen.</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 von %2</translation>
+        </message>
+        <message>
+            <source>Put this patch into the holes, in place of what is there; can be undone</source>
+            <translation>Diesen Flicken in die Löcher setzen, anstelle dessen, was dort ist; lässt sich rückgängig machen</translation>
+        </message>
+        <message>
+            <source>The scan of this comparison is no longer open.</source>
+            <translation>Der Scan dieses Vergleichs ist nicht mehr offen.</translation>
+        </message>
+        <message>
+            <source>The main window is busy. Try again when it is done.</source>
+            <translation>Das Hauptfenster ist beschäftigt. Danach noch einmal versuchen.</translation>
+        </message>
+        <message>
+            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
+            <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
+        </message>
+        <message>
+            <source>Take this surface over into the document, in place of what it came from; can be undone</source>
+            <translation>Diese Fläche ins Dokument übernehmen, anstelle dessen, woraus sie entstand; lässt sich rückgängig machen</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::CompareNumbers</name>
+        <message>
+            <source>Surface</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>Ende</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>Schritte</translation>
+        </message>
+        <message>
+            <source>∫|∇H|²</source>
+            <translation>∫|∇H|²</translation>
+        </message>
+        <message>
+            <source>∫H²</source>
+            <translation>∫H²</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <source>Wide jump</source>
+            <translation>Weiter Sprung</translation>
+        </message>
+        <message>
+            <source>Jump of H</source>
+            <translation>Sprung von H</translation>
+        </message>
+        <message>
+            <source>× diam.</source>
+            <translation>× Durchm.</translation>
+        </message>
+        <message>
+            <source>Angle, °</source>
+            <translation>Winkel, °</translation>
+        </message>
+        <message>
+            <source>Folds</source>
+            <translation>Falten</translation>
+        </message>
+        <message>
+            <source>Cuts</source>
+            <translation>Schnitte</translation>
+        </message>
+        <message>
+            <source>Which flow</source>
+            <translation>Welcher Fluss</translation>
+        </message>
+        <message>
+            <source>How the flow ended</source>
+            <translation>Wie der Fluss endete</translation>
+        </message>
+        <message>
+            <source>Accepted steps</source>
+            <translation>Angenommene Schritte</translation>
+        </message>
+        <message>
+            <source>What MMCVF lowers, in 1/length²</source>
+            <translation>Was MMCVF senkt, in 1/Länge²</translation>
+        </message>
+        <message>
+            <source>What WF lowers, without a unit</source>
+            <translation>Was WF senkt, ohne Einheit</translation>
+        </message>
+        <message>
+            <source>What MCF and SDF lower, in length²</source>
+            <translation>Was MCF und SDF senken, in Länge²</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</source>
+            <translation>Sprung von H an der Naht aus weiten einseitigen Anpassungen, quadratisches Mittel, in 1/Länge: die gerechteste Zahl zwischen Flüssen</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</source>
+            <translation>Sprung von H an der Naht aus engen einseitigen Anpassungen, quadratisches Mittel, in 1/Länge</translation>
+        </message>
+        <message>
+            <source>The jump of H times the hole's diameter: without a unit</source>
+            <translation>Der Sprung von H mal dem Durchmesser des Lochs: ohne Einheit</translation>
+        </message>
+        <message>
+            <source>Angle between the normals of both sides at the seam, rms, in degrees</source>
+            <translation>Winkel zwischen den Normalen beider Seiten an der Naht, quadratisches Mittel, in Grad</translation>
+        </message>
+        <message>
+            <source>Edges folded by more than 90°</source>
+            <translation>Kanten, die um mehr als 90° gefaltet sind</translation>
+        </message>
+        <message>
+            <source>Places where the patch cuts itself or its surroundings</source>
+            <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
+        </message>
+        <message>
+            <source>at rest</source>
+            <translation>in Ruhe</translation>
+        </message>
+        <message>
+            <source>step limit</source>
+            <translation>Schrittgrenze</translation>
+        </message>
+        <message>
+            <source>stopped early</source>
+            <translation>früh beendet</translation>
+        </message>
+        <message>
+            <source>Energy of each flow against the step</source>
+            <translation>Energie jedes Flusses über dem Schritt</translation>
+        </message>
+        <message>
+            <source>Mean curvature across the seam, one line for each flow</source>
+            <translation>Mittlere Krümmung quer zur Naht, eine Linie je Fluss</translation>
+        </message>
+        <message>
+            <source>Figures of all flows</source>
+            <translation>Zahlen aller Flüsse</translation>
+        </message>
+        <message>
+            <source>Which energy</source>
+            <translation>Welche Energie</translation>
+        </message>
+        <message>
+            <source>Which energy the plot shows; each flow lowers its own</source>
+            <translation>Welche Energie das Diagramm zeigt; jeder Fluss senkt seine eigene</translation>
+        </message>
+        <message>
+            <source>∫|∇H|², what MMCVF lowers</source>
+            <translation>∫|∇H|², was MMCVF senkt</translation>
+        </message>
+        <message>
+            <source>∫H², what WF lowers</source>
+            <translation>∫H², was WF senkt</translation>
+        </message>
+        <message>
+            <source>Area, what MCF and SDF lower</source>
+            <translation>Flächeninhalt, was MCF und SDF senken</translation>
+        </message>
+        <message>
+            <source>H across the seam, patch right of 0</source>
+            <translation>H quer zur Naht, Flicken rechts von 0</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Anfang</translation>
+        </message>
+        <message>
+            <source>Run the flows, and their energies are drawn here.</source>
+            <translation>Flüsse laufen lassen, und hier stehen ihre Energien.</translation>
+        </message>
+        <message>
+            <source>There is no seam to look across.</source>
+            <translation>Es gibt keine Naht, über die man blicken könnte.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::CompareWindow</name>
+        <message>
+            <source>Wrote %1, and beside it energies and profile.</source>
+            <translation>%1 geschrieben, daneben Energien und Profil.</translation>
+        </message>
+        <message>
+            <source>Wrote %1.</source>
+            <translation>%1 geschrieben.</translation>
+        </message>
+        <message>
+            <source>Save numbers</source>
+            <translation>Zahlen sichern</translation>
+        </message>
+        <message>
+            <source>CSV (*.csv)</source>
+            <translation>CSV (*.csv)</translation>
+        </message>
+        <message>
+            <source>Compare flows: %1</source>
+            <translation>Flüsse vergleichen: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Run all</source>
+            <translation>A&amp;lle starten</translation>
+        </message>
+        <message>
+            <source>All flows from the same start, side by side (Space)</source>
+            <translation>Alle Flüsse vom selben Anfang, nebeneinander (Leertaste)</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Halt</translation>
+        </message>
+        <message>
+            <source>Stop at once; what was reached stays (Esc)</source>
+            <translation>Sofort anhalten; das Erreichte bleibt (Esc)</translation>
+        </message>
+        <message>
+            <source>Number of views</source>
+            <translation>Zahl der Bilder</translation>
+        </message>
+        <message>
+            <source>How many flows are compared</source>
+            <translation>Wie viele Flüsse verglichen werden</translation>
+        </message>
+        <message>
+            <source>%1 views</source>
+            <translation>%1 Bilder</translation>
+        </message>
+        <message>
+            <source>To the steady state</source>
+            <translation>Bis zur Ruhe</translation>
+        </message>
+        <message>
+            <source>Step by step</source>
+            <translation>Schritt für Schritt</translation>
+        </message>
+        <message>
+            <source>How</source>
+            <translation>Wie</translation>
+        </message>
+        <message>
+            <source>Straight to where each flow comes to rest, or in time steps, as in the paper</source>
+            <translation>Geradewegs dahin, wo jeder Fluss zur Ruhe kommt, oder in Zeitschritten wie im Aufsatz</translation>
+        </message>
+        <message>
+            <source>Time step</source>
+            <translation>Zeitschritt</translation>
+        </message>
+        <message>
+            <source>Time step σ, without a unit; the same for all flows</source>
+            <translation>Zeitschritt σ, ohne Einheit; für alle Flüsse derselbe</translation>
+        </message>
+        <message>
+            <source>Save &amp;picture…</source>
+            <translation>&amp;Bild sichern…</translation>
+        </message>
+        <message>
+            <source>All views as one PNG of a size you choose</source>
+            <translation>Alle Bilder als ein PNG in gewählter Größe</translation>
+        </message>
+        <message>
+            <source>Save &amp;numbers…</source>
+            <translation>&amp;Zahlen sichern…</translation>
+        </message>
+        <message>
+            <source>Table, energies and profiles as CSV, as loopmend compare writes them</source>
+            <translation>Tabelle, Energien und Profile als CSV, wie loopmend compare sie schreibt</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Darstellung</translation>
+        </message>
+        <message>
+            <source>How all views are shown (keys 1 to 5)</source>
+            <translation>Wie alle Bilder gezeigt werden (Tasten 1 bis 5)</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mittlere Krümmung H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaußsche Krümmung K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Schlicht</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophoten</translation>
+        </message>
+        <message>
+            <source>&amp;Wireframe</source>
+            <translation>&amp;Drahtgitter</translation>
+        </message>
+        <message>
+            <source>Wireframe</source>
+            <translation>Drahtgitter</translation>
+        </message>
+        <message>
+            <source>Draw the triangles' edges</source>
+            <translation>Die Kanten der Dreiecke zeichnen</translation>
+        </message>
+        <message>
+            <source>C&amp;olours ±</source>
+            <translation>&amp;Farben ±</translation>
+        </message>
+        <message>
+            <source>Own range of colours</source>
+            <translation>Eigener Farbbereich</translation>
+        </message>
+        <message>
+            <source>A colour range of your own, instead of that of the surroundings</source>
+            <translation>Ein eigener Farbbereich anstelle dessen der Umgebung</translation>
+        </message>
+        <message>
+            <source>Range</source>
+            <translation>Bereich</translation>
+        </message>
+        <message>
+            <source>The curvature at the ends of the colours</source>
+            <translation>Die Krümmung an den Enden der Farben</translation>
+        </message>
+        <message>
+            <source>&amp;Link views</source>
+            <translation>Bilder &amp;koppeln</translation>
+        </message>
+        <message>
+            <source>Link views</source>
+            <translation>Bilder koppeln</translation>
+        </message>
+        <message>
+            <source>Turning one view turns all</source>
+            <translation>Ein Bild drehen dreht alle</translation>
+        </message>
+        <message>
+            <source>&amp;Frame</source>
+            <translation>&amp;Alles zeigen</translation>
+        </message>
+        <message>
+            <source>See the whole patch in every view (F)</source>
+            <translation>In jedem Bild den ganzen Flicken zeigen (F)</translation>
+        </message>
+        <message>
+            <source>Wip&amp;e between</source>
+            <translation>W&amp;ischen zwischen</translation>
+        </message>
+        <message>
+            <source>Wipe</source>
+            <translation>Wischen</translation>
+        </message>
+        <message>
+            <source>One large picture of two flows, with a line between them that can be drawn</source>
+            <translation>Ein großes Bild zweier Flüsse, dazwischen eine Linie zum Ziehen</translation>
+        </message>
+        <message>
+            <source>Left of the line</source>
+            <translation>Links der Linie</translation>
+        </message>
+        <message>
+            <source>Which flow, or the start, is left of the line</source>
+            <translation>Welcher Fluss, oder der Anfang, links der Linie ist</translation>
+        </message>
+        <message>
+            <source>Right of the line</source>
+            <translation>Rechts der Linie</translation>
+        </message>
+        <message>
+            <source>Which flow, or the start, is right of the line</source>
+            <translation>Welcher Fluss, oder der Anfang, rechts der Linie ist</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Anfang</translation>
+        </message>
+        <message>
+            <source>σ = %1</source>
+            <translation>σ = %1</translation>
+        </message>
+        <message>
+            <source>Making the start…</source>
+            <translation>Anfang wird gemacht…</translation>
+        </message>
+        <message>
+            <source>Running…</source>
+            <translation>Läuft…</translation>
+        </message>
+        <message>
+            <source>%1 free vertices</source>
+            <translation>%1 freie Ecken</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::DecisionBox</name>
         <message>
             <source>the filler</source>
@@ -175,6 +655,21 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ExampleDesk</name>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>%1 of the paper: %2.</source>
+            <translation>%1 des Aufsatzes: %2.</translation>
+        </message>
+        <message>
+            <source>&amp;Run it</source>
+            <translation>&amp;Laufen lassen</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::FileDesk</name>
         <message>
             <source>&amp;Save session</source>
@@ -183,10 +678,6 @@
         <message>
             <source>&amp;Cancel</source>
             <translation>&amp;Abbrechen</translation>
-        </message>
-        <message>
-            <source>There are patches that are neither saved nor exported.</source>
-            <translation>Es gibt Flicken, die weder gesichert noch exportiert sind.</translation>
         </message>
         <message>
             <source>&amp;Open without saving</source>
@@ -259,6 +750,10 @@
         <message>
             <source>Nothing is open</source>
             <translation>Nichts ist offen</translation>
+        </message>
+        <message>
+            <source>There is work that is neither saved nor exported.</source>
+            <translation>Es gibt Arbeit, die weder gesichert noch exportiert ist.</translation>
         </message>
     </context>
     <context>
@@ -406,6 +901,148 @@
             <source>Pausing…</source>
             <translation>Hält an…</translation>
         </message>
+        <message>
+            <source>Compare &amp;flows…</source>
+            <translation>&amp;Flüsse vergleichen…</translation>
+        </message>
+        <message>
+            <source>Two to four flows from one start, side by side, in a window of their own (C)</source>
+            <translation>Zwei bis vier Flüsse von einem Anfang, nebeneinander in einem eigenen Fenster (C)</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::FlowPane</name>
+        <message>
+            <source>start</source>
+            <translation>Anfang</translation>
+        </message>
+        <message>
+            <source>step %1</source>
+            <translation>Schritt %1</translation>
+        </message>
+        <message>
+            <source>stopped at step %1</source>
+            <translation>angehalten bei Schritt %1</translation>
+        </message>
+        <message>
+            <source>at rest, %1 steps</source>
+            <translation>in Ruhe, %1 Schritte</translation>
+        </message>
+        <message>
+            <source>stopped early, step %1</source>
+            <translation>vorzeitig beendet, Schritt %1</translation>
+        </message>
+        <message>
+            <source>%1 steps</source>
+            <translation>%1 Schritte</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Annehmen</translation>
+        </message>
+        <message>
+            <source>Take this result over into the document; can be undone</source>
+            <translation>Dieses Ergebnis ins Dokument übernehmen; lässt sich rückgängig machen</translation>
+        </message>
+        <message>
+            <source>Flow</source>
+            <translation>Fluss</translation>
+        </message>
+        <message>
+            <source>Which flow this view shows</source>
+            <translation>Welchen Fluss dieses Bild zeigt</translation>
+        </message>
+        <message>
+            <source> · ∫|∇H|² %1</source>
+            <translation> · ∫|∇H|² %1</translation>
+        </message>
+        <message>
+            <source>Energy ∫|∇H|² %1</source>
+            <translation>Energie ∫|∇H|² %1</translation>
+        </message>
+        <message>
+            <source> · %1° · ΔH %2</source>
+            <translation> · %1° · ΔH %2</translation>
+        </message>
+        <message>
+            <source>At the seam: angle %1° (rms), jump of H %2 (rms)</source>
+            <translation>An der Naht: Winkel %1°, Sprung von H %2 (quadratische Mittel)</translation>
+        </message>
+        <message>
+            <source>Run the flows first</source>
+            <translation>Zuerst die Flüsse laufen lassen</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Gallery</name>
+        <message>
+            <source>Cylinder</source>
+            <translation>Zylinder</translation>
+        </message>
+        <message>
+            <source>Sphere</source>
+            <translation>Kugel</translation>
+        </message>
+        <message>
+            <source>Three tubes</source>
+            <translation>Drei Rohre</translation>
+        </message>
+        <message>
+            <source>Six tubes</source>
+            <translation>Sechs Rohre</translation>
+        </message>
+        <message>
+            <source>T piece</source>
+            <translation>T-Stück</translation>
+        </message>
+        <message>
+            <source>Head</source>
+            <translation>Kopf</translation>
+        </message>
+        <message>
+            <source>Dodecahedron</source>
+            <translation>Dodekaeder</translation>
+        </message>
+        <message>
+            <source>Flows, tubes</source>
+            <translation>Flüsse, Rohre</translation>
+        </message>
+        <message>
+            <source>Flows, graph</source>
+            <translation>Flüsse, Graph</translation>
+        </message>
+        <message>
+            <source>A cylinder with parts missing</source>
+            <translation>Ein Zylinder, dem Teile fehlen</translation>
+        </message>
+        <message>
+            <source>A wire-frame of a sphere with eight openings</source>
+            <translation>Ein Drahtgerüst einer Kugel mit acht Öffnungen</translation>
+        </message>
+        <message>
+            <source>Three tubes that form a T</source>
+            <translation>Drei Rohre, die ein T bilden</translation>
+        </message>
+        <message>
+            <source>A head-like mesh with holes in nose, face and jaw</source>
+            <translation>Ein kopfartiges Netz mit Löchern in Nase, Gesicht und Kiefer</translation>
+        </message>
+        <message>
+            <source>A dodecahedron</source>
+            <translation>Ein Dodekaeder</translation>
+        </message>
+        <message>
+            <source>MMCVF, SDF and WF on the six tubes</source>
+            <translation>MMCVF, SDF und WF an den sechs Rohren</translation>
+        </message>
+        <message>
+            <source>The graph of a function: MCF, SDF, WF and MMCVF</source>
+            <translation>Der Graph einer Funktion: MCF, SDF, WF und MMCVF</translation>
+        </message>
+        <message>
+            <source>%1: %2. A click opens it, a second one runs it</source>
+            <translation>%1: %2. Ein Klick öffnet es, ein zweiter lässt es laufen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HelpWindow</name>
@@ -452,6 +1089,10 @@
         <message>
             <source>Page</source>
             <translation>Seite</translation>
+        </message>
+        <message>
+            <source>Compare, region, points, blend</source>
+            <translation>Vergleich, Gebiet, Punkte, Verbinden</translation>
         </message>
     </context>
     <context>
@@ -755,6 +1396,49 @@
         </message>
     </context>
     <context>
+        <name>loopmend::LegendStrip</name>
+        <message>
+            <source>Legend</source>
+            <translation>Legende</translation>
+        </message>
+        <message>
+            <source>The colours of all pictures</source>
+            <translation>Die Farben aller Bilder</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mittlere Krümmung H</translation>
+        </message>
+        <message>
+            <source>Gaussian curv. K</source>
+            <translation>Gaußkrümmung K</translation>
+        </message>
+        <message>
+            <source>in 1/length</source>
+            <translation>in 1/Länge</translation>
+        </message>
+        <message>
+            <source>in 1/length²</source>
+            <translation>in 1/Länge²</translation>
+        </message>
+        <message>
+            <source>hollow</source>
+            <translation>hohl</translation>
+        </message>
+        <message>
+            <source>dome or bowl</source>
+            <translation>Kuppe, Mulde</translation>
+        </message>
+        <message>
+            <source>bulging</source>
+            <translation>gewölbt</translation>
+        </message>
+        <message>
+            <source>saddle</source>
+            <translation>Sattel</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::LookPanel</name>
         <message>
             <source>Blue, orange</source>
@@ -943,6 +1627,10 @@
             <source>Wrote %1.</source>
             <translation>%1 geschrieben.</translation>
         </message>
+        <message>
+            <source>Tools</source>
+            <translation>Werkzeuge</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::MeshView</name>
@@ -1103,6 +1791,108 @@
         </message>
     </context>
     <context>
+        <name>loopmend::PlacePart</name>
+        <message>
+            <source>Place %1</source>
+            <translation>%1 platzieren</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PointsBox</name>
+        <message>
+            <source>&amp;All vertices</source>
+            <translation>&amp;Alle Ecken</translation>
+        </message>
+        <message>
+            <source>Only those I pic&amp;k</source>
+            <translation>Nur die &amp;gewählten</translation>
+        </message>
+        <message>
+            <source>Clea&amp;r</source>
+            <translation>&amp;Leeren</translation>
+        </message>
+        <message>
+            <source>No vertex is picked</source>
+            <translation>Keine Ecke ist gewählt</translation>
+        </message>
+        <message>
+            <source>Its ri&amp;ms stay as they are</source>
+            <translation>Seine &amp;Ränder bleiben, wie sie sind</translation>
+        </message>
+        <message>
+            <source>A smooth surface through the vertices of a polyhedron. Open or drop one; its faces are divided, and the flow finds the rest.</source>
+            <translation>Eine glatte Fläche durch die Ecken eines Polyeders. Eines öffnen oder hineinziehen; seine Flächen werden geteilt, den Rest findet der Fluss.</translation>
+        </message>
+        <message>
+            <source>Polyhedron</source>
+            <translation>Polyeder</translation>
+        </message>
+        <message>
+            <source>Which of the open surfaces is meant</source>
+            <translation>Welche der offenen Flächen gemeint ist</translation>
+        </message>
+        <message>
+            <source>All vertices</source>
+            <translation>Alle Ecken</translation>
+        </message>
+        <message>
+            <source>The surface runs through every vertex</source>
+            <translation>Die Fläche läuft durch jede Ecke</translation>
+        </message>
+        <message>
+            <source>Only those I pick</source>
+            <translation>Nur die gewählten</translation>
+        </message>
+        <message>
+            <source>Click vertices in the picture, or draw a box around them; Ctrl takes away</source>
+            <translation>Ecken im Bild anklicken oder einen Kasten darum ziehen; Strg nimmt weg</translation>
+        </message>
+        <message>
+            <source>Subdivisions</source>
+            <translation>Unterteilungen</translation>
+        </message>
+        <message>
+            <source>Every one makes four triangles of each</source>
+            <translation>Jede macht aus jedem Dreieck vier</translation>
+        </message>
+        <message>
+            <source>Rims stay</source>
+            <translation>Ränder bleiben</translation>
+        </message>
+        <message>
+            <source>For a polyhedron with holes: its rims are divided, and stay where they are</source>
+            <translation>Für ein Polyeder mit Löchern: seine Ränder werden geteilt und bleiben, wo sie sind</translation>
+        </message>
+        <message>
+            <source>S&amp;ubdivisions</source>
+            <translation>&amp;Unterteilungen</translation>
+        </message>
+        <message>
+            <source>Open a polyhedron first.</source>
+            <translation>Zuerst ein Polyeder öffnen.</translation>
+        </message>
+        <message>
+            <source>At least 4 vertices have to be picked.</source>
+            <translation>Mindestens 4 Ecken müssen gewählt sein.</translation>
+        </message>
+        <message>
+            <source>This surface has holes: close them, or let its rims stay as they are.</source>
+            <translation>Diese Fläche hat Löcher: sie schließen oder ihre Ränder bleiben lassen, wie sie sind.</translation>
+        </message>
+        <message>
+            <source>That would be more than 4 million triangles: fewer subdivisions do.</source>
+            <translation>Das wären mehr als 4 Millionen Dreiecke: weniger Unterteilungen genügen.</translation>
+        </message>
+        <message>
+            <source>%1 vertices stay</source>
+            <translation>%1 Ecken bleiben</translation>
+        </message>
+        <message>
+            <source>%1 triangles</source>
+            <translation>%1 Dreiecke</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::PreferencesDialog</name>
         <message>
             <source>Preferences</source>
@@ -1241,6 +2031,97 @@
         </message>
     </context>
     <context>
+        <name>loopmend::RegionBox</name>
+        <message>
+            <source>&amp;Brush</source>
+            <translation>&amp;Pinsel</translation>
+        </message>
+        <message>
+            <source>Paint the region with the left button</source>
+            <translation>Das Gebiet mit der linken Taste malen</translation>
+        </message>
+        <message>
+            <source>La&amp;sso</source>
+            <translation>La&amp;sso</translation>
+        </message>
+        <message>
+            <source>Draw an outline around the region</source>
+            <translation>Einen Umriss um das Gebiet ziehen</translation>
+        </message>
+        <message>
+            <source>&amp;Add</source>
+            <translation>&amp;Dazu</translation>
+        </message>
+        <message>
+            <source>What is painted joins the region; Ctrl takes away</source>
+            <translation>Gemaltes kommt zum Gebiet; Strg nimmt weg</translation>
+        </message>
+        <message>
+            <source>&amp;Take away</source>
+            <translation>&amp;Weg</translation>
+        </message>
+        <message>
+            <source>What is painted leaves the region; Ctrl adds</source>
+            <translation>Gemaltes verlässt das Gebiet; Strg nimmt dazu</translation>
+        </message>
+        <message>
+            <source>Also what is &amp;hidden</source>
+            <translation>Auch &amp;Verdecktes</translation>
+        </message>
+        <message>
+            <source>Width of the brush</source>
+            <translation>Breite des Pinsels</translation>
+        </message>
+        <message>
+            <source>&amp;Grow</source>
+            <translation>W&amp;achsen</translation>
+        </message>
+        <message>
+            <source>One ring of triangles more</source>
+            <translation>Ein Ring Dreiecke mehr</translation>
+        </message>
+        <message>
+            <source>S&amp;hrink</source>
+            <translation>S&amp;chrumpfen</translation>
+        </message>
+        <message>
+            <source>One ring of triangles less</source>
+            <translation>Ein Ring Dreiecke weniger</translation>
+        </message>
+        <message>
+            <source>Clea&amp;r</source>
+            <translation>&amp;Leeren</translation>
+        </message>
+        <message>
+            <source>Begin the region anew</source>
+            <translation>Das Gebiet neu beginnen</translation>
+        </message>
+        <message>
+            <source>Paint what shall become smooth; everything else is held. Drag beside the surface, or with Shift, to turn the picture.</source>
+            <translation>Malen, was glatt werden soll; alles andere wird gehalten. Neben der Fläche oder mit Umschalt ziehen dreht das Bild.</translation>
+        </message>
+        <message>
+            <source>How wide the brush is on the screen</source>
+            <translation>Wie breit der Pinsel auf dem Bildschirm ist</translation>
+        </message>
+        <message>
+            <source>Also what is hidden</source>
+            <translation>Auch Verdecktes</translation>
+        </message>
+        <message>
+            <source>The lasso takes what lies behind the surface as well</source>
+            <translation>Das Lasso nimmt auch, was hinter der Fläche liegt</translation>
+        </message>
+        <message>
+            <source>%1 vertices</source>
+            <translation>%1 Ecken</translation>
+        </message>
+        <message>
+            <source>Nothing is painted yet.</source>
+            <translation>Noch ist nichts gemalt.</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::ScanCommands</name>
         <message>
             <source>%1 took several runs, or was stopped halfway through one; the command repeats the last run only.</source>
@@ -1249,6 +2130,10 @@
         <message>
             <source>%1: the patch cuts the surface; the command would leave it open.</source>
             <translation>%1: der Flicken schneidet die Fläche; der Befehl ließe das Loch offen.</translation>
+        </message>
+        <message>
+            <source>%1 was made in the window: export it as surface.ply, without patches, before you use the command.</source>
+            <translation>%1 ist im Fenster entstanden: vor dem Befehl als surface.ply exportieren, ohne Flicken.</translation>
         </message>
     </context>
     <context>
@@ -1472,6 +2357,174 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ToolDesk</name>
+        <message>
+            <source>Paint a region first.</source>
+            <translation>Zuerst ein Gebiet malen.</translation>
+        </message>
+        <message>
+            <source>Region of %1</source>
+            <translation>Gebiet von %1</translation>
+        </message>
+        <message>
+            <source>Surface through the points of %1</source>
+            <translation>Fläche durch die Punkte von %1</translation>
+        </message>
+        <message>
+            <source>Blend of %1</source>
+            <translation>Verbindung von %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ToolsPanel</name>
+        <message>
+            <source>Region</source>
+            <translation>Gebiet</translation>
+        </message>
+        <message>
+            <source>Make a region of a surface smooth, its surroundings held (R)</source>
+            <translation>Ein Gebiet einer Fläche glätten, die Umgebung gehalten (R)</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>A smooth surface through the vertices of a polyhedron (I)</source>
+            <translation>Eine glatte Fläche durch die Ecken eines Polyeders (I)</translation>
+        </message>
+        <message>
+            <source>Blend</source>
+            <translation>Verbinden</translation>
+        </message>
+        <message>
+            <source>Join two or more rims by one patch (B)</source>
+            <translation>Zwei oder mehr Ränder durch einen Flicken verbinden (B)</translation>
+        </message>
+        <message>
+            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins rims of one or several parts.</source>
+            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen.</translation>
+        </message>
+        <message>
+            <source>Surface through points</source>
+            <translation>Fläche durch Punkte</translation>
+        </message>
+        <message>
+            <source>Join rims</source>
+            <translation>Ränder verbinden</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Trial</name>
+        <message>
+            <source>Making the start…</source>
+            <translation>Anfang wird gemacht…</translation>
+        </message>
+        <message>
+            <source>%1 free vertices.</source>
+            <translation>%1 freie Ecken.</translation>
+        </message>
+        <message>
+            <source>%1 at work…</source>
+            <translation>%1 arbeitet…</translation>
+        </message>
+        <message>
+            <source>Step %1, energy %2, %3 vertices</source>
+            <translation>Schritt %1, Energie %2, %3 Ecken</translation>
+        </message>
+        <message>
+            <source>At rest after %1 steps, energy %2 → %3.</source>
+            <translation>In Ruhe nach %1 Schritten, Energie %2 → %3.</translation>
+        </message>
+        <message>
+            <source>%1 steps, energy %2 → %3.</source>
+            <translation>%1 Schritte, Energie %2 → %3.</translation>
+        </message>
+        <message>
+            <source>Cancelled.</source>
+            <translation>Abgebrochen.</translation>
+        </message>
+        <message>
+            <source>%1: taken over. Ctrl+Z takes it back.</source>
+            <translation>%1: übernommen. Strg+Z nimmt es zurück.</translation>
+        </message>
+        <message>
+            <source>The main window is busy, or has gone on to something else.</source>
+            <translation>Das Hauptfenster ist beschäftigt oder schon bei etwas anderem.</translation>
+        </message>
+        <message>
+            <source>Taking over…</source>
+            <translation>Wird übernommen…</translation>
+        </message>
+        <message>
+            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
+            <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::TrialBox</name>
+        <message>
+            <source>Try it, decide</source>
+            <translation>Versuchen, entscheiden</translation>
+        </message>
+        <message>
+            <source>Pre&amp;view</source>
+            <translation>&amp;Vorschau</translation>
+        </message>
+        <message>
+            <source>Show the start, before any flow</source>
+            <translation>Den Anfang zeigen, vor jedem Fluss</translation>
+        </message>
+        <message>
+            <source>Evo&amp;lve</source>
+            <translation>Ent&amp;wickeln</translation>
+        </message>
+        <message>
+            <source>Let the flow work on it until it comes to rest</source>
+            <translation>Den Fluss arbeiten lassen, bis er zur Ruhe kommt</translation>
+        </message>
+        <message>
+            <source>Co&amp;mpare flows…</source>
+            <translation>Flüsse &amp;vergleichen…</translation>
+        </message>
+        <message>
+            <source>Several flows from this start, side by side, in a window of their own</source>
+            <translation>Mehrere Flüsse von diesem Anfang, nebeneinander in einem eigenen Fenster</translation>
+        </message>
+        <message>
+            <source>Ca&amp;ncel</source>
+            <translation>Abb&amp;rechen</translation>
+        </message>
+        <message>
+            <source>Stop at once; the start is shown again (Esc)</source>
+            <translation>Sofort anhalten; der Anfang wird wieder gezeigt (Esc)</translation>
+        </message>
+        <message>
+            <source>Ta&amp;ke over</source>
+            <translation>Ü&amp;bernehmen</translation>
+        </message>
+        <message>
+            <source>The result comes into the document; can be undone</source>
+            <translation>Das Ergebnis kommt ins Dokument; lässt sich rückgängig machen</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Verwerfen</translation>
+        </message>
+        <message>
+            <source>Give it up; the document is as it was</source>
+            <translation>Aufgeben; das Dokument ist, wie es war</translation>
+        </message>
+        <message>
+            <source>Flow</source>
+            <translation>Fluss</translation>
+        </message>
+        <message>
+            <source>Which flow works on it</source>
+            <translation>Welcher Fluss daran arbeitet</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::Welcome</name>
         <message>
             <source>Open a scan, or drop one here</source>
@@ -1504,6 +2557,10 @@
         <message>
             <source>Open %1</source>
             <translation>%1 öffnen</translation>
+        </message>
+        <message>
+            <source>Examples of the paper</source>
+            <translation>Beispiele des Aufsatzes</translation>
         </message>
     </context>
     <context>
@@ -1840,6 +2897,46 @@
             <source>Show the values at the middle of the picture</source>
             <translation>Die Werte in der Mitte des Bildes zeigen</translation>
         </message>
+        <message>
+            <source>&amp;Compare flows…</source>
+            <translation>&amp;Flüsse vergleichen…</translation>
+        </message>
+        <message>
+            <source>Several flows from one start, side by side</source>
+            <translation>Mehrere Flüsse von einem Anfang, nebeneinander</translation>
+        </message>
+        <message>
+            <source>&amp;Region</source>
+            <translation>&amp;Gebiet</translation>
+        </message>
+        <message>
+            <source>Make a region of a surface smooth, its surroundings held</source>
+            <translation>Ein Gebiet einer Fläche glätten, die Umgebung gehalten</translation>
+        </message>
+        <message>
+            <source>Surface through &amp;points</source>
+            <translation>Fläche durch &amp;Punkte</translation>
+        </message>
+        <message>
+            <source>A smooth surface through the vertices of a polyhedron</source>
+            <translation>Eine glatte Fläche durch die Ecken eines Polyeders</translation>
+        </message>
+        <message>
+            <source>&amp;Blend rims</source>
+            <translation>Ränder &amp;verbinden</translation>
+        </message>
+        <message>
+            <source>Join two or more rims by one patch</source>
+            <translation>Zwei oder mehr Ränder durch einen Flicken verbinden</translation>
+        </message>
+        <message>
+            <source>&amp;Tools</source>
+            <translation>&amp;Werkzeuge</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Vergleichen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::Workbench</name>
@@ -1966,6 +3063,10 @@
         <message>
             <source>Wrote %1: %2 triangles.</source>
             <translation>%1 geschrieben: %2 Dreiecke.</translation>
+        </message>
+        <message>
+            <source>Taking over %1</source>
+            <translation>%1 wird übernommen</translation>
         </message>
     </context>
     <context>

@@ -69,6 +69,486 @@
         </message>
     </context>
     <context>
+        <name>loopmend::BlendBox</name>
+        <message>
+            <source>Those that &amp;face each other</source>
+            <translation>Those that &amp;face each other</translation>
+        </message>
+        <message>
+            <source>Select of each part the loop that looks at the others most</source>
+            <translation>Select of each part the loop that looks at the others most</translation>
+        </message>
+        <message>
+            <source>Select two or more rims, in the picture or in the table; Ctrl adds. One patch will join them.</source>
+            <translation>Select two or more rims, in the picture or in the table; Ctrl adds. One patch will join them.</translation>
+        </message>
+        <message>
+            <source>Density</source>
+            <translation>Density</translation>
+        </message>
+        <message>
+            <source>Edges along a length, relative to the surroundings</source>
+            <translation>Edges along a length, relative to the surroundings</translation>
+        </message>
+        <message>
+            <source>Part to place</source>
+            <translation>Part to place</translation>
+        </message>
+        <message>
+            <source>This part gets a handle in the picture: arrows move it, rings turn it, the square scales it</source>
+            <translation>This part gets a handle in the picture: arrows move it, rings turn it, the square scales it</translation>
+        </message>
+        <message>
+            <source>&amp;Density</source>
+            <translation>&amp;Density</translation>
+        </message>
+        <message>
+            <source>&amp;Place</source>
+            <translation>&amp;Place</translation>
+        </message>
+        <message>
+            <source>no part</source>
+            <translation>no part</translation>
+        </message>
+        <message>
+            <source>Open the parts first.</source>
+            <translation>Open the parts first.</translation>
+        </message>
+        <message>
+            <source>Only holes and outer rims can be joined, not a loop of the kind: %1.</source>
+            <translation>Only holes and outer rims can be joined, not a loop of the kind: %1.</translation>
+        </message>
+        <message>
+            <source>A selected hole is filled: reject its patch first.</source>
+            <translation>A selected hole is filled: reject its patch first.</translation>
+        </message>
+        <message>
+            <source>Select at least two rims.</source>
+            <translation>Select at least two rims.</translation>
+        </message>
+        <message>
+            <source>No rim is selected.</source>
+            <translation>No rim is selected.</translation>
+        </message>
+        <message>
+            <source>Selected: %1</source>
+            <translation>Selected: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::CompareDesk</name>
+        <message>
+            <source>There is no hole to compare flows on. Open a scan with holes, or pose a region, points or a bridge.</source>
+            <translation>There is no hole to compare flows on. Open a scan with holes, or pose a region, points or a bridge.</translation>
+        </message>
+        <message>
+            <source>The holes belong to several scans. Select holes of one of them.</source>
+            <translation>The holes belong to several scans. Select holes of one of them.</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 of %2</translation>
+        </message>
+        <message>
+            <source>Put this patch into the holes, in place of what is there; can be undone</source>
+            <translation>Put this patch into the holes, in place of what is there; can be undone</translation>
+        </message>
+        <message>
+            <source>The scan of this comparison is no longer open.</source>
+            <translation>The scan of this comparison is no longer open.</translation>
+        </message>
+        <message>
+            <source>The main window is busy. Try again when it is done.</source>
+            <translation>The main window is busy. Try again when it is done.</translation>
+        </message>
+        <message>
+            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
+            <translation>%1 was taken over into the main window; Ctrl+Z there takes it back.</translation>
+        </message>
+        <message>
+            <source>Take this surface over into the document, in place of what it came from; can be undone</source>
+            <translation>Take this surface over into the document, in place of what it came from; can be undone</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::CompareNumbers</name>
+        <message>
+            <source>Surface</source>
+            <translation>Surface</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>End</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>Steps</translation>
+        </message>
+        <message>
+            <source>∫|∇H|²</source>
+            <translation>∫|∇H|²</translation>
+        </message>
+        <message>
+            <source>∫H²</source>
+            <translation>∫H²</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Area</translation>
+        </message>
+        <message>
+            <source>Wide jump</source>
+            <translation>Wide jump</translation>
+        </message>
+        <message>
+            <source>Jump of H</source>
+            <translation>Jump of H</translation>
+        </message>
+        <message>
+            <source>× diam.</source>
+            <translation>× diam.</translation>
+        </message>
+        <message>
+            <source>Angle, °</source>
+            <translation>Angle, °</translation>
+        </message>
+        <message>
+            <source>Folds</source>
+            <translation>Folds</translation>
+        </message>
+        <message>
+            <source>Cuts</source>
+            <translation>Cuts</translation>
+        </message>
+        <message>
+            <source>Which flow</source>
+            <translation>Which flow</translation>
+        </message>
+        <message>
+            <source>How the flow ended</source>
+            <translation>How the flow ended</translation>
+        </message>
+        <message>
+            <source>Accepted steps</source>
+            <translation>Accepted steps</translation>
+        </message>
+        <message>
+            <source>What MMCVF lowers, in 1/length²</source>
+            <translation>What MMCVF lowers, in 1/length²</translation>
+        </message>
+        <message>
+            <source>What WF lowers, without a unit</source>
+            <translation>What WF lowers, without a unit</translation>
+        </message>
+        <message>
+            <source>What MCF and SDF lower, in length²</source>
+            <translation>What MCF and SDF lower, in length²</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</source>
+            <translation>Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows</translation>
+        </message>
+        <message>
+            <source>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</source>
+            <translation>Jump of H across the seam from narrow one-sided fits, rms, in 1/length</translation>
+        </message>
+        <message>
+            <source>The jump of H times the hole's diameter: without a unit</source>
+            <translation>The jump of H times the hole's diameter: without a unit</translation>
+        </message>
+        <message>
+            <source>Angle between the normals of both sides at the seam, rms, in degrees</source>
+            <translation>Angle between the normals of both sides at the seam, rms, in degrees</translation>
+        </message>
+        <message>
+            <source>Edges folded by more than 90°</source>
+            <translation>Edges folded by more than 90°</translation>
+        </message>
+        <message>
+            <source>Places where the patch cuts itself or its surroundings</source>
+            <translation>Places where the patch cuts itself or its surroundings</translation>
+        </message>
+        <message>
+            <source>at rest</source>
+            <translation>at rest</translation>
+        </message>
+        <message>
+            <source>step limit</source>
+            <translation>step limit</translation>
+        </message>
+        <message>
+            <source>stopped early</source>
+            <translation>stopped early</translation>
+        </message>
+        <message>
+            <source>Energy of each flow against the step</source>
+            <translation>Energy of each flow against the step</translation>
+        </message>
+        <message>
+            <source>Mean curvature across the seam, one line for each flow</source>
+            <translation>Mean curvature across the seam, one line for each flow</translation>
+        </message>
+        <message>
+            <source>Figures of all flows</source>
+            <translation>Figures of all flows</translation>
+        </message>
+        <message>
+            <source>Which energy</source>
+            <translation>Which energy</translation>
+        </message>
+        <message>
+            <source>Which energy the plot shows; each flow lowers its own</source>
+            <translation>Which energy the plot shows; each flow lowers its own</translation>
+        </message>
+        <message>
+            <source>∫|∇H|², what MMCVF lowers</source>
+            <translation>∫|∇H|², what MMCVF lowers</translation>
+        </message>
+        <message>
+            <source>∫H², what WF lowers</source>
+            <translation>∫H², what WF lowers</translation>
+        </message>
+        <message>
+            <source>Area, what MCF and SDF lower</source>
+            <translation>Area, what MCF and SDF lower</translation>
+        </message>
+        <message>
+            <source>H across the seam, patch right of 0</source>
+            <translation>H across the seam, patch right of 0</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Run the flows, and their energies are drawn here.</source>
+            <translation>Run the flows, and their energies are drawn here.</translation>
+        </message>
+        <message>
+            <source>There is no seam to look across.</source>
+            <translation>There is no seam to look across.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::CompareWindow</name>
+        <message>
+            <source>Wrote %1, and beside it energies and profile.</source>
+            <translation>Wrote %1, and beside it energies and profile.</translation>
+        </message>
+        <message>
+            <source>Wrote %1.</source>
+            <translation>Wrote %1.</translation>
+        </message>
+        <message>
+            <source>Save numbers</source>
+            <translation>Save numbers</translation>
+        </message>
+        <message>
+            <source>CSV (*.csv)</source>
+            <translation>CSV (*.csv)</translation>
+        </message>
+        <message>
+            <source>Compare flows: %1</source>
+            <translation>Compare flows: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Run all</source>
+            <translation>&amp;Run all</translation>
+        </message>
+        <message>
+            <source>All flows from the same start, side by side (Space)</source>
+            <translation>All flows from the same start, side by side (Space)</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Stop</translation>
+        </message>
+        <message>
+            <source>Stop at once; what was reached stays (Esc)</source>
+            <translation>Stop at once; what was reached stays (Esc)</translation>
+        </message>
+        <message>
+            <source>Number of views</source>
+            <translation>Number of views</translation>
+        </message>
+        <message>
+            <source>How many flows are compared</source>
+            <translation>How many flows are compared</translation>
+        </message>
+        <message>
+            <source>%1 views</source>
+            <translation>%1 views</translation>
+        </message>
+        <message>
+            <source>To the steady state</source>
+            <translation>To the steady state</translation>
+        </message>
+        <message>
+            <source>Step by step</source>
+            <translation>Step by step</translation>
+        </message>
+        <message>
+            <source>How</source>
+            <translation>How</translation>
+        </message>
+        <message>
+            <source>Straight to where each flow comes to rest, or in time steps, as in the paper</source>
+            <translation>Straight to where each flow comes to rest, or in time steps, as in the paper</translation>
+        </message>
+        <message>
+            <source>Time step</source>
+            <translation>Time step</translation>
+        </message>
+        <message>
+            <source>Time step σ, without a unit; the same for all flows</source>
+            <translation>Time step σ, without a unit; the same for all flows</translation>
+        </message>
+        <message>
+            <source>Save &amp;picture…</source>
+            <translation>Save &amp;picture…</translation>
+        </message>
+        <message>
+            <source>All views as one PNG of a size you choose</source>
+            <translation>All views as one PNG of a size you choose</translation>
+        </message>
+        <message>
+            <source>Save &amp;numbers…</source>
+            <translation>Save &amp;numbers…</translation>
+        </message>
+        <message>
+            <source>Table, energies and profiles as CSV, as loopmend compare writes them</source>
+            <translation>Table, energies and profiles as CSV, as loopmend compare writes them</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Shading</translation>
+        </message>
+        <message>
+            <source>How all views are shown (keys 1 to 5)</source>
+            <translation>How all views are shown (keys 1 to 5)</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mean curvature H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaussian curvature K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Plain</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophotes</translation>
+        </message>
+        <message>
+            <source>&amp;Wireframe</source>
+            <translation>&amp;Wireframe</translation>
+        </message>
+        <message>
+            <source>Wireframe</source>
+            <translation>Wireframe</translation>
+        </message>
+        <message>
+            <source>Draw the triangles' edges</source>
+            <translation>Draw the triangles' edges</translation>
+        </message>
+        <message>
+            <source>C&amp;olours ±</source>
+            <translation>C&amp;olours ±</translation>
+        </message>
+        <message>
+            <source>Own range of colours</source>
+            <translation>Own range of colours</translation>
+        </message>
+        <message>
+            <source>A colour range of your own, instead of that of the surroundings</source>
+            <translation>A colour range of your own, instead of that of the surroundings</translation>
+        </message>
+        <message>
+            <source>Range</source>
+            <translation>Range</translation>
+        </message>
+        <message>
+            <source>The curvature at the ends of the colours</source>
+            <translation>The curvature at the ends of the colours</translation>
+        </message>
+        <message>
+            <source>&amp;Link views</source>
+            <translation>&amp;Link views</translation>
+        </message>
+        <message>
+            <source>Link views</source>
+            <translation>Link views</translation>
+        </message>
+        <message>
+            <source>Turning one view turns all</source>
+            <translation>Turning one view turns all</translation>
+        </message>
+        <message>
+            <source>&amp;Frame</source>
+            <translation>&amp;Frame</translation>
+        </message>
+        <message>
+            <source>See the whole patch in every view (F)</source>
+            <translation>See the whole patch in every view (F)</translation>
+        </message>
+        <message>
+            <source>Wip&amp;e between</source>
+            <translation>Wip&amp;e between</translation>
+        </message>
+        <message>
+            <source>Wipe</source>
+            <translation>Wipe</translation>
+        </message>
+        <message>
+            <source>One large picture of two flows, with a line between them that can be drawn</source>
+            <translation>One large picture of two flows, with a line between them that can be drawn</translation>
+        </message>
+        <message>
+            <source>Left of the line</source>
+            <translation>Left of the line</translation>
+        </message>
+        <message>
+            <source>Which flow, or the start, is left of the line</source>
+            <translation>Which flow, or the start, is left of the line</translation>
+        </message>
+        <message>
+            <source>Right of the line</source>
+            <translation>Right of the line</translation>
+        </message>
+        <message>
+            <source>Which flow, or the start, is right of the line</source>
+            <translation>Which flow, or the start, is right of the line</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>σ = %1</source>
+            <translation>σ = %1</translation>
+        </message>
+        <message>
+            <source>Making the start…</source>
+            <translation>Making the start…</translation>
+        </message>
+        <message>
+            <source>Running…</source>
+            <translation>Running…</translation>
+        </message>
+        <message>
+            <source>%1 free vertices</source>
+            <translation>%1 free vertices</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::DecisionBox</name>
         <message>
             <source>the filler</source>
@@ -175,6 +655,21 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ExampleDesk</name>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>%1 of the paper: %2.</source>
+            <translation>%1 of the paper: %2.</translation>
+        </message>
+        <message>
+            <source>&amp;Run it</source>
+            <translation>&amp;Run it</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::FileDesk</name>
         <message>
             <source>&amp;Save session</source>
@@ -183,10 +678,6 @@
         <message>
             <source>&amp;Cancel</source>
             <translation>&amp;Cancel</translation>
-        </message>
-        <message>
-            <source>There are patches that are neither saved nor exported.</source>
-            <translation>There are patches that are neither saved nor exported.</translation>
         </message>
         <message>
             <source>&amp;Open without saving</source>
@@ -259,6 +750,10 @@
         <message>
             <source>Nothing is open</source>
             <translation>Nothing is open</translation>
+        </message>
+        <message>
+            <source>There is work that is neither saved nor exported.</source>
+            <translation>There is work that is neither saved nor exported.</translation>
         </message>
     </context>
     <context>
@@ -406,6 +901,148 @@
             <source>Pausing…</source>
             <translation>Pausing…</translation>
         </message>
+        <message>
+            <source>Compare &amp;flows…</source>
+            <translation>Compare &amp;flows…</translation>
+        </message>
+        <message>
+            <source>Two to four flows from one start, side by side, in a window of their own (C)</source>
+            <translation>Two to four flows from one start, side by side, in a window of their own (C)</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::FlowPane</name>
+        <message>
+            <source>start</source>
+            <translation>start</translation>
+        </message>
+        <message>
+            <source>step %1</source>
+            <translation>step %1</translation>
+        </message>
+        <message>
+            <source>stopped at step %1</source>
+            <translation>stopped at step %1</translation>
+        </message>
+        <message>
+            <source>at rest, %1 steps</source>
+            <translation>at rest, %1 steps</translation>
+        </message>
+        <message>
+            <source>stopped early, step %1</source>
+            <translation>stopped early, step %1</translation>
+        </message>
+        <message>
+            <source>%1 steps</source>
+            <translation>%1 steps</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Accept</translation>
+        </message>
+        <message>
+            <source>Take this result over into the document; can be undone</source>
+            <translation>Take this result over into the document; can be undone</translation>
+        </message>
+        <message>
+            <source>Flow</source>
+            <translation>Flow</translation>
+        </message>
+        <message>
+            <source>Which flow this view shows</source>
+            <translation>Which flow this view shows</translation>
+        </message>
+        <message>
+            <source> · ∫|∇H|² %1</source>
+            <translation> · ∫|∇H|² %1</translation>
+        </message>
+        <message>
+            <source>Energy ∫|∇H|² %1</source>
+            <translation>Energy ∫|∇H|² %1</translation>
+        </message>
+        <message>
+            <source> · %1° · ΔH %2</source>
+            <translation> · %1° · ΔH %2</translation>
+        </message>
+        <message>
+            <source>At the seam: angle %1° (rms), jump of H %2 (rms)</source>
+            <translation>At the seam: angle %1° (rms), jump of H %2 (rms)</translation>
+        </message>
+        <message>
+            <source>Run the flows first</source>
+            <translation>Run the flows first</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Gallery</name>
+        <message>
+            <source>Cylinder</source>
+            <translation>Cylinder</translation>
+        </message>
+        <message>
+            <source>Sphere</source>
+            <translation>Sphere</translation>
+        </message>
+        <message>
+            <source>Three tubes</source>
+            <translation>Three tubes</translation>
+        </message>
+        <message>
+            <source>Six tubes</source>
+            <translation>Six tubes</translation>
+        </message>
+        <message>
+            <source>T piece</source>
+            <translation>T piece</translation>
+        </message>
+        <message>
+            <source>Head</source>
+            <translation>Head</translation>
+        </message>
+        <message>
+            <source>Dodecahedron</source>
+            <translation>Dodecahedron</translation>
+        </message>
+        <message>
+            <source>Flows, tubes</source>
+            <translation>Flows, tubes</translation>
+        </message>
+        <message>
+            <source>Flows, graph</source>
+            <translation>Flows, graph</translation>
+        </message>
+        <message>
+            <source>A cylinder with parts missing</source>
+            <translation>A cylinder with parts missing</translation>
+        </message>
+        <message>
+            <source>A wire-frame of a sphere with eight openings</source>
+            <translation>A wire-frame of a sphere with eight openings</translation>
+        </message>
+        <message>
+            <source>Three tubes that form a T</source>
+            <translation>Three tubes that form a T</translation>
+        </message>
+        <message>
+            <source>A head-like mesh with holes in nose, face and jaw</source>
+            <translation>A head-like mesh with holes in nose, face and jaw</translation>
+        </message>
+        <message>
+            <source>A dodecahedron</source>
+            <translation>A dodecahedron</translation>
+        </message>
+        <message>
+            <source>MMCVF, SDF and WF on the six tubes</source>
+            <translation>MMCVF, SDF and WF on the six tubes</translation>
+        </message>
+        <message>
+            <source>The graph of a function: MCF, SDF, WF and MMCVF</source>
+            <translation>The graph of a function: MCF, SDF, WF and MMCVF</translation>
+        </message>
+        <message>
+            <source>%1: %2. A click opens it, a second one runs it</source>
+            <translation>%1: %2. A click opens it, a second one runs it</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HelpWindow</name>
@@ -452,6 +1089,10 @@
         <message>
             <source>Page</source>
             <translation>Page</translation>
+        </message>
+        <message>
+            <source>Compare, region, points, blend</source>
+            <translation>Compare, region, points, blend</translation>
         </message>
     </context>
     <context>
@@ -755,6 +1396,49 @@
         </message>
     </context>
     <context>
+        <name>loopmend::LegendStrip</name>
+        <message>
+            <source>Legend</source>
+            <translation>Legend</translation>
+        </message>
+        <message>
+            <source>The colours of all pictures</source>
+            <translation>The colours of all pictures</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mean curvature H</translation>
+        </message>
+        <message>
+            <source>Gaussian curv. K</source>
+            <translation>Gaussian curv. K</translation>
+        </message>
+        <message>
+            <source>in 1/length</source>
+            <translation>in 1/length</translation>
+        </message>
+        <message>
+            <source>in 1/length²</source>
+            <translation>in 1/length²</translation>
+        </message>
+        <message>
+            <source>hollow</source>
+            <translation>hollow</translation>
+        </message>
+        <message>
+            <source>dome or bowl</source>
+            <translation>dome or bowl</translation>
+        </message>
+        <message>
+            <source>bulging</source>
+            <translation>bulging</translation>
+        </message>
+        <message>
+            <source>saddle</source>
+            <translation>saddle</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::LookPanel</name>
         <message>
             <source>Blue, orange</source>
@@ -943,6 +1627,10 @@
             <source>Wrote %1.</source>
             <translation>Wrote %1.</translation>
         </message>
+        <message>
+            <source>Tools</source>
+            <translation>Tools</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::MeshView</name>
@@ -1103,6 +1791,108 @@
         </message>
     </context>
     <context>
+        <name>loopmend::PlacePart</name>
+        <message>
+            <source>Place %1</source>
+            <translation>Place %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PointsBox</name>
+        <message>
+            <source>&amp;All vertices</source>
+            <translation>&amp;All vertices</translation>
+        </message>
+        <message>
+            <source>Only those I pic&amp;k</source>
+            <translation>Only those I pic&amp;k</translation>
+        </message>
+        <message>
+            <source>Clea&amp;r</source>
+            <translation>Clea&amp;r</translation>
+        </message>
+        <message>
+            <source>No vertex is picked</source>
+            <translation>No vertex is picked</translation>
+        </message>
+        <message>
+            <source>Its ri&amp;ms stay as they are</source>
+            <translation>Its ri&amp;ms stay as they are</translation>
+        </message>
+        <message>
+            <source>A smooth surface through the vertices of a polyhedron. Open or drop one; its faces are divided, and the flow finds the rest.</source>
+            <translation>A smooth surface through the vertices of a polyhedron. Open or drop one; its faces are divided, and the flow finds the rest.</translation>
+        </message>
+        <message>
+            <source>Polyhedron</source>
+            <translation>Polyhedron</translation>
+        </message>
+        <message>
+            <source>Which of the open surfaces is meant</source>
+            <translation>Which of the open surfaces is meant</translation>
+        </message>
+        <message>
+            <source>All vertices</source>
+            <translation>All vertices</translation>
+        </message>
+        <message>
+            <source>The surface runs through every vertex</source>
+            <translation>The surface runs through every vertex</translation>
+        </message>
+        <message>
+            <source>Only those I pick</source>
+            <translation>Only those I pick</translation>
+        </message>
+        <message>
+            <source>Click vertices in the picture, or draw a box around them; Ctrl takes away</source>
+            <translation>Click vertices in the picture, or draw a box around them; Ctrl takes away</translation>
+        </message>
+        <message>
+            <source>Subdivisions</source>
+            <translation>Subdivisions</translation>
+        </message>
+        <message>
+            <source>Every one makes four triangles of each</source>
+            <translation>Every one makes four triangles of each</translation>
+        </message>
+        <message>
+            <source>Rims stay</source>
+            <translation>Rims stay</translation>
+        </message>
+        <message>
+            <source>For a polyhedron with holes: its rims are divided, and stay where they are</source>
+            <translation>For a polyhedron with holes: its rims are divided, and stay where they are</translation>
+        </message>
+        <message>
+            <source>S&amp;ubdivisions</source>
+            <translation>S&amp;ubdivisions</translation>
+        </message>
+        <message>
+            <source>Open a polyhedron first.</source>
+            <translation>Open a polyhedron first.</translation>
+        </message>
+        <message>
+            <source>At least 4 vertices have to be picked.</source>
+            <translation>At least 4 vertices have to be picked.</translation>
+        </message>
+        <message>
+            <source>This surface has holes: close them, or let its rims stay as they are.</source>
+            <translation>This surface has holes: close them, or let its rims stay as they are.</translation>
+        </message>
+        <message>
+            <source>That would be more than 4 million triangles: fewer subdivisions do.</source>
+            <translation>That would be more than 4 million triangles: fewer subdivisions do.</translation>
+        </message>
+        <message>
+            <source>%1 vertices stay</source>
+            <translation>%1 vertices stay</translation>
+        </message>
+        <message>
+            <source>%1 triangles</source>
+            <translation>%1 triangles</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::PreferencesDialog</name>
         <message>
             <source>Preferences</source>
@@ -1241,6 +2031,97 @@
         </message>
     </context>
     <context>
+        <name>loopmend::RegionBox</name>
+        <message>
+            <source>&amp;Brush</source>
+            <translation>&amp;Brush</translation>
+        </message>
+        <message>
+            <source>Paint the region with the left button</source>
+            <translation>Paint the region with the left button</translation>
+        </message>
+        <message>
+            <source>La&amp;sso</source>
+            <translation>La&amp;sso</translation>
+        </message>
+        <message>
+            <source>Draw an outline around the region</source>
+            <translation>Draw an outline around the region</translation>
+        </message>
+        <message>
+            <source>&amp;Add</source>
+            <translation>&amp;Add</translation>
+        </message>
+        <message>
+            <source>What is painted joins the region; Ctrl takes away</source>
+            <translation>What is painted joins the region; Ctrl takes away</translation>
+        </message>
+        <message>
+            <source>&amp;Take away</source>
+            <translation>&amp;Take away</translation>
+        </message>
+        <message>
+            <source>What is painted leaves the region; Ctrl adds</source>
+            <translation>What is painted leaves the region; Ctrl adds</translation>
+        </message>
+        <message>
+            <source>Also what is &amp;hidden</source>
+            <translation>Also what is &amp;hidden</translation>
+        </message>
+        <message>
+            <source>Width of the brush</source>
+            <translation>Width of the brush</translation>
+        </message>
+        <message>
+            <source>&amp;Grow</source>
+            <translation>&amp;Grow</translation>
+        </message>
+        <message>
+            <source>One ring of triangles more</source>
+            <translation>One ring of triangles more</translation>
+        </message>
+        <message>
+            <source>S&amp;hrink</source>
+            <translation>S&amp;hrink</translation>
+        </message>
+        <message>
+            <source>One ring of triangles less</source>
+            <translation>One ring of triangles less</translation>
+        </message>
+        <message>
+            <source>Clea&amp;r</source>
+            <translation>Clea&amp;r</translation>
+        </message>
+        <message>
+            <source>Begin the region anew</source>
+            <translation>Begin the region anew</translation>
+        </message>
+        <message>
+            <source>Paint what shall become smooth; everything else is held. Drag beside the surface, or with Shift, to turn the picture.</source>
+            <translation>Paint what shall become smooth; everything else is held. Drag beside the surface, or with Shift, to turn the picture.</translation>
+        </message>
+        <message>
+            <source>How wide the brush is on the screen</source>
+            <translation>How wide the brush is on the screen</translation>
+        </message>
+        <message>
+            <source>Also what is hidden</source>
+            <translation>Also what is hidden</translation>
+        </message>
+        <message>
+            <source>The lasso takes what lies behind the surface as well</source>
+            <translation>The lasso takes what lies behind the surface as well</translation>
+        </message>
+        <message>
+            <source>%1 vertices</source>
+            <translation>%1 vertices</translation>
+        </message>
+        <message>
+            <source>Nothing is painted yet.</source>
+            <translation>Nothing is painted yet.</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::ScanCommands</name>
         <message>
             <source>%1 took several runs, or was stopped halfway through one; the command repeats the last run only.</source>
@@ -1249,6 +2130,10 @@
         <message>
             <source>%1: the patch cuts the surface; the command would leave it open.</source>
             <translation>%1: the patch cuts the surface; the command would leave it open.</translation>
+        </message>
+        <message>
+            <source>%1 was made in the window: export it as surface.ply, without patches, before you use the command.</source>
+            <translation>%1 was made in the window: export it as surface.ply, without patches, before you use the command.</translation>
         </message>
     </context>
     <context>
@@ -1472,6 +2357,174 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ToolDesk</name>
+        <message>
+            <source>Paint a region first.</source>
+            <translation>Paint a region first.</translation>
+        </message>
+        <message>
+            <source>Region of %1</source>
+            <translation>Region of %1</translation>
+        </message>
+        <message>
+            <source>Surface through the points of %1</source>
+            <translation>Surface through the points of %1</translation>
+        </message>
+        <message>
+            <source>Blend of %1</source>
+            <translation>Blend of %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ToolsPanel</name>
+        <message>
+            <source>Region</source>
+            <translation>Region</translation>
+        </message>
+        <message>
+            <source>Make a region of a surface smooth, its surroundings held (R)</source>
+            <translation>Make a region of a surface smooth, its surroundings held (R)</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Points</translation>
+        </message>
+        <message>
+            <source>A smooth surface through the vertices of a polyhedron (I)</source>
+            <translation>A smooth surface through the vertices of a polyhedron (I)</translation>
+        </message>
+        <message>
+            <source>Blend</source>
+            <translation>Blend</translation>
+        </message>
+        <message>
+            <source>Join two or more rims by one patch (B)</source>
+            <translation>Join two or more rims by one patch (B)</translation>
+        </message>
+        <message>
+            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins rims of one or several parts.</source>
+            <translation>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins rims of one or several parts.</translation>
+        </message>
+        <message>
+            <source>Surface through points</source>
+            <translation>Surface through points</translation>
+        </message>
+        <message>
+            <source>Join rims</source>
+            <translation>Join rims</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::Trial</name>
+        <message>
+            <source>Making the start…</source>
+            <translation>Making the start…</translation>
+        </message>
+        <message>
+            <source>%1 free vertices.</source>
+            <translation>%1 free vertices.</translation>
+        </message>
+        <message>
+            <source>%1 at work…</source>
+            <translation>%1 at work…</translation>
+        </message>
+        <message>
+            <source>Step %1, energy %2, %3 vertices</source>
+            <translation>Step %1, energy %2, %3 vertices</translation>
+        </message>
+        <message>
+            <source>At rest after %1 steps, energy %2 → %3.</source>
+            <translation>At rest after %1 steps, energy %2 → %3.</translation>
+        </message>
+        <message>
+            <source>%1 steps, energy %2 → %3.</source>
+            <translation>%1 steps, energy %2 → %3.</translation>
+        </message>
+        <message>
+            <source>Cancelled.</source>
+            <translation>Cancelled.</translation>
+        </message>
+        <message>
+            <source>%1: taken over. Ctrl+Z takes it back.</source>
+            <translation>%1: taken over. Ctrl+Z takes it back.</translation>
+        </message>
+        <message>
+            <source>The main window is busy, or has gone on to something else.</source>
+            <translation>The main window is busy, or has gone on to something else.</translation>
+        </message>
+        <message>
+            <source>Taking over…</source>
+            <translation>Taking over…</translation>
+        </message>
+        <message>
+            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
+            <translation>%1 was taken over into the main window; Ctrl+Z there takes it back.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::TrialBox</name>
+        <message>
+            <source>Try it, decide</source>
+            <translation>Try it, decide</translation>
+        </message>
+        <message>
+            <source>Pre&amp;view</source>
+            <translation>Pre&amp;view</translation>
+        </message>
+        <message>
+            <source>Show the start, before any flow</source>
+            <translation>Show the start, before any flow</translation>
+        </message>
+        <message>
+            <source>Evo&amp;lve</source>
+            <translation>Evo&amp;lve</translation>
+        </message>
+        <message>
+            <source>Let the flow work on it until it comes to rest</source>
+            <translation>Let the flow work on it until it comes to rest</translation>
+        </message>
+        <message>
+            <source>Co&amp;mpare flows…</source>
+            <translation>Co&amp;mpare flows…</translation>
+        </message>
+        <message>
+            <source>Several flows from this start, side by side, in a window of their own</source>
+            <translation>Several flows from this start, side by side, in a window of their own</translation>
+        </message>
+        <message>
+            <source>Ca&amp;ncel</source>
+            <translation>Ca&amp;ncel</translation>
+        </message>
+        <message>
+            <source>Stop at once; the start is shown again (Esc)</source>
+            <translation>Stop at once; the start is shown again (Esc)</translation>
+        </message>
+        <message>
+            <source>Ta&amp;ke over</source>
+            <translation>Ta&amp;ke over</translation>
+        </message>
+        <message>
+            <source>The result comes into the document; can be undone</source>
+            <translation>The result comes into the document; can be undone</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Discard</translation>
+        </message>
+        <message>
+            <source>Give it up; the document is as it was</source>
+            <translation>Give it up; the document is as it was</translation>
+        </message>
+        <message>
+            <source>Flow</source>
+            <translation>Flow</translation>
+        </message>
+        <message>
+            <source>Which flow works on it</source>
+            <translation>Which flow works on it</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::Welcome</name>
         <message>
             <source>Open a scan, or drop one here</source>
@@ -1504,6 +2557,10 @@
         <message>
             <source>Open %1</source>
             <translation>Open %1</translation>
+        </message>
+        <message>
+            <source>Examples of the paper</source>
+            <translation>Examples of the paper</translation>
         </message>
     </context>
     <context>
@@ -1840,6 +2897,46 @@
             <source>Show the values at the middle of the picture</source>
             <translation>Show the values at the middle of the picture</translation>
         </message>
+        <message>
+            <source>&amp;Compare flows…</source>
+            <translation>&amp;Compare flows…</translation>
+        </message>
+        <message>
+            <source>Several flows from one start, side by side</source>
+            <translation>Several flows from one start, side by side</translation>
+        </message>
+        <message>
+            <source>&amp;Region</source>
+            <translation>&amp;Region</translation>
+        </message>
+        <message>
+            <source>Make a region of a surface smooth, its surroundings held</source>
+            <translation>Make a region of a surface smooth, its surroundings held</translation>
+        </message>
+        <message>
+            <source>Surface through &amp;points</source>
+            <translation>Surface through &amp;points</translation>
+        </message>
+        <message>
+            <source>A smooth surface through the vertices of a polyhedron</source>
+            <translation>A smooth surface through the vertices of a polyhedron</translation>
+        </message>
+        <message>
+            <source>&amp;Blend rims</source>
+            <translation>&amp;Blend rims</translation>
+        </message>
+        <message>
+            <source>Join two or more rims by one patch</source>
+            <translation>Join two or more rims by one patch</translation>
+        </message>
+        <message>
+            <source>&amp;Tools</source>
+            <translation>&amp;Tools</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Compare</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::Workbench</name>
@@ -1966,6 +3063,10 @@
         <message>
             <source>Wrote %1: %2 triangles.</source>
             <translation>Wrote %1: %2 triangles.</translation>
+        </message>
+        <message>
+            <source>Taking over %1</source>
+            <translation>Taking over %1</translation>
         </message>
     </context>
     <context>

@@ -2,15 +2,23 @@
 // Twice the size: QT_SCALE_FACTOR=2. See resources/help/make_pictures.sh.
 #include "driver.h"
 
+#include "compare/compare_desk.h"
 #include "document/language.h"
 #include "document/preferences.h"
+#include "jobs/load_scan.h"
+#include "problems/paper_examples.h"
+#include "samples/paper_inputs.h"
+#include "views/tool_desk.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
 #include <QSlider>
@@ -138,6 +146,109 @@ void show_the_rest(MainWindow& window) {
   shoot(window, "error");
 }
 
+/// Any window of the program, from the screen.
+void shoot_window(MainWindow& main, QWidget* window, const char* name) {
+  settle(500);
+  save(main.screen()->grabWindow(0, window->x(), window->y(), window->width(), window->height()), name);
+}
+
+void show_compare(MainWindow& window) {
+  window.selection().select({first_hole(window.document())});
+  trigger(window, "compare");
+  auto* compare = window.findChild<CompareWindow*>(QStringLiteral("compareWindow"));
+  if (!compare) return;
+  compare->move(0, 0);
+  compare->resize(window.screen()->size());
+  auto* run = compare->findChild<QPushButton*>(QStringLiteral("compareRun"));
+  wait_until([&] { return run->isEnabled(); });
+  shoot_window(window, compare, "compare_start");
+  compare->run();
+  wait_until([&] { return run->isEnabled(); }, 300);
+  shoot_window(window, compare, "compare");
+  compare->findChild<QComboBox*>(QStringLiteral("compareShading"))->setCurrentIndex(3);
+  compare->findChild<QCheckBox*>(QStringLiteral("compareWipe"))->setChecked(true);
+  shoot_window(window, compare, "wipe");
+  compare->close();
+  settle(200);
+}
+
+void show_tools(MainWindow& window) {
+  trigger(window, "toolRegionAction");
+  QWidget* canvas = window.view().canvas();
+  const QPoint middle = canvas->rect().center() + QPoint(-40, -30);
+  QTest::mousePress(canvas, Qt::LeftButton, {}, middle);
+  for (int step = 1; step <= 12; ++step) {
+    const QPoint at = middle + QPoint(9 * step, 3 * (step % 5));
+    QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(canvas, &move);
+  }
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(108, 0));
+  settle(1500);  // the graphics take their time over edges, the first time
+  shoot(window, "region");
+  press(window, "trialEvolve");
+  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::solved; }, 120);
+  shoot(window, "region_done");
+  window.tools().take(Tool::none);
+}
+
+void show_example(MainWindow& window, const TriangleSoup& soup, const QString& name) {
+  window.workbench().open_made({made_scan(soup, name, scene_origin(soup))});
+  wait_idle(window);
+  settle(300);
+}
+
+/// Small pictures for the start page.
+void show_gallery(MainWindow& window) {
+  for (const PaperExample& example : paper_examples()) {
+    std::vector<OpenedScanPtr> parts;
+    for (const TriangleSoup& soup : example.parts()) parts.push_back(made_scan(soup, QString(), Vec3::Zero()));
+    window.workbench().open_made(parts);
+    window.view().frame();
+    trigger(window, "plain");
+    settle(700);
+    PictureOptions options;
+    options.size = QSize(336, 234);
+    options.ground = PictureOptions::Ground::transparent;
+    options.extras = PictureOptions::Extras::none;
+    window.view()
+        .picture(options)
+        .scaled(168, 117, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+        .save(folder.filePath(QStringLiteral("gallery_%1.png").arg(QLatin1String(example.id))));
+  }
+  trigger(window, "curvature");
+}
+
+void show_points(MainWindow& window) {
+  show_example(window, make_dodecahedron(), QStringLiteral("dodecahedron"));
+  trigger(window, "toolPointsAction");
+  shoot(window, "points");
+  press(window, "trialEvolve");
+  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::solved; }, 120);
+  shoot(window, "points_done");
+  window.tools().take(Tool::none);
+}
+
+void show_blend(MainWindow& window) {
+  std::vector<OpenedScanPtr> parts;
+  for (const TubeShape& tube : tee_tubes())
+    parts.push_back(made_scan(make_tube(tube), QStringLiteral("tube %1").arg(parts.size() + 1), Vec3::Zero()));
+  window.workbench().open_made(parts);
+  window.view().frame();
+  trigger(window, "toolBlendAction");
+  press(window, "blendFacing");
+  auto* part = window.findChild<QComboBox*>(QStringLiteral("blendPart"));
+  part->setCurrentIndex(2);
+  Q_EMIT part->activated(2);
+  shoot(window, "blend");
+  press(window, "trialPreview");
+  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::posed; }, 60);
+  shoot(window, "blend_preview");
+  press(window, "trialEvolve");
+  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::solved; }, 120);
+  shoot(window, "blend_done");
+  window.tools().take(Tool::none);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -161,9 +272,26 @@ int main(int argc, char** argv) {
   window.show();
   if (!QTest::qWaitForWindowExposed(&window)) return 1;
   QApplication::setActiveWindow(&window);
+  if (qEnvironmentVariableIsSet("LOOPMEND_TOOLS_ONLY")) {
+    shoot(window, "welcome");
+    window.open(QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
+    wait_idle(window);
+    show_compare(window);
+    show_tools(window);
+    show_gallery(window);
+    show_points(window);
+    show_blend(window);
+    window.autosave().finish();
+    return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
+  }
   show_story(window, QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
   show_looks(window);
+  show_compare(window);
+  show_tools(window);
   show_the_rest(window);
+  show_gallery(window);
+  show_points(window);
+  show_blend(window);
   window.autosave().finish();
   return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
 }

@@ -7,9 +7,7 @@
 
 #include "analysis/seam_report.h"
 #include "core/version.h"
-#include "evolution/evolve_patch.h"
-#include "filling/patch_quality.h"
-#include "mesh/region.h"
+#include "problems/problem.h"
 
 #include <chrono>
 #include <cstdio>
@@ -50,15 +48,9 @@ int run_evolve(const EvolveCommand& command) {
   const Region region = make_region(opened.model, vertices);
   ProgressLine(command.words.verbosity())
       .say("evolving a region of " + std::to_string(region.patch.free_count) + " vertices");
-  EvolutionOptions options = *options_of(command.words).evolution;
-  options.triangles = PatchTriangles::kept;  // the file's numbering is to stay
-  const EvolvedPatch evolved = evolve_patch(region.patch, options, nullptr, CancelToken());
-  const FillerQuality before = patch_quality(region.patch);
-  if (evolved.quality.folds > before.folds || evolved.quality.self_intersections > before.self_intersections) {
-    std::fprintf(stderr,
-                 "loopmend: the flow would leave %d folded edges and %d self-intersections in the region: nothing was "
-                 "written.\n",
-                 evolved.quality.folds, evolved.quality.self_intersections);
+  const EvolvedPatch evolved = evolve_region(region, *options_of(command.words).evolution, nullptr, CancelToken());
+  if (const std::string refusal = refusal_of(region, evolved); !refusal.empty()) {
+    std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.c_str());
     return exit_loops_failed;
   }
   write_mesh(command.output, with_region(opened.model, region, evolved.patch), command.words.encoding());

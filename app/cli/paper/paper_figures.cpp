@@ -5,6 +5,7 @@
 #include "evolution/interpolate_points.h"
 #include "flows/flow_terms.h"
 #include "mesh/region.h"
+#include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 
@@ -121,7 +122,6 @@ FigureRun run_recovery(TriangleSoup input, const TableRow& paper, double (*dista
 FigureRun run_fig51a() {
   FigureRun run = run_recovery(make_pierced_cylinder(), {3480, 1.0, 0.12, 2.11, 100},
                                [](const Vec3& p) { return std::hypot(p.x(), p.y()) - 1; });
-  run.title = "A cylinder with parts missing";
   run.claim = "A cylinder is correctly recovered from its perturbed counterpart.";
   return run;
 }
@@ -129,7 +129,6 @@ FigureRun run_fig51a() {
 FigureRun run_fig51d() {
   FigureRun run =
       run_recovery(make_sphere_wireframe(), {11160, 1.0, 0.42, 6.72, 50}, [](const Vec3& p) { return p.norm() - 1; });
-  run.title = "A wire-frame of a sphere with eight openings";
   run.claim = "The sphere is perfectly recovered.";
   run.why += " Table 5.1 is garbled in this row (\"0.42350\"): we read 0.42 s and 50 steps.";
   return run;
@@ -184,26 +183,22 @@ FigureRun run_blend(const std::vector<TubeShape>& tubes, const TableRow& paper) 
 
 FigureRun run_fig52a() {
   FigureRun run = run_blend(three_tubes(), {3222, 1.0, 0.12, 1.62, 5});
-  run.title = "Three tubes";
   run.why += " Table 5.1 is garbled in this row: the number of steps (\"5\") has perhaps lost a digit.";
   return run;
 }
 
 FigureRun run_fig52d() {
   FigureRun run = run_blend(six_tubes(), {4410, 1.0, 0.17, 2.75, 50});
-  run.title = "Six tubes";
   return run;
 }
 
 FigureRun run_fig52g() {
   FigureRun run = run_blend(tee_tubes(), {2400, 0.01, 0.09, 1.43, 10});
-  run.title = "Three tubes that form a T";
   return run;
 }
 
 FigureRun run_fig53() {
   FigureRun run = run_holes(make_holed_head(), {1296, 0.5, 0.05, 1.26, 10});
-  run.title = "A head-like mesh with holes in nose, face and jaw";
   run.claim = "The holes are filled smoothly with G2 continuity on the boundary.";
   const EvolvedPatch evolved = evolve_patch(run.start, paper_scheme(), nullptr, {});
   run.after = pasted(run.before, evolved.patch);
@@ -221,7 +216,6 @@ FigureRun run_fig53() {
 
 FigureRun run_fig54() {
   FigureRun run;
-  run.title = "A dodecahedron";
   run.claim = "A fair surface that interpolates the vertices of the dodecahedron.";
   run.before = make_surface_model(make_dodecahedron());
   const Interpolation result = interpolate_points(run.before, {}, EvolutionOptions{}, {});
@@ -251,7 +245,6 @@ bool most_continuous_is_mmcvf(const FlowComparison& comparison) {
 
 FigureRun run_fig55() {
   FigureRun run;
-  run.title = "MMCVF, SDF and WF on the six tubes";
   run.claim =
       "The surface of MMCVF is mean-curvature continuous at the blending boundaries; those of SDF and WF are not.";
   std::map<FlowKind, std::vector<double>> jumps;
@@ -282,13 +275,9 @@ FigureRun run_fig55() {
 
 FigureRun run_fig56() {
   FigureRun run;
-  run.title = "The graph of a function: MCF, SDF, WF and MMCVF";
   run.claim = "Flows of second and fourth order are not curvature continuous at the boundaries of the evolved patch.";
   run.before = make_surface_model(make_bumps());
-  std::vector<int> vertices;
-  for (std::size_t i = 0; i < run.before.soup.points.size(); ++i)
-    if (run.before.soup.points[i].z() > bumps_threshold) vertices.push_back(static_cast<int>(i));
-  const auto region = std::make_shared<const Region>(make_region(run.before, vertices));
+  const auto region = std::make_shared<const Region>(make_region(run.before, bumps_region(run.before.soup)));
   run.start = region->patch;
   run.initial = run.before;
   run.comparison = compare_flows(run.start, {}, nullptr, {});
@@ -370,6 +359,7 @@ FigureRun run_paper_figure(const std::string& id) {
     if (name != id) continue;
     FigureRun run = runner();
     run.id = id;
+    if (const PaperExample* example = paper_example(id)) run.title = example->title;
     return run;
   }
   throw InvalidArgument("there is no figure '" + id + "'");

@@ -2,7 +2,7 @@
 
 #include "cli/commands.h"
 
-#include "mesh/loop_facing.h"
+#include "problems/facing_loops.h"
 
 #include <algorithm>
 #include <charconv>
@@ -45,27 +45,14 @@ Vec3 middle_of(const JoinedParts& parts, std::size_t part) {
   return sum / static_cast<double>(parts.first_point[part + 1] - parts.first_point[part]);
 }
 
-/// How well a loop looks at a place: near, and the surface goes on towards it.
-double facing_score(const JoinedParts& parts, const BoundaryLoop& loop, const Vec3& place) {
-  const Vec3 way = place - loop.center;
-  const double distance = way.norm();
-  if (!(distance > 0)) return 0;
-  return -distance * (2 - loop_facing(parts.model, loop).onward.dot(way) / distance);
-}
-
-std::vector<NamedLoop> facing_loops(const JoinedParts& parts) {
+std::vector<NamedLoop> loops_that_face(const JoinedParts& parts) {
+  std::vector<FacingPart> facing;
+  for (std::size_t k = 0; k < parts.loops.size(); ++k)
+    facing.push_back({&parts.model, parts.loops[k], middle_of(parts, k)});
   std::vector<NamedLoop> chosen;
-  for (std::size_t k = 0; k < parts.loops.size(); ++k) {
-    const auto& loops = parts.loops[k];
-    if (loops.empty())
-      throw UsageError("file " + std::to_string(k + 1) + " is closed: it has no loop that could be joined to others");
-    Vec3 others = Vec3::Zero();
-    for (std::size_t l = 0; l < parts.loops.size(); ++l)
-      if (l != k) others += middle_of(parts, l) / static_cast<double>(parts.loops.size() - 1);
-    std::size_t best = 0;
-    for (std::size_t l = 1; l < loops.size(); ++l)
-      if (facing_score(parts, loops[l], others) > facing_score(parts, loops[best], others)) best = l;
-    chosen.push_back({name_of(k, best), loops[best]});
+  for (const std::size_t loop : facing_loops(facing)) {
+    const std::size_t part = chosen.size();
+    chosen.push_back({name_of(part, loop), parts.loops[part][loop]});
   }
   return chosen;
 }
@@ -92,7 +79,7 @@ std::vector<NamedLoop> choose_part_loops(const JoinedParts& parts, const std::st
     std::istringstream stream(words);
     for (std::string word; std::getline(stream, word, ',');) chosen.push_back(loop_named(parts, word));
   } else if (parts.loops.size() > 1) {
-    chosen = facing_loops(parts);
+    chosen = loops_that_face(parts);
   } else {
     const auto& loops = parts.loops.front();
     if (loops.size() != 2)

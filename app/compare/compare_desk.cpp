@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/compare_desk.h"
+
+#include "document/timeline.h"
+#include "document/words.h"
+#include "problems/problem.h"
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+PatchStage stage_of(const LaneState& lane) {
+  if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::converged) return PatchStage::converged;
+  if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::failed) return PatchStage::stalled;
+  return PatchStage::stepped;
+}
+
+/// The lane as a patch of the document: the start and where the flow has led.
+OpenPatch patch_of(const LaneState& start, const LaneState& lane, double density) {
+  auto filler = std::make_shared<PatchState>();
+  filler->patch = start.patch;
+  filler->shape = start.shape;
+  filler->seam = filler->seam_before = start.seams;
+  filler->recipe.density = density;
+  auto now = std::make_shared<PatchState>(*filler);
+  now->patch = lane.patch;
+  now->shape = lane.shape;
+  now->seam = lane.seams;
+  now->stage = stage_of(lane);
+  now->message = lane.message;
+  now->flow = lane.flow;
+  now->steps = lane.steps;
+  now->last_step.energy = lane.own_energy[1];
+  now->initial_energy = lane.own_energy[0];
+  now->seconds = lane.seconds;
+  // `loopmend fill` would solve several holes one by one.
+  const bool nameable = start.patch.loops.size() == 1 && lane.stage == LaneState::Stage::ended;
+  now->recipe.runs.push_back({lane.flow, lane.options.mode, lane.options.sigma, lane.steps,
+                              nameable ? RunRecipe::End::whole : RunRecipe::End::unnamed});
+  OpenPatch patch;
+  patch.timeline = std::make_shared<Timeline>(Timeline{filler, now});
+  patch.state = now;
+  return patch;
+}
+
+}  // namespace
+
+CompareDesk::CompareDesk(const Document& document, const HoleSelection& selection, Workbench& workbench,
+                         QWidget* window)
+    : QObject(window),
+      document_(document),
+      selection_(selection),
+      workbench_(workbench),
+      window_(window) {
+  undertaker_.setInterval(100);
+  connect(&undertaker_, &QTimer::timeout, this, &CompareDesk::bury);
+}
+
+std::set<int> CompareDesk::loops() const {
+  std::set<int> chosen;
+  for (int loop : selection_.selected())
+    if (document_.present(loop) && document_.loop(loop).kind != LoopKind::cut) chosen.insert(loop);
+  if (chosen.empty())
+    for (int loop = 0; loop < document_.loop_count(); ++loop)
+      if (document_.present(loop) && document_.loop(loop).kind == LoopKind::hole) chosen.insert(loop);
+  return chosen;
+}
+
+CompareWindow* CompareDesk::compare_holes(const Look& look) {
+  const std::set<int> chosen = loops();
+  if (chosen.empty()) {
+    Q_EMIT failed(
+        tr("There is no hole to compare flows on. Open a scan with holes, or pose a region, points or a bridge."));
+    return nullptr;
+  }
+  const int scan = document_.scan_of(*chosen.begin());
+  std::vector<BoundaryLoop> holes;
+  double density = 1;
+  for (int loop : chosen) {
+    if (document_.scan_of(loop) != scan) {
+      Q_EMIT failed(tr("The holes belong to several scans. Select holes of one of them."));
+      return nullptr;
+    }
+    holes.push_back(document_.loop(loop));
+    if (const OpenPatch* patch = document_.patch_of(loop)) density = patch->state->recipe.density;
+  }
+  const auto opened = document_.scan(scan);
+  CompareTask task;
+  task.source.title = tr("%1 of %2").arg(words::sentence(words::holes(document_, chosen)), opened->name);
+  task.source.start = [model = opened->model, holes, density](const CancelToken& cancel) {
+    return pose_holes(model, holes, FillerOptions{density}, cancel).problem.start;
+  };
+  task.source.surroundings = opened->shape;
+  task.source.origin = document_.origin();
+  task.accept_help = tr("Put this patch into the holes, in place of what is there; can be undone");
+  task.accept = [this, scan, model = opened->model, density](const LaneState& start, const LaneState& lane) {
+    const auto now = document_.scan(scan);
+    if (!now || now->model != model) return tr("The scan of this comparison is no longer open.");
+    if (workbench_.busy()) return tr("The main window is busy. Try again when it is done.");
+    OpenPatch patch = patch_of(start, lane, density);
+    patch.scan = scan;
+    for (int number : lane.patch.loop_numbers)
+      for (int loop = document_.first_loop_of(scan); loop < document_.loop_count(); ++loop)
+        if (document_.scan_of(loop) == scan && document_.loop(loop).number == number) patch.loops.push_back(loop);
+    workbench_.adopt(std::move(patch));
+    return tr("%1 was taken over into the main window; Ctrl+Z there takes it back.").arg(words::flow_name(lane.flow));
+  };
+  return compare(std::move(task), look);
+}
+
+CompareWindow* CompareDesk::compare_trial(Trial& trial, const Look& look) {
+  if (!trial.can_compare()) return nullptr;
+  CompareTask task;
+  task.source = trial.race_source();
+  task.accept_help = tr("Take this surface over into the document, in place of what it came from; can be undone");
+  task.accept = [at = QPointer<Trial>(&trial)](const LaneState&, const LaneState& lane) {
+    return at ? at->adopt(lane) : QString();
+  };
+  return compare(std::move(task), look);
+}
+
+CompareWindow* CompareDesk::compare(CompareTask task, const Look& look) {
+  auto race = std::make_unique<FlowRace>(task.source);
+  auto* window = new CompareWindow(*race, std::move(task), look, window_);
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  open_.emplace_back(window, std::move(race));
+  connect(window, &QObject::destroyed, this, &CompareDesk::bury);
+  window->show();
+  Q_EMIT opened(window);
+  return window;
+}
+
+/// A closed comparison goes when its last worker has looked at its token.
+void CompareDesk::bury() {
+  for (auto& [window, race] : open_)
+    if (!window) closed_.push_back(std::move(race));
+  std::erase_if(open_, [](const auto& entry) { return entry.second == nullptr; });
+  std::erase_if(closed_, [](const auto& race) { return race->shut_down(std::chrono::milliseconds(0)); });
+  closed_.empty() ? undertaker_.stop() : undertaker_.start();
+}
+
+bool CompareDesk::shut_down(std::chrono::milliseconds at_most) {
+  bool all = true;
+  for (auto& [window, race] : open_) all = race->shut_down(at_most) && all;
+  for (auto& race : closed_) all = race->shut_down(at_most) && all;
+  return all;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/compare_numbers.h"
+
+#include "compare/flow_pane.h"
+#include "document/words.h"
+#include "panels/parts.h"
+#include "panels/plot.h"
+#include "problems/comparison_table.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <cstdio>
+
+namespace loopmend {
+namespace {
+
+constexpr int flows = 4;
+enum Energy { variation, bending, area };
+
+double energy_of(const PatchEnergies& energies, int which) {
+  if (which == variation) return energies.variation;
+  return which == bending ? energies.bending : energies.area;
+}
+
+QStringList head_words() {
+  return {CompareNumbers::tr("Surface"),       CompareNumbers::tr("End"),
+          CompareNumbers::tr("Steps"),         CompareNumbers::tr("\u222b|\u2207H|\u00b2"),
+          CompareNumbers::tr("\u222bH\u00b2"), CompareNumbers::tr("Area"),
+          CompareNumbers::tr("Wide jump"),     CompareNumbers::tr("Jump of H"),
+          CompareNumbers::tr("\u00d7 diam."),  CompareNumbers::tr("Angle, \u00b0"),
+          CompareNumbers::tr("Folds"),         CompareNumbers::tr("Cuts")};
+}
+
+QStringList head_help() {
+  return {CompareNumbers::tr("Which flow"),
+          CompareNumbers::tr("How the flow ended"),
+          CompareNumbers::tr("Accepted steps"),
+          CompareNumbers::tr("What MMCVF lowers, in 1/length\u00b2"),
+          CompareNumbers::tr("What WF lowers, without a unit"),
+          CompareNumbers::tr("What MCF and SDF lower, in length\u00b2"),
+          CompareNumbers::tr(
+              "Jump of H across the seam from wide one-sided fits, rms, in 1/length: the fairest figure between flows"),
+          CompareNumbers::tr("Jump of H across the seam from narrow one-sided fits, rms, in 1/length"),
+          CompareNumbers::tr("The jump of H times the hole's diameter: without a unit"),
+          CompareNumbers::tr("Angle between the normals of both sides at the seam, rms, in degrees"),
+          CompareNumbers::tr("Edges folded by more than 90\u00b0"),
+          CompareNumbers::tr("Places where the patch cuts itself or its surroundings")};
+}
+
+/// The engine's words for an end, in the window's language.
+QString status_words(const std::string& status) {
+  if (status == "converged") return CompareNumbers::tr("at rest");
+  if (status == "step_limit") return CompareNumbers::tr("step limit");
+  if (status == "failed") return CompareNumbers::tr("stopped early");
+  return QString::fromStdString(status);
+}
+
+std::vector<std::string> live_row(const LaneState& lane) {
+  std::string status;
+  if (lane.stage == LaneState::Stage::ended) status = to_string(lane.status);
+  return comparison_row(upper_name(lane.flow), status, lane.steps, lane.energies, lane.seams, lane.wide_jump,
+                        lane.quality);
+}
+
+}  // namespace
+
+CompareNumbers::CompareNumbers(const FlowRace& race, QWidget* parent)
+    : QWidget(parent),
+      race_(race),
+      table_(new QTableWidget),
+      which_(new QComboBox),
+      energies_(new Plot("compareEnergies", tr("Energy of each flow against the step"))),
+      profiles_(new Plot("compareProfiles", tr("Mean curvature across the seam, one line for each flow"))) {
+  table_->setObjectName(QStringLiteral("compareTable"));
+  explain(table_, tr("Figures of all flows"), {});
+  const QStringList heads = head_words(), help = head_help();
+  table_->setColumnCount(heads.size());
+  table_->setHorizontalHeaderLabels(heads);
+  for (int c = 0; c < heads.size(); ++c) table_->horizontalHeaderItem(c)->setToolTip(help[c]);
+  table_->verticalHeader()->hide();
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+  table_->horizontalHeader()->setHighlightSections(false);
+  which_->setObjectName(QStringLiteral("compareEnergyKind"));
+  explain(which_, tr("Which energy"), tr("Which energy the plot shows; each flow lowers its own"));
+  which_->addItems({tr("\u222b|\u2207H|\u00b2, what MMCVF lowers"), tr("\u222bH\u00b2, what WF lowers"),
+                    tr("Area, what MCF and SDF lower")});
+  connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareNumbers::update_energies);
+  for (FlowKind flow : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf})
+    for (Plot* plot : {energies_, profiles_})
+      plot->add_graph(Plot::Side::left, words::flow_name(flow), Plot::Line::solid, ink_of(flow));
+  for (Plot* plot : {energies_, profiles_}) plot->set_axis(Plot::Side::left, Plot::Scale::linear);
+  profiles_->leave_out_of_fit(0);  // MCF: a crease's curvature would leave the others flat
+  for (Plot* plot : {energies_, profiles_}) plot->drop_legend();  // the headings of the views have the colours
+  const auto titled = [](QWidget* title, Plot* plot) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(3);
+    column->addWidget(title);
+    column->addWidget(plot, 1);
+    return column;
+  };
+  which_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* title = new QLabel(tr("H across the seam, patch right of 0"));
+  title->setFixedHeight(which_->sizeHint().height());
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 8);
+  row->setSpacing(8);
+  row->addWidget(table_, 0, Qt::AlignTop);
+  row->addLayout(titled(which_, energies_), 1);
+  row->addLayout(titled(title, profiles_), 1);
+  update_all();
+}
+
+void CompareNumbers::fill_row(int row, const std::vector<std::string>& cells) {
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const int column = static_cast<int>(c);
+    QString text = QString::fromStdString(cells[c]);
+    if (c == 0 && text == QLatin1String("start")) text = tr("Start");
+    if (c == 1) text = status_words(cells[c]);
+    if (text == QLatin1String("nan")) text = QStringLiteral("\u2013");
+    QTableWidgetItem* item = table_->item(row, column);
+    if (!item) {
+      item = new QTableWidgetItem;
+      item->setTextAlignment(c < 2 ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(row, column, item);
+    }
+    if (item->text() != text) item->setText(text);
+  }
+}
+
+void CompareNumbers::update_all() {
+  const auto rows_now = table_rows(race_);
+  table_->setRowCount(static_cast<int>(rows_now.size()));
+  for (std::size_t row = 0; row < rows_now.size(); ++row) fill_row(static_cast<int>(row), rows_now[row]);
+  constexpr int rows = flows + 1;
+  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
+                         rows * table_->verticalHeader()->defaultSectionSize() + 4);
+  table_->resizeColumnsToContents();
+  table_->setFixedWidth(table_->horizontalHeader()->length() + 2 * table_->frameWidth() + 2);
+  update_energies();
+  update_profiles();
+}
+
+void CompareNumbers::update_lane(int lane) {
+  fill_row(lane + 1, live_row(*race_.lane(lane)));
+  update_energies();
+  update_profiles();
+}
+
+void CompareNumbers::update_energies() {
+  bool moved = false, positive = true;
+  double low = 1e300, high = 0;
+  for (int graph = 0; graph < flows; ++graph) energies_->set_data(graph, {}, {});
+  for (int lane = 0; lane < race_.lanes(); ++lane) {
+    QVector<double> step, value;
+    for (const RacePoint& point : race_.curve(lane)) {
+      step << point.step;
+      value << energy_of(point.energies, which_->currentIndex());
+      positive = positive && value.last() > 0;
+      low = std::min(low, value.last());
+      high = std::max(high, value.last());
+    }
+    moved = moved || step.size() > 1;
+    if (step.size() > 1) energies_->set_data(static_cast<int>(race_.flow(lane)), step, value);
+  }
+  constexpr double wide = 20;  // from here on a straight scale shows nothing of the end
+  energies_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
+  energies_->show_words(moved ? QString() : tr("Run the flows, and their energies are drawn here."));
+  energies_->redraw();
+}
+
+void CompareNumbers::update_profiles() {
+  bool any = false;
+  for (int graph = 0; graph < flows; ++graph) profiles_->set_data(graph, {}, {});
+  for (int lane = 0; race_.start() && lane < race_.lanes(); ++lane) {
+    QVector<double> distance, H;
+    for (const ProfilePoint& point : race_.lane(lane)->profile) {
+      if (!distance.isEmpty() && distance.last() == point.distance) {  // at the seam, once from either side
+        distance << point.distance;
+        H << std::nan("");
+      }
+      distance << point.distance;
+      H << point.H;
+    }
+    any = any || !distance.isEmpty();
+    profiles_->set_data(static_cast<int>(race_.flow(lane)), distance, H);
+  }
+  profiles_->show_words(any ? QString() : tr("There is no seam to look across."));
+  profiles_->redraw();
+}
+
+/// Of a finished comparison in its own words, so that they are those of the command line to the last digit.
+std::vector<std::vector<std::string>> table_rows(const FlowRace& race) {
+  if (race.comparison()) return comparison_rows(*race.comparison());
+  std::vector<std::vector<std::string>> rows;
+  if (!race.start()) return rows;
+  rows.push_back(comparison_row("start", "", 0, race.start()->energies, race.start()->seams, std::nan(""), {}));
+  for (int lane = 0; lane < race.lanes(); ++lane) rows.push_back(live_row(*race.lane(lane)));
+  return rows;
+}
+
+std::string curves_csv(const FlowRace& race) {
+  std::string text = "flow,step,int |grad H|^2,int H^2,area\n";
+  char line[160];
+  for (int lane = 0; lane < race.lanes(); ++lane)
+    for (const RacePoint& point : race.curve(lane)) {
+      std::snprintf(line, sizeof line, "%s,%d,%.17g,%.17g,%.17g\n", upper_name(race.flow(lane)).c_str(), point.step,
+                    point.energies.variation, point.energies.bending, point.energies.area);
+      text += line;
+    }
+  return text;
+}
+
+}  // namespace loopmend

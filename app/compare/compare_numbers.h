@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Below the pictures: the table of the comparison, the energies against the step, H across the seam.
+#pragma once
+
+#include "jobs/flow_race.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QTableWidget;
+
+namespace loopmend {
+
+class Plot;
+
+class CompareNumbers : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CompareNumbers(const FlowRace& race, QWidget* parent = nullptr);
+
+  /// Everything anew.
+  void update_all();
+  void update_lane(int lane);
+  Plot& energies() { return *energies_; }
+  Plot& profiles() { return *profiles_; }
+
+ private:
+  void update_energies();
+  void update_profiles();
+  void fill_row(int row, const std::vector<std::string>& cells);
+
+  const FlowRace& race_;
+  QTableWidget* table_;
+  QComboBox* which_;
+  Plot *energies_, *profiles_;
+};
+
+/// The table as it stands: of the finished comparison, or of what was reached.
+std::vector<std::vector<std::string>> table_rows(const FlowRace& race);
+/// flow, step, the three energies: a line for each step.
+std::string curves_csv(const FlowRace& race);
+
+}  // namespace loopmend

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/compare_window.h"
+
+#include "compare/compare_numbers.h"
+#include "compare/flow_canvas.h"
+#include "compare/flow_pane.h"
+#include "compare/legend_strip.h"
+#include "document/words.h"
+#include "panels/banner.h"
+#include "panels/parts.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSplitter>
+#include <QStackedWidget>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+constexpr int most_views = 4;
+constexpr int ticks_per_decade = 10;
+
+QFrame* divider() {
+  auto* line = new QFrame;
+  line->setFrameShape(QFrame::VLine);
+  line->setFrameShadow(QFrame::Sunken);
+  return line;
+}
+
+/// A patch's middle, half its size, and where its outside looks.
+struct Facing {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero(), outward = Eigen::Vector3d::Zero();
+  double radius = 1;
+};
+
+Facing facing_of(const SurfaceShape& shape) {
+  Eigen::AlignedBox3d box;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  const auto point = [&](std::size_t corner) {
+    return Eigen::Vector3d(
+        Eigen::Map<const Eigen::Vector3f>(shape.points.data() + 3 * static_cast<std::size_t>(shape.triangles[corner]))
+            .cast<double>());
+  };
+  for (std::size_t t = 0; t < static_cast<std::size_t>(shape.own_triangles); ++t) {
+    const Eigen::Vector3d a = point(3 * t), b = point(3 * t + 1), c = point(3 * t + 2);
+    for (const Eigen::Vector3d& p : {a, b, c}) box.extend(p);
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    sum += normal;
+    area += normal.norm();
+  }
+  Facing facing;
+  if (box.isEmpty()) return facing;
+  facing.middle = box.center();
+  facing.radius = 0.5 * box.diagonal().norm();
+  if (area > 0 && sum.norm() > 0.3 * area) facing.outward = sum.normalized();
+  return facing;
+}
+
+}  // namespace
+
+CompareWindow::CompareWindow(FlowRace& race, CompareTask task, const Look& look, QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      race_(race),
+      task_(std::move(task)),
+      look_(look) {
+  setObjectName(QStringLiteral("compareWindow"));
+  setWindowTitle(tr("Compare flows: %1").arg(race_.title()));
+  resize(1280, 840);
+  auto* upper = new QWidget;
+  auto* column = new QVBoxLayout(upper);
+  column->setContentsMargins(8, 8, 8, 4);
+  column->setSpacing(6);
+  column->addWidget(build_run_bar());
+  column->addWidget(build_look_bar());
+  column->addWidget(build_views(), 1);
+  numbers_ = new CompareNumbers(race_);
+  auto* splitter = new QSplitter(Qt::Vertical);
+  splitter->addWidget(upper);
+  splitter->addWidget(numbers_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 1);
+  splitter->setChildrenCollapsible(false);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(splitter);
+  banner_ = new Banner(upper);
+  wire();
+  arrange();
+  apply_look();
+  update_all();
+}
+
+QWidget* CompareWindow::build_run_bar() {
+  run_ = make_button("compareRun", tr("&Run all"), tr("All flows from the same start, side by side (Space)"));
+  stop_ = make_button("compareStop", tr("&Stop"), tr("Stop at once; what was reached stays (Esc)"));
+  count_ = new QComboBox;
+  count_->setObjectName(QStringLiteral("compareCount"));
+  explain(count_, tr("Number of views"), tr("How many flows are compared"));
+  for (int n = 2; n <= most_views; ++n) count_->addItem(tr("%1 views").arg(n), n);
+  count_->setCurrentIndex(race_.lanes() - 2);
+  mode_ = new QComboBox;
+  mode_->setObjectName(QStringLiteral("compareMode"));
+  mode_->addItem(tr("To the steady state"), static_cast<int>(EvolutionMode::steady));
+  mode_->addItem(tr("Step by step"), static_cast<int>(EvolutionMode::steps));
+  explain(mode_, tr("How"), tr("Straight to where each flow comes to rest, or in time steps, as in the paper"));
+  sigma_ = new QSlider(Qt::Horizontal);
+  sigma_->setObjectName(QStringLiteral("compareSigma"));
+  sigma_->setRange(-2 * ticks_per_decade, 5 * ticks_per_decade);
+  sigma_->setValue(ticks_per_decade);
+  sigma_->setFixedWidth(120);
+  explain(sigma_, tr("Time step"), tr("Time step \u03c3, without a unit; the same for all flows"));
+  sigma_value_ = new QLabel;
+  sigma_value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("\u03c3 = 0.0100")));
+  wait_ = make_note("compareWait");
+  wait_->setWordWrap(false);
+  save_picture_ =
+      make_button("comparePicture", tr("Save &picture\u2026"), tr("All views as one PNG of a size you choose"));
+  save_numbers_ = make_button("compareNumbers", tr("Save &numbers\u2026"),
+                              tr("Table, energies and profiles as CSV, as loopmend compare writes them"));
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  for (QWidget* part : std::initializer_list<QWidget*>{run_, stop_, divider(), count_, mode_, sigma_, sigma_value_})
+    row->addWidget(part);
+  row->addWidget(wait_, 1);
+  row->addWidget(save_picture_);
+  row->addWidget(save_numbers_);
+  return bar;
+}
+
+QWidget* CompareWindow::build_look_bar() {
+  shading_ = new QComboBox;
+  shading_->setObjectName(QStringLiteral("compareShading"));
+  explain(shading_, tr("Shading"), tr("How all views are shown (keys 1 to 5)"));
+  for (const auto& [text, shading] : {std::pair{tr("Mean curvature H"), Shading::curvature},
+                                      {tr("Gaussian curvature K"), Shading::gaussian},
+                                      {tr("Plain"), Shading::plain},
+                                      {tr("Zebra"), Shading::zebra},
+                                      {tr("Isophotes"), Shading::isophotes}})
+    shading_->addItem(text, static_cast<int>(shading));
+  shading_->setCurrentIndex(static_cast<int>(look_.shading));
+  edges_ = new QCheckBox(tr("&Wireframe"));
+  edges_->setObjectName(QStringLiteral("compareEdges"));
+  edges_->setChecked(look_.edges == Edges::shown);
+  explain(edges_, tr("Wireframe"), tr("Draw the triangles' edges"));
+  own_range_ = new QCheckBox(tr("C&olours \u00b1"));
+  own_range_->setObjectName(QStringLiteral("compareOwnRange"));
+  explain(own_range_, tr("Own range of colours"),
+          tr("A colour range of your own, instead of that of the surroundings"));
+  half_width_ = new QDoubleSpinBox;
+  half_width_->setObjectName(QStringLiteral("compareRange"));
+  half_width_->setRange(1e-6, 1e9);
+  half_width_->setDecimals(4);
+  half_width_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  half_width_->setKeyboardTracking(false);
+  explain(half_width_, tr("Range"), tr("The curvature at the ends of the colours"));
+  linked_ = new QCheckBox(tr("&Link views"));
+  linked_->setObjectName(QStringLiteral("compareLinked"));
+  linked_->setChecked(true);
+  explain(linked_, tr("Link views"), tr("Turning one view turns all"));
+  auto* framing = make_button("compareFrame", tr("&Frame"), tr("See the whole patch in every view (F)"));
+  connect(framing, &QPushButton::clicked, this, &CompareWindow::frame);
+  wiping_ = new QCheckBox(tr("Wip&e between"));
+  wiping_->setObjectName(QStringLiteral("compareWipe"));
+  explain(wiping_, tr("Wipe"), tr("One large picture of two flows, with a line between them that can be drawn"));
+  for (QComboBox** box : {&left_, &right_}) *box = new QComboBox;
+  left_->setObjectName(QStringLiteral("compareWipeLeft"));
+  right_->setObjectName(QStringLiteral("compareWipeRight"));
+  explain(left_, tr("Left of the line"), tr("Which flow, or the start, is left of the line"));
+  explain(right_, tr("Right of the line"), tr("Which flow, or the start, is right of the line"));
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  for (QWidget* part : std::initializer_list<QWidget*>{shading_, edges_, own_range_, half_width_, divider(), linked_,
+                                                       framing, divider(), wiping_, left_, right_})
+    row->addWidget(part);
+  row->addStretch(1);
+  return bar;
+}
+
+QWidget* CompareWindow::build_views() {
+  auto* grid = new QWidget;
+  grid_ = new QGridLayout(grid);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(6);
+  for (int number = 0; number < most_views; ++number) panes_.push_back(new FlowPane(number));
+  wipe_ = new FlowCanvas("compareWipeView", FlowCanvas::Sides::two);
+  pages_ = new QStackedWidget;
+  pages_->addWidget(grid);
+  pages_->addWidget(wipe_);
+  legend_ = new LegendStrip;
+  auto* views = new QWidget;
+  auto* row = new QHBoxLayout(views);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  row->addWidget(pages_, 1);
+  row->addWidget(legend_);
+  return views;
+}
+
+void CompareWindow::wire() {
+  connect(run_, &QPushButton::clicked, this, &CompareWindow::run);
+  connect(stop_, &QPushButton::clicked, &race_, &FlowRace::stop);
+  connect(save_picture_, &QPushButton::clicked, this, &CompareWindow::ask_picture);
+  connect(save_numbers_, &QPushButton::clicked, this, &CompareWindow::ask_numbers);
+  connect(count_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this] { set_view_count(count_->currentData().toInt()); });
+  connect(mode_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_use);
+  connect(sigma_, &QSlider::valueChanged, this, &CompareWindow::update_use);
+  connect(shading_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::apply_look);
+  connect(edges_, &QCheckBox::toggled, this, &CompareWindow::apply_look);
+  connect(own_range_, &QCheckBox::toggled, this, &CompareWindow::update_range);
+  connect(half_width_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
+    if (own_range_->isChecked()) update_range();
+  });
+  connect(linked_, &QCheckBox::toggled, this, [this](bool on) {
+    if (on) follow(panes_.front()->canvas());
+  });
+  connect(wiping_, &QCheckBox::toggled, this, [this](bool on) {
+    if (on) wipe_->set_pose(panes_.front()->canvas().pose());
+    pages_->setCurrentIndex(on ? 1 : 0);
+    update_wipe();
+    update_use();
+  });
+  for (QComboBox* box : {left_, right_})
+    connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_wipe);
+  for (int lane = 0; lane < most_views; ++lane) {
+    FlowPane* pane = panes_[static_cast<std::size_t>(lane)];
+    connect(pane, &FlowPane::flow_chosen, this, [this, lane](FlowKind flow) { choose_flow(lane, flow); });
+    connect(pane, &FlowPane::accept_wanted, this, [this, lane] { accept(lane); });
+  }
+  for (FlowCanvas* canvas : canvases())
+    connect(canvas, &FlowCanvas::turned, this, [this, canvas] {
+      if (linked_->isChecked()) follow(*canvas);
+    });
+  connect(&race_, &FlowRace::stage_changed, this, &CompareWindow::update_all);
+  connect(&race_, &FlowRace::lane_moved, this, &CompareWindow::update_lane);
+  connect(&race_, &FlowRace::failed, banner_, &Banner::show_problem);
+}
+
+std::vector<FlowCanvas*> CompareWindow::canvases() const {
+  std::vector<FlowCanvas*> all;
+  for (FlowPane* pane : panes_) all.push_back(&pane->canvas());
+  all.push_back(wipe_);
+  return all;
+}
+
+void CompareWindow::follow(FlowCanvas& leader) {
+  const CameraPose pose = leader.pose();
+  for (FlowCanvas* canvas : canvases())
+    if (canvas != &leader) canvas->set_pose(pose);
+}
+
+EvolutionOptions CompareWindow::options() const {
+  EvolutionOptions options;
+  options.mode = static_cast<EvolutionMode>(mode_->currentData().toInt());
+  options.sigma = std::pow(10.0, static_cast<double>(sigma_->value()) / ticks_per_decade);
+  return options;
+}
+
+void CompareWindow::run() {
+  if (run_->isEnabled() || race_.stage() == FlowRace::Stage::ready) race_.run(options());
+}
+
+void CompareWindow::run_when_ready() {
+  run_soon_ = race_.stage() == FlowRace::Stage::preparing;
+  if (!run_soon_) run();
+}
+
+void CompareWindow::set_view_count(int count) {
+  std::vector<FlowKind> flows;
+  for (int lane = 0; lane < race_.lanes(); ++lane) flows.push_back(race_.flow(lane));
+  // The fairest flows first in, the fairest last out.
+  if (static_cast<int>(flows.size()) > count) flows.erase(flows.begin(), flows.end() - count);
+  for (FlowKind flow : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf})
+    if (static_cast<int>(flows.size()) < count && std::find(flows.begin(), flows.end(), flow) == flows.end())
+      flows.insert(flows.begin(), flow);
+  race_.set_flows(flows);
+  arrange();
+}
+
+/// A flow that another view has already changes places with it.
+void CompareWindow::choose_flow(int lane, FlowKind flow) {
+  std::vector<FlowKind> flows;
+  for (int k = 0; k < race_.lanes(); ++k) flows.push_back(race_.flow(k));
+  const auto other = std::find(flows.begin(), flows.end(), flow);
+  if (other != flows.end()) *other = flows[static_cast<std::size_t>(lane)];
+  flows[static_cast<std::size_t>(lane)] = flow;
+  race_.set_flows(flows);
+}
+
+void CompareWindow::arrange() {
+  const int columns = race_.lanes() == 4 ? 2 : race_.lanes();
+  for (int lane = 0; lane < most_views; ++lane) {
+    FlowPane* pane = panes_[static_cast<std::size_t>(lane)];
+    grid_->removeWidget(pane);
+    if (lane < race_.lanes()) grid_->addWidget(pane, lane / columns, lane % columns);
+    pane->setVisible(lane < race_.lanes());
+  }
+}
+
+void CompareWindow::update_all() {
+  const bool there = race_.start() != nullptr;
+  {
+    const QSignalBlocker quiet_left(left_), quiet_right(right_);
+    const int old_left = std::max(0, left_->currentIndex()), old_right = right_->currentIndex();
+    for (QComboBox* box : {left_, right_}) {
+      box->clear();
+      box->addItem(tr("Start"));
+      for (int lane = 0; lane < race_.lanes(); ++lane) box->addItem(words::flow_name(race_.flow(lane)));
+    }
+    left_->setCurrentIndex(std::min(old_left, left_->count() - 1));
+    right_->setCurrentIndex(old_right < 0 ? right_->count() - 1 : std::min(old_right, right_->count() - 1));
+  }
+  if (there) {
+    for (FlowCanvas* canvas : canvases()) canvas->set_surroundings(race_.surroundings());
+    for (int lane = 0; lane < race_.lanes(); ++lane) {
+      panes_[static_cast<std::size_t>(lane)]->show_flow(race_.flow(lane));
+      panes_[static_cast<std::size_t>(lane)]->show_lane(*race_.lane(lane), task_.accept_help);
+    }
+    if (race_.stage() != FlowRace::Stage::running) update_range();
+    if (isVisible() && !std::exchange(faced_, true)) face_patch();
+  }
+  numbers_->update_all();
+  update_wipe();
+  update_use();
+  if (race_.stage() == FlowRace::Stage::ready && std::exchange(run_soon_, false)) run();
+}
+
+void CompareWindow::update_lane(int lane) {
+  panes_[static_cast<std::size_t>(lane)]->show_lane(*race_.lane(lane), task_.accept_help);
+  numbers_->update_lane(lane);
+  if (wiping_->isChecked()) update_wipe();
+}
+
+void CompareWindow::update_use() {
+  const FlowRace::Stage stage = race_.stage();
+  const bool ready = stage == FlowRace::Stage::ready;
+  run_->setEnabled(ready);
+  stop_->setEnabled(stage == FlowRace::Stage::running);
+  for (QWidget* part : std::initializer_list<QWidget*>{count_, mode_, save_numbers_}) part->setEnabled(ready);
+  save_picture_->setEnabled(race_.start() != nullptr);
+  const bool steps = mode_->currentData().toInt() == static_cast<int>(EvolutionMode::steps);
+  sigma_->setVisible(steps);
+  sigma_value_->setVisible(steps);
+  sigma_->setEnabled(ready);
+  sigma_value_->setText(tr("\u03c3 = %1").arg(words::number(options().sigma)));
+  for (QComboBox* box : {left_, right_}) box->setEnabled(wiping_->isChecked());
+  half_width_->setEnabled(own_range_->isChecked());
+  for (FlowPane* pane : panes_) pane->set_use(ready ? FlowPane::Use::open : FlowPane::Use::running);
+  QString words;
+  if (stage == FlowRace::Stage::preparing) words = tr("Making the start\u2026");
+  if (stage == FlowRace::Stage::running) words = tr("Running\u2026");
+  if (ready && race_.start())
+    words = tr("%1 free vertices").arg(words::count(static_cast<std::size_t>(race_.start()->patch.free_count)));
+  wait_->setText(words);
+}
+
+/// From the surroundings' curvature, as in the main window; where there are none, from the last view.
+void CompareWindow::update_range() {
+  half_width_->setEnabled(own_range_->isChecked());
+  if (own_range_->isChecked()) {
+    range_ = half_width_->value();
+  } else if (race_.start()) {
+    const bool mean = look_.shading != Shading::gaussian;
+    const SurfaceShape& shape = race_.surroundings() ? *race_.surroundings() : *race_.lane(race_.lanes() - 1)->shape;
+    const std::vector<float>& values = mean ? shape.H : shape.K;
+    if (!values.empty()) range_ = symmetric_range(values, mean ? look_.H.percent : look_.K.percent);
+    const QSignalBlocker quiet(half_width_);
+    half_width_->setValue(range_);
+  }
+  for (FlowCanvas* canvas : canvases()) canvas->set_look(look_, range_);
+  legend_->show_range(look_, range_);
+}
+
+void CompareWindow::apply_look() {
+  look_.shading = static_cast<Shading>(shading_->currentData().toInt());
+  look_.edges = edges_->isChecked() ? Edges::shown : Edges::hidden;
+  if (sender() == shading_) own_range_->setChecked(false);  // H and K do not share their numbers
+  update_range();
+}
+
+void CompareWindow::face_patch() {
+  const Facing facing = facing_of(*race_.start()->shape);
+  Eigen::Vector3d eye = facing.outward;
+  if (eye.isZero()) eye = Eigen::Vector3d(0.55, -0.75, 0.45).normalized();
+  // A little from the side, so that shapes read.
+  const Eigen::Vector3d side = eye.unitOrthogonal();
+  eye = (eye + 0.28 * side + 0.28 * eye.cross(side)).normalized();
+  for (FlowCanvas* canvas : canvases()) canvas->look_at(facing.middle, 1.25 * facing.radius, eye);
+}
+
+void CompareWindow::frame() {
+  if (!race_.start()) return;
+  const Facing facing = facing_of(*race_.start()->shape);
+  for (FlowCanvas* canvas : canvases()) canvas->look_at(facing.middle, 1.25 * facing.radius, Eigen::Vector3d::Zero());
+}
+
+void CompareWindow::update_wipe() {
+  if (!race_.start() || !wiping_->isChecked()) return;
+  const auto shape = [this](const QComboBox* box) {
+    const int at = box->currentIndex() - 1;
+    return at < 0 || at >= race_.lanes() ? race_.start()->shape : race_.lane(at)->shape;
+  };
+  wipe_->show_patch(0, shape(left_));
+  wipe_->show_patch(1, shape(right_));
+}
+
+void CompareWindow::accept(int lane) {
+  if (!task_.accept) return;
+  try {
+    banner_->show_notice(task_.accept(*race_.start(), *race_.lane(lane)));
+  } catch (const std::exception& error) {
+    banner_->show_problem(QString::fromUtf8(error.what()));
+  }
+}
+
+void CompareWindow::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Escape: race_.stage() == FlowRace::Stage::running ? race_.stop() : banner_->hide(); break;
+    case Qt::Key_Space: run(); break;
+    case Qt::Key_F: frame(); break;
+    case Qt::Key_1:
+    case Qt::Key_2:
+    case Qt::Key_3:
+    case Qt::Key_4:
+    case Qt::Key_5: shading_->setCurrentIndex(event->key() - Qt::Key_1); break;
+    default: QWidget::keyPressEvent(event);
+  }
+}
+
+void CompareWindow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (race_.start() && !std::exchange(faced_, true)) face_patch();
+}
+
+}  // namespace loopmend

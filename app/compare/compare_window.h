@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flows side by side: a window of its own, beside the main one.
+#pragma once
+
+#include "jobs/flow_race.h"
+#include "scene/look.h"
+
+#include <QImage>
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QStackedWidget;
+class QToolButton;
+
+namespace loopmend {
+
+class Banner;
+class CompareNumbers;
+class FlowCanvas;
+class FlowPane;
+class LegendStrip;
+
+/// What a comparison is about, and what becomes of its winner.
+struct CompareTask {
+  RaceSource source;
+  QString accept_help;  ///< what taking a result over does, in words
+  std::function<QString(const LaneState& start, const LaneState& lane)>
+      accept;  ///< does it. @returns what to tell the person
+};
+
+class CompareWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param race  stays alive as long as the window.
+  CompareWindow(FlowRace& race, CompareTask task, const Look& look, QWidget* parent = nullptr);
+
+  void run();
+  /// Now, or as soon as the start is there.
+  void run_when_ready();
+  /// All views with captions and the legend, device pixels. Null when the graphics cannot.
+  QImage picture(const QSize& size);
+  /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
+  QString save_numbers(const QString& path) const;
+  FlowPane& pane(int number) { return *panes_[static_cast<std::size_t>(number)]; }
+  FlowCanvas& wipe() { return *wipe_; }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* build_run_bar();
+  QWidget* build_look_bar();
+  QWidget* build_views();
+  void wire();
+  void set_view_count(int count);
+  void choose_flow(int lane, FlowKind flow);
+  void arrange();
+  void update_all();
+  void update_lane(int lane);
+  void update_use();
+  void update_range();
+  void apply_look();
+  void face_patch();
+  void frame();
+  void follow(FlowCanvas& leader);
+  void update_wipe();
+  void accept(int lane);
+  void ask_picture();
+  void ask_numbers();
+  EvolutionOptions options() const;
+  std::vector<FlowCanvas*> canvases() const;
+
+  FlowRace& race_;
+  CompareTask task_;
+  Look look_;
+  double range_ = 1;
+  bool faced_ = false, run_soon_ = false;
+  std::vector<FlowPane*> panes_;
+  FlowCanvas* wipe_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  QGridLayout* grid_ = nullptr;
+  LegendStrip* legend_ = nullptr;
+  CompareNumbers* numbers_ = nullptr;
+  Banner* banner_ = nullptr;
+  QPushButton *run_ = nullptr, *stop_ = nullptr, *save_picture_ = nullptr, *save_numbers_ = nullptr;
+  QComboBox *mode_ = nullptr, *count_ = nullptr, *shading_ = nullptr, *left_ = nullptr, *right_ = nullptr;
+  QSlider *sigma_ = nullptr, *stripes_ = nullptr;
+  QLabel *sigma_value_ = nullptr, *wait_ = nullptr;
+  QCheckBox *edges_ = nullptr, *linked_ = nullptr, *wiping_ = nullptr, *own_range_ = nullptr;
+  QDoubleSpinBox* half_width_ = nullptr;
+};
+
+}  // namespace loopmend

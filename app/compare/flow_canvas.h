@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of one flow's patch in its surroundings; or of two, left and right of a line that can be drawn.
+#pragma once
+
+#include "scene/look.h"
+#include "views/camera_flight.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
+
+namespace loopmend {
+
+struct SurfaceShape;
+
+class FlowCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Sides { one, two };
+  FlowCanvas(const char* name, Sides sides, QWidget* parent = nullptr);
+  ~FlowCanvas() override;
+
+  void set_surroundings(std::shared_ptr<const SurfaceShape> shape);
+  /// @param side  0, or 1 for what is right of the line.
+  void show_patch(int side, std::shared_ptr<const SurfaceShape> shape);
+  /// @param half_width  of the colour range, in force instead of the look's own.
+  void set_look(const Look& look, double half_width);
+
+  CameraPose pose() const;
+  void set_pose(const CameraPose& pose);
+  /// A sphere to be seen whole, in the frame of what is shown. @param towards_eye  unit; zero: from where the eye is.
+  void look_at(const Eigen::Vector3d& middle, double radius, const Eigen::Vector3d& towards_eye);
+
+  /// Where the line stands, 0..1 of the width.
+  double line() const;
+  void set_line(double share);
+
+  /// Queued: several wishes make one picture.
+  void redraw();
+  /// Drawn anew at another size, device pixels. Null when the graphics cannot.
+  QImage picture(const QSize& size);
+  QWidget* canvas() const;
+  /// How many pictures were drawn so far; for measurements.
+  int frames() const;
+
+ Q_SIGNALS:
+  /// The person has turned or moved it.
+  void turned();
+  void line_moved();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Impl;
+  void draw();
+  void before_drawing();
+  void update_palette();
+  void place_sides();
+  bool drag_line(QEvent* event);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace loopmend

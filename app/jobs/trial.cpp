@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/trial.h"
+
+#include "analysis/curvature_field.h"
+#include "document/words.h"
+#include "jobs/near_shape.h"
+#include "jobs/trial_base.h"
+
+#include <algorithm>
+#include <mutex>
+
+namespace loopmend {
+namespace {
+
+std::shared_ptr<const SurfaceShape> shape_of_patch(const Patch& patch, const Vec3& origin) {
+  return std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+}
+
+/// The surface that stays when the patch is taken out.
+std::shared_ptr<const SurfaceShape> around(const TrialBase& base, const PosedProblem& posed) {
+  if (posed.replaced.empty()) return base.shape;
+  std::vector<char> own(base.model->soup.triangles.size(), 0);
+  for (int f : posed.replaced) own[static_cast<std::size_t>(f)] = 1;
+  std::vector<char> left_out(base.model->soup_face.size());
+  for (std::size_t f = 0; f < left_out.size(); ++f)
+    left_out[f] = own[static_cast<std::size_t>(base.model->soup_face[f])];
+  return without_triangles(*base.shape, left_out);
+}
+
+std::vector<PatchStatePtr> patches_of(const Document& document, const std::vector<int>& scans) {
+  std::vector<PatchStatePtr> states;
+  for (const OpenPatch& patch : document.patches())
+    if (std::find(scans.begin(), scans.end(), patch.scan) != scans.end()) states.push_back(patch.state);
+  return states;
+}
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+}  // namespace
+
+/// The newest state of a flow at work; the window takes it when it has time.
+struct Trial::Post {
+  std::mutex mutex;
+  std::shared_ptr<const SurfaceShape> newest;
+  int step = 0;
+  double energy = 0;
+  int free_vertices = 0;
+};
+
+Trial::Trial(Document& document, Workbench& workbench, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      workbench_(workbench) {
+  connect(&document_, &Document::scans_changed, this, &Trial::watch_scans);
+  connect(&document_, &Document::patches_changed, this, &Trial::watch_scans);
+  connect(&document_, &Document::patch_moved, this, &Trial::watch_scans);
+  connect(&document_, &Document::opened, this, &Trial::discard);
+}
+
+Trial::~Trial() {
+  if (job_) job_->cancel();
+}
+
+void Trial::go_to(Stage stage, const QString& words) {
+  stage_ = stage;
+  words_ = words;
+  Q_EMIT stage_changed();
+}
+
+void Trial::forget() {
+  if (job_) job_->cancel();
+  job_.reset();
+  base_.reset();
+  posed_.reset();
+  start_shape_.reset();
+  solution_.reset();
+  made_.reset();
+  models_.clear();
+  patches_.clear();
+  picture_ = {};
+}
+
+void Trial::discard() {
+  if (stage_ == Stage::none) return;
+  forget();
+  go_to(Stage::none, {});
+  Q_EMIT picture_changed();
+}
+
+/// What a trial was posed on must still be there, as it was.
+void Trial::watch_scans() {
+  if (stage_ == Stage::none) return;
+  for (std::size_t k = 0; k < wish_.scans.size(); ++k) {
+    const auto scan = document_.scan(wish_.scans[k]);
+    if (!scan || (k < models_.size() && scan->model != models_[k])) {
+      discard();
+      return;
+    }
+  }
+  if (patches_of(document_, wish_.scans) != patches_) discard();
+}
+
+void Trial::fail(const QString& words, Stage back_to) {
+  job_.reset();
+  go_to(back_to, {});
+  Q_EMIT failed(words::sentence(words));
+}
+
+void Trial::pose(TrialWish wish) {
+  forget();
+  Q_EMIT picture_changed();
+  wish_ = std::move(wish);
+  for (int index : wish_.scans) models_.push_back(document_.scan(index)->model);
+  patches_ = patches_of(document_, wish_.scans);
+  job_ = std::make_shared<Job>(this);
+  go_to(Stage::posing, tr("Making the start\u2026"));
+  tasks_.start([this, job = job_, parts = parts_of(document_, wish_.scans), wish = wish_] {
+    try {
+      const auto base = std::make_shared<const TrialBase>(make_base(parts));
+      if (job->token().cancelled()) return;
+      const auto posed = std::make_shared<const PosedProblem>(wish.pose(*base, job->token()));
+      if (job->token().cancelled()) return;
+      const auto start = shape_of_patch(posed->problem.start, parts.origin);
+      const auto backdrop = wish.around == TrialWish::Around::shown ? around(*base, *posed) : nullptr;
+      job->tell([this, base, posed, start, backdrop] { on_posed(base, posed, start, backdrop); });
+    } catch (const std::exception& error) {
+      job->tell([this, words = QString::fromUtf8(error.what())] {
+        forget();
+        fail(words, Stage::none);
+      });
+    }
+  });
+}
+
+void Trial::on_posed(std::shared_ptr<const TrialBase> base, std::shared_ptr<const PosedProblem> posed,
+                     std::shared_ptr<const SurfaceShape> start, std::shared_ptr<const SurfaceShape> backdrop) {
+  job_.reset();
+  base_ = std::move(base);
+  posed_ = std::move(posed);
+  start_shape_ = std::move(start);
+  picture_.hidden_scans = {wish_.scans.begin(), wish_.scans.end()};
+  picture_.backdrop = std::move(backdrop);
+  picture_.patch = start_shape_;
+  QString words = tr("%1 free vertices.").arg(words::count(static_cast<std::size_t>(free_vertices())));
+  if (!posed_->remark.empty()) words += QLatin1Char(' ') + words::sentence(text(posed_->remark)) + QLatin1Char('.');
+  go_to(Stage::posed, words);
+  Q_EMIT picture_changed();
+}
+
+void Trial::evolve(const EvolutionOptions& options) {
+  if (!posed_ || busy()) return;
+  solution_.reset();
+  made_.reset();
+  job_ = std::make_shared<Job>(this);
+  picture_.patch = start_shape_;
+  Q_EMIT picture_changed();
+  go_to(Stage::evolving, tr("%1 at work\u2026").arg(words::flow_name(options.flow)));
+  tasks_.start([this, job = job_, posed = posed_, options, origin = document_.origin(), name = wish_.made_name] {
+    const auto post = std::make_shared<Post>();
+    const auto on_step = [&](const Evolution& evolution, const StepRecord& record) {
+      {
+        const std::lock_guard lock(post->mutex);
+        if (post->newest || job->token().cancelled()) return;  // the last one has not been drawn yet
+      }
+      const auto shape = shape_of_patch(evolution.patch(), origin);
+      {
+        const std::lock_guard lock(post->mutex);
+        post->newest = shape;
+        post->step = record.step;
+        post->energy = record.energy;
+        post->free_vertices = evolution.patch().free_count;
+      }
+      job->tell([this, post] { show_state(post); });
+    };
+    try {
+      auto solution = std::make_shared<Solution>(posed->solve(options, on_step, job->token()));
+      if (job->token().cancelled()) return;
+      OpenedScanPtr made;
+      if (solution->refusal.empty()) made = made_scan(solution->surface, name, origin);
+      const auto shape = shape_of_patch(solution->patch, origin);
+      job->tell([this, solution, made, shape] { on_solved(solution, made, shape); });
+    } catch (const std::exception& error) {
+      job->tell([this, words = QString::fromUtf8(error.what())] { fail(words, Stage::posed); });
+    }
+  });
+}
+
+void Trial::show_state(const std::shared_ptr<Post>& post) {
+  int step = 0, vertices = 0;
+  double energy = 0;
+  {
+    const std::lock_guard lock(post->mutex);
+    picture_.patch = std::exchange(post->newest, nullptr);
+    step = post->step;
+    energy = post->energy;
+    vertices = post->free_vertices;
+  }
+  go_to(Stage::evolving, tr("Step %1, energy %2, %3 vertices").arg(step).arg(words::number(energy)).arg(vertices));
+  Q_EMIT picture_changed();
+}
+
+void Trial::on_solved(std::shared_ptr<const Solution> solution, const OpenedScanPtr& made,
+                      std::shared_ptr<const SurfaceShape> shape) {
+  job_.reset();
+  if (!made) {
+    picture_.patch = start_shape_;
+    fail(text(solution->refusal) + QLatin1Char('.'), Stage::posed);
+    Q_EMIT picture_changed();
+    return;
+  }
+  solution_ = std::move(solution);
+  made_ = made;
+  picture_.patch = std::move(shape);
+  const bool rest = solution_->status == EvolutionStatus::converged;
+  QString words = (rest ? tr("At rest after %1 steps, energy %2 \u2192 %3.") : tr("%1 steps, energy %2 \u2192 %3."))
+                      .arg(solution_->steps)
+                      .arg(words::number(solution_->initial_energy), words::number(solution_->final_energy));
+  if (!solution_->message.empty())
+    words += QLatin1Char(' ') + words::sentence(text(solution_->message)) + QLatin1Char('.');
+  go_to(Stage::solved, words);
+  Q_EMIT picture_changed();
+}
+
+void Trial::cancel() {
+  if (!busy()) return;
+  job_->cancel();
+  job_.reset();
+  if (!posed_) {
+    discard();
+    return;
+  }
+  picture_.patch = start_shape_;
+  go_to(Stage::posed, tr("Cancelled."));
+  Q_EMIT picture_changed();
+}
+
+void Trial::accept() {
+  if (stage_ != Stage::solved || workbench_.busy()) return;
+  const OpenedScanPtr made = made_;
+  const std::vector<int> scans = wish_.scans;
+  const QString words = wish_.name;
+  discard();
+  workbench_.replace_scans(scans, made, words);
+  Q_EMIT accepted(tr("%1: taken over. Ctrl+Z takes it back.").arg(words));
+}
+
+RaceSource Trial::race_source() const {
+  return {wish_.name, [start = posed_->problem.start](const CancelToken&) { return start; }, picture_.backdrop,
+          document_.origin()};
+}
+
+QString Trial::adopt(const LaneState& lane) {
+  if (!posed_ || busy() || workbench_.busy()) return tr("The main window is busy, or has gone on to something else.");
+  job_ = std::make_shared<Job>(this);
+  go_to(Stage::evolving, tr("Taking over\u2026"));
+  tasks_.start([this, job = job_, posed = posed_, lane, origin = document_.origin(), name = wish_.made_name] {
+    try {
+      auto solution = std::make_shared<Solution>();
+      solution->patch = lane.patch;
+      solution->surface = posed->problem.surface(lane.patch);
+      solution->status = lane.status;
+      solution->message = lane.message;
+      solution->steps = lane.steps;
+      solution->initial_energy = lane.own_energy[0];
+      solution->final_energy = lane.own_energy[1];
+      const OpenedScanPtr made = made_scan(solution->surface, name, origin);
+      job->tell([this, solution, made, shape = lane.shape] {
+        on_solved(solution, made, shape);
+        accept();
+      });
+    } catch (const std::exception& error) {
+      job->tell([this, words = QString::fromUtf8(error.what())] { fail(words, Stage::posed); });
+    }
+  });
+  return tr("%1 was taken over into the main window; Ctrl+Z there takes it back.").arg(words::flow_name(lane.flow));
+}
+
+bool Trial::shut_down(std::chrono::milliseconds at_most) {
+  if (job_) job_->cancel();
+  return tasks_.wait(at_most);
+}
+
+}  // namespace loopmend

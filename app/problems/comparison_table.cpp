@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problems/comparison_table.h"
+
+#include "flows/flow_terms.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+namespace loopmend {
+
+namespace {
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+std::string joined_row(const std::vector<std::string>& cells, const char* before, const char* between,
+                       const char* after) {
+  std::string row = before;
+  for (std::size_t k = 0; k < cells.size(); ++k) row += (k ? between : "") + cells[k];
+  return row + after;
+}
+
+}  // namespace
+
+std::string upper_name(FlowKind flow) {
+  std::string name = to_string(flow);
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name;
+}
+
+SeamFigures seam_figures(const std::vector<SeamReport>& seams) {
+  SeamFigures figures;
+  double count = 0;
+  for (const SeamReport& seam : seams) {
+    if (!std::isfinite(seam.h_jump_rms)) continue;
+    figures.jump += seam.h_jump_rms * seam.h_jump_rms;
+    figures.jump_times_diameter += seam.h_jump_rms_times_diameter * seam.h_jump_rms_times_diameter;
+    figures.angle += seam.g1_rms_deg * seam.g1_rms_deg;
+    ++count;
+  }
+  for (double* x : {&figures.jump, &figures.jump_times_diameter, &figures.angle})
+    *x = count > 0 ? std::sqrt(*x / count) : std::nan("");
+  return figures;
+}
+
+const std::vector<std::string>& comparison_heads() {
+  static const std::vector<std::string> heads{"surface",         "status",     "steps",           "int |grad H|^2",
+                                              "int H^2",         "area",       "jump of H, wide", "jump of H",
+                                              "jump x diameter", "angle, deg", "folds",           "self-intersections"};
+  return heads;
+}
+
+std::vector<std::string> comparison_row(const std::string& name, const std::string& status, int steps,
+                                        const PatchEnergies& energies, const std::vector<SeamReport>& seams,
+                                        double wide_jump, const FillerQuality& quality) {
+  const SeamFigures seam = seam_figures(seams);
+  return {name,
+          status,
+          std::to_string(steps),
+          format("%.5g", energies.variation),
+          format("%.5g", energies.bending),
+          format("%.5g", energies.area),
+          format("%.4g", wide_jump),
+          format("%.4g", seam.jump),
+          format("%.4g", seam.jump_times_diameter),
+          format("%.4g", seam.angle),
+          std::to_string(quality.folds),
+          std::to_string(quality.self_intersections)};
+}
+
+std::vector<std::vector<std::string>> comparison_rows(const FlowComparison& comparison) {
+  std::vector<std::vector<std::string>> rows;
+  rows.push_back(comparison_row("start", "", 0, comparison.start, comparison.start_seams, std::nan(""), {}));
+  for (const FlowRun& run : comparison.runs)
+    rows.push_back(comparison_row(upper_name(run.flow), to_string(run.evolved.status), run.evolved.steps, run.energies,
+                                  run.seams, run.wide_jump, run.evolved.quality));
+  return rows;
+}
+
+std::string comparison_csv(const FlowComparison& comparison) { return csv_of(comparison_rows(comparison)); }
+
+std::string csv_of(const std::vector<std::vector<std::string>>& rows) {
+  std::string text = joined_row(comparison_heads(), "", ",", "\n");
+  for (const auto& row : rows) text += joined_row(row, "", ",", "\n");
+  return text;
+}
+
+std::string comparison_table(const FlowComparison& comparison) {
+  const std::vector<std::string>& heads = comparison_heads();
+  std::string text = joined_row(heads, "| ", " | ", " |\n");
+  text += joined_row(std::vector<std::string>(heads.size(), "---"), "| ", " | ", " |\n");
+  for (const auto& row : comparison_rows(comparison)) text += joined_row(row, "| ", " | ", " |\n");
+  return text;
+}
+
+std::string profile_csv(const FlowComparison& comparison) {
+  std::string text = "flow,distance,H\n";
+  for (std::size_t k = 0; k < comparison.profiles.size(); ++k)
+    for (const ProfilePoint& p : comparison.profiles[k])
+      text += upper_name(comparison.runs[k].flow) + format(",%.17g", p.distance) + format(",%.17g", p.H) + "\n";
+  return text;
+}
+
+}  // namespace loopmend

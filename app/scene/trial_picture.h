@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the picture shows of something that is being tried out, in place of the scans it would replace.
+#pragma once
+
+#include "scene/surface_shape.h"
+
+#include <memory>
+#include <set>
+
+namespace loopmend {
+
+struct TrialPicture {
+  std::set<int> hidden_scans;                    ///< with their patches
+  std::shared_ptr<const SurfaceShape> backdrop;  ///< in their place; may be null
+  std::shared_ptr<const SurfaceShape> patch;     ///< that moves; may be null
+};
+
+}  // namespace loopmend

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brush and lasso: which vertices of one scan, its patches included, make up a region.
+#pragma once
+
+#include "document/document.h"
+#include "tools/screen_points.h"
+
+#include <QObject>
+
+namespace loopmend {
+
+class RegionTool : public QObject, public ViewTool {
+  Q_OBJECT
+
+ public:
+  explicit RegionTool(const Document& document, QObject* parent = nullptr);
+
+  enum class Means { brush, lasso };
+  enum class Effect { add, erase };
+  void set_means(Means means) { means_ = means; }
+  void set_effect(Effect effect) { effect_ = effect; }
+  /// Of the brush, logical pixels.
+  void set_radius(int pixels) { radius_ = pixels; }
+  void set_hidden(ScreenPoints::Hidden hidden) { hidden_ = hidden; }
+
+  void clear();
+  /// By one ring of triangles.
+  void grow();
+  void shrink();
+
+  /// Which scan; −1 while nothing is chosen.
+  int scan() const { return scan_; }
+  /// Points of the scan's soup, its patches' new points after its own; ascending.
+  std::vector<int> vertices() const;
+  void set_vertices(int scan, const std::vector<int>& points);
+  int count() const { return chosen_count_; }
+  /// The triangles that would move; null where there are none.
+  std::shared_ptr<const SurfaceShape> shape() const;
+
+  bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) override;
+  void paint(QPainter& painter, const ViewSpace& space) override;
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void take_surface();
+  void forget();
+  void choose(const std::vector<int>& found, Effect effect);
+  void recount();
+  enum class Ring { outward, inward };
+  void move_edge(Ring ring);
+
+  const Document& document_;
+  bool fresh_ = false;  ///< the arrays are those of the document
+  ScreenPoints points_;
+  std::vector<int> soup_, scan_of_;
+  std::vector<int> triangles_;  ///< 3 × #T
+  std::vector<float> normals_;
+  std::vector<char> chosen_;
+  int chosen_count_ = 0, scan_ = -1;
+  Means means_ = Means::brush;
+  Effect effect_ = Effect::add, stroke_ = Effect::add;
+  ScreenPoints::Hidden hidden_ = ScreenPoints::Hidden::left_out;
+  int radius_ = 24;
+  QPolygonF outline_;
+  QPointF at_{-1000, -1000};
+};
+
+}  // namespace loopmend

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/tools_panel.h"
+
+#include "panels/parts.h"
+
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+QGroupBox* group(const QString& title, QWidget* content) {
+  auto* box = new QGroupBox(title);
+  auto* layout = new QVBoxLayout(box);
+  layout->addWidget(content);
+  return box;
+}
+
+}  // namespace
+
+ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, TrialBox* trial, QWidget* parent)
+    : QScrollArea(parent),
+      trial_(trial) {
+  setObjectName(QStringLiteral("toolsPanel"));
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  const auto choice = [&](const char* name, const QString& text, const QString& help, Tool tool) {
+    auto* button = make_button(name, text, help);
+    button->setCheckable(true);
+    button->setMinimumWidth(40);
+    connect(button, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
+    choices_.push_back(button);
+    row->addWidget(button);
+  };
+  choice("toolRegion", tr("Region"), tr("Make a region of a surface smooth, its surroundings held (R)"), Tool::region);
+  choice("toolPoints", tr("Points"), tr("A smooth surface through the vertices of a polyhedron (I)"), Tool::points);
+  choice("toolBlend", tr("Blend"), tr("Join two or more rims by one patch (B)"), Tool::blend);
+  auto* none = make_note("toolsHint");
+  none->setText(
+      tr("Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
+         "of a polyhedron; Blend joins rims of one or several parts."));
+  none->setAlignment(Qt::AlignTop);
+  pages_ = {none, group(tr("Region"), region), group(tr("Surface through points"), points),
+            group(tr("Join rims"), blend)};
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(8, 6, 8, 8);
+  layout->setSpacing(8);
+  layout->addLayout(row);
+  for (QWidget* page : pages_) layout->addWidget(page);
+  layout->addWidget(trial_);
+  layout->addStretch(1);
+  setWidget(content);
+  int widest = 0;
+  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, trial})
+    widest = std::max(widest, part->minimumSizeHint().width());
+  constexpr int frames = 46;  // of the boxes, and the dock's own margins
+  setMinimumWidth(widest + frames);
+  choose(Tool::none);
+}
+
+void ToolsPanel::choose(Tool tool) {
+  tool_ = tool;
+  const int page = static_cast<int>(tool);
+  for (std::size_t k = 0; k < pages_.size(); ++k) pages_[k]->setVisible(static_cast<int>(k) == page);
+  for (std::size_t k = 0; k < choices_.size(); ++k) choices_[k]->setChecked(static_cast<int>(k) + 1 == page);
+  trial_->setVisible(tool != Tool::none);
+  Q_EMIT tool_chosen(tool);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tools dock: which tool is in hand, its settings, and the box in which what it makes is tried out.
+#pragma once
+
+#include "tools/blend_box.h"
+#include "tools/points_box.h"
+#include "tools/region_box.h"
+#include "tools/trial_box.h"
+
+#include <QScrollArea>
+
+class QPushButton;
+
+namespace loopmend {
+
+enum class Tool { none, region, points, blend };
+
+class ToolsPanel : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, TrialBox* trial, QWidget* parent = nullptr);
+
+  Tool tool() const { return tool_; }
+  void choose(Tool tool);
+
+ Q_SIGNALS:
+  void tool_chosen(Tool tool);
+
+ private:
+  Tool tool_ = Tool::none;
+  std::vector<QPushButton*> choices_;
+  std::vector<QWidget*> pages_;  ///< in the order of Tool
+  TrialBox* trial_;
+};
+
+}  // namespace loopmend

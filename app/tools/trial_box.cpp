@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/trial_box.h"
+
+#include "document/words.h"
+#include "panels/parts.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace loopmend {
+
+TrialBox::TrialBox(const Trial& trial, QWidget* parent)
+    : QGroupBox(tr("Try it, decide"), parent),
+      trial_(trial),
+      flow_(new QComboBox),
+      words_(make_note("trialWords")),
+      preview_(make_button("trialPreview", tr("Pre&view"), tr("Show the start, before any flow"))),
+      evolve_(make_button("trialEvolve", tr("Evo&lve"), tr("Let the flow work on it until it comes to rest"))),
+      compare_(make_button("trialCompare", tr("Co&mpare flows\u2026"),
+                           tr("Several flows from this start, side by side, in a window of their own"))),
+      cancel_(make_button("trialCancel", tr("Ca&ncel"), tr("Stop at once; the start is shown again (Esc)"))),
+      accept_(make_button("trialAccept", tr("Ta&ke over"), tr("The result comes into the document; can be undone"))),
+      discard_(make_button("trialDiscard", tr("&Discard"), tr("Give it up; the document is as it was"))) {
+  flow_->setObjectName(QStringLiteral("trialFlow"));
+  explain(flow_, tr("Flow"), tr("Which flow works on it"));
+  for (FlowKind kind : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf}) {
+    flow_->addItem(words::flow(kind), static_cast<int>(kind));
+    flow_->setItemData(flow_->count() - 1, words::flow_help(kind), Qt::ToolTipRole);
+  }
+  flow_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  flow_->setMinimumContentsLength(18);
+  auto* grid = new QGridLayout(this);
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(6);
+  grid->addWidget(flow_, 0, 0, 1, 2);
+  grid->addWidget(preview_, 1, 0);
+  grid->addWidget(evolve_, 1, 1);
+  grid->addWidget(compare_, 2, 0, 1, 2);
+  grid->addWidget(words_, 3, 0, 1, 2);
+  grid->addWidget(cancel_, 4, 0, 1, 2);
+  grid->addWidget(accept_, 5, 0);
+  grid->addWidget(discard_, 5, 1);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  connect(preview_, &QPushButton::clicked, this, &TrialBox::preview_wanted);
+  connect(evolve_, &QPushButton::clicked, this, &TrialBox::evolve_wanted);
+  connect(compare_, &QPushButton::clicked, this, &TrialBox::compare_wanted);
+  connect(cancel_, &QPushButton::clicked, this, &TrialBox::cancel_wanted);
+  connect(accept_, &QPushButton::clicked, this, &TrialBox::accept_wanted);
+  connect(discard_, &QPushButton::clicked, this, &TrialBox::discard_wanted);
+  connect(&trial_, &Trial::stage_changed, this, &TrialBox::update_state);
+  update_state();
+}
+
+EvolutionOptions TrialBox::options() const {
+  EvolutionOptions options;
+  options.flow = static_cast<FlowKind>(flow_->currentData().toInt());
+  return options;
+}
+
+void TrialBox::set_wanting(const QString& wanting) {
+  wanting_ = wanting;
+  update_state();
+}
+
+void TrialBox::update_state() {
+  const bool busy = trial_.busy(), possible = wanting_.isEmpty() && !busy;
+  for (QPushButton* button : {preview_, evolve_, compare_}) button->setEnabled(possible);
+  flow_->setEnabled(!busy);
+  cancel_->setVisible(busy);
+  const bool posed = trial_.stage() == Trial::Stage::posed || trial_.stage() == Trial::Stage::solved;
+  accept_->setVisible(!busy);
+  discard_->setVisible(!busy);
+  accept_->setEnabled(trial_.stage() == Trial::Stage::solved);
+  discard_->setEnabled(posed);
+  const QString words = trial_.words().isEmpty() ? wanting_ : trial_.words();
+  words_->setText(words);
+  words_->setVisible(!words.isEmpty());
+}
+
+}  // namespace loopmend

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Region, points, blend: wires the tools in hand, the box they end in, and the picture.
+#pragma once
+
+#include "jobs/place_part.h"
+#include "jobs/trial.h"
+#include "tools/tools_panel.h"
+
+#include <QObject>
+
+namespace loopmend {
+
+class MeshView;
+
+class ToolDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolDesk(Document& document, HoleSelection& selection, Workbench& workbench, MeshView& view, QObject* parent);
+
+  ToolsPanel* panel() { return panel_; }
+  Trial& trial() { return *trial_; }
+  RegionTool& region() { return *region_; }
+  PointsTool& points() { return *points_; }
+  PartTool& part() { return *part_; }
+
+  void take(Tool tool);
+  /// As the buttons do.
+  void evolve() { pose(Then::evolve); }
+  void compare() { pose(Then::compare); }
+  /// Of each part the loop that looks at the others most.
+  void select_facing();
+  /// Esc: @returns whether there was something to step back from.
+  bool step_back();
+  bool shut_down(std::chrono::milliseconds at_most);
+
+ Q_SIGNALS:
+  void tool_changed(Tool tool);
+  void compare_wanted();
+  void failed(const QString& words);
+  void notice(const QString& words);
+
+ private:
+  enum class Then { look, evolve, compare };
+  void on_tool(Tool tool);
+  void pose(Then then);
+  void on_stage();
+  void give_up_trial();
+  void update_wanting();
+  void show_region();
+  void on_placed(int old_scan, int new_scan);
+  TrialWish region_wish() const;
+  TrialWish points_wish() const;
+  TrialWish blend_wish() const;
+
+  Document& document_;
+  HoleSelection& selection_;
+  MeshView& view_;
+  RegionTool* region_;
+  PointsTool* points_;
+  PartTool* part_;
+  Trial* trial_;
+  PlacePart* place_;
+  PointsBox* points_box_;
+  BlendBox* blend_box_;
+  TrialBox* trial_box_;
+  ToolsPanel* panel_;
+  Then then_ = Then::look;
+  bool current_ = false;  ///< the trial is of what is chosen now
+};
+
+}  // namespace loopmend

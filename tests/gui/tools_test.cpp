@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Region, points and blend by mouse and keyboard, with the command line as their witness.
+#include "driver.h"
+
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "jobs/load_scan.h"
+#include "problems/paper_examples.h"
+#include "samples/analytic_surfaces.h"
+#include "samples/paper_inputs.h"
+#include "views/tool_desk.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QProcess>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+void drag(QWidget* widget, const QVector<QPoint>& way, Qt::KeyboardModifiers with = {}) {
+  QTest::mousePress(widget, Qt::LeftButton, with, way.first());
+  for (int k = 1; k < way.size(); ++k)
+    for (int step = 1; step <= 3; ++step) {
+      const QPoint at = way[k - 1] + (way[k] - way[k - 1]) * step / 3;
+      QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, with);
+      QApplication::sendEvent(widget, &move);
+    }
+  QTest::mouseRelease(widget, Qt::LeftButton, with, way.last());
+  settle(60);
+}
+
+bool reach(MainWindow& window, Trial::Stage stage) {
+  return wait_until([&] { return window.tools().trial().stage() == stage; }, 120);
+}
+
+bool run_program(const QStringList& arguments) {
+  QProcess program;
+  program.start(QStringLiteral(LOOPMEND_PROGRAM), arguments);
+  return program.waitForFinished(240000) && program.exitCode() == 0;
+}
+
+TriangleSoup soup_of(const QString& path) { return read_mesh(path.toStdString()).soup; }
+
+bool same(const TriangleSoup& a, const TriangleSoup& b) { return a.points == b.points && a.triangles == b.triangles; }
+
+double farthest(const TriangleSoup& a, const TriangleSoup& b) {
+  double most = a.points.size() == b.points.size() ? 0 : 1e300;
+  for (std::size_t i = 0; i < std::min(a.points.size(), b.points.size()); ++i)
+    most = std::max(most, (a.points[i] - b.points[i]).norm());
+  return most;
+}
+
+const TriangleSoup& made(const MainWindow& window) {
+  return window.document().scan(window.document().scans().back())->model->soup;
+}
+
+QString banner_text(MainWindow& window) { return part<QLabel>(window, "bannerText")->text(); }
+
+}  // namespace
+
+class ToolsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_painted_region_is_that_of_the_command_line();
+  void lasso_erase_grow_and_turning();
+  void a_region_takes_patches_along();
+  void points_of_a_polyhedron();
+  void picked_points_and_a_box();
+  void rims_of_three_parts_are_joined();
+  void a_part_is_placed_by_its_handle();
+  void made_surfaces_survive_a_session();
+  void the_gallery_opens_and_runs();
+  void errors_are_said_in_place();
+  void cancel_comes_back_at_once();
+
+ private:
+  QString file(const char* name, const TriangleSoup& soup) {
+    const QString path = folder_.filePath(QLatin1String(name));
+    if (!QFile::exists(path)) write_mesh(path.toStdString(), soup);
+    return path;
+  }
+  QTemporaryDir folder_;
+};
+
+void ToolsTest::a_painted_region_is_that_of_the_command_line() {
+  const QString bumps = file("bumps.ply", make_bumps());
+  Shown shown({bumps});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  key(window, Qt::Key_R);
+  QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
+  QWidget* canvas = window.view().canvas();
+  const QImage bare = window.view().picture();
+  const QPoint middle = canvas->rect().center();
+  drag(canvas, {middle + QPoint(-60, 0), middle, middle + QPoint(60, 10)});
+  const std::vector<int> painted = window.tools().region().vertices();
+  QVERIFY2(painted.size() > 30, qPrintable(QString::number(painted.size())));
+  QVERIFY(painted.size() < 3000);
+  QVERIFY(picture_changes(window, bare, 0.002));
+
+  press(window, "trialEvolve");
+  QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(document.scan(0) != nullptr);  // nothing has come into the document yet
+  press(window, "trialAccept");
+  QCOMPARE(document.scans(), std::vector<int>{1});
+  QCOMPARE(window.isWindowModified(), true);
+
+  const QString numbers = folder_.filePath(QStringLiteral("region.txt")),
+                out = folder_.filePath(QStringLiteral("fair.ply"));
+  {
+    std::ofstream list(numbers.toStdString());
+    for (int v : painted) list << v << '\n';
+  }
+  QVERIFY(
+      run_program({QStringLiteral("evolve"), bumps, QStringLiteral("-o"), out, QStringLiteral("--region"), numbers}));
+  QVERIFY(same(made(window), soup_of(out)));
+
+  // The eye stays where it was; undo brings the old surface back.
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.scans(), std::vector<int>{0});
+  key(window, Qt::Key_Y, Qt::ControlModifier);
+  QCOMPARE(document.scans(), std::vector<int>{1});
+}
+
+void ToolsTest::lasso_erase_grow_and_turning() {
+  Shown shown({file("bumps.ply", make_bumps())});
+  MainWindow& window = shown.window;
+  RegionTool& tool = window.tools().region();
+  key(window, Qt::Key_R);
+  QWidget* canvas = window.view().canvas();
+  const QPoint m = canvas->rect().center();
+  QTest::mouseClick(part<QRadioButton>(window, "regionLasso"), Qt::LeftButton);
+  drag(canvas, {m + QPoint(-70, -50), m + QPoint(70, -50), m + QPoint(70, 50), m + QPoint(-70, 50)});
+  const int inside = tool.count();
+  QVERIFY(inside > 50);
+  press(window, "regionGrow");
+  QVERIFY(tool.count() > inside);
+  const int grown = tool.count();
+  press(window, "regionShrink");
+  QVERIFY(tool.count() >= inside && tool.count() < grown);
+  drag(canvas, {m + QPoint(-70, -50), m + QPoint(0, -50), m + QPoint(0, 50), m + QPoint(-70, 50)}, Qt::ControlModifier);
+  const int half = tool.count();
+  QVERIFY(half < 0.8 * inside && half > 0.2 * inside);
+  const QImage before = window.view().picture();
+  drag(canvas, {m, m + QPoint(60, 10)}, Qt::ShiftModifier);  // turns
+  QCOMPARE(tool.count(), half);
+  QVERIFY(picture_changes(window, before, 0.01));
+  press(window, "regionClear");
+  QCOMPARE(tool.count(), 0);
+  key(window, Qt::Key_Escape);
+  QVERIFY(window.tools().panel()->tool() == Tool::none);
+}
+
+void ToolsTest::a_region_takes_patches_along() {
+  Shown shown({file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; }))});
+  MainWindow& window = shown.window;
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  const std::size_t scan_points = window.document().scan(0)->model->soup.points.size();
+  const Patch& patch = window.document().patches().front().state->patch;
+  key(window, Qt::Key_R);
+  std::vector<int> own;  // every new vertex of the patch
+  for (int i = 0; i < patch.free_count; ++i) own.push_back(static_cast<int>(scan_points) + i);
+  window.tools().region().set_vertices(0, own);
+  QCOMPARE(window.tools().region().count(), patch.free_count);
+  press(window, "trialEvolve");
+  QVERIFY(reach(window, Trial::Stage::solved));
+  press(window, "trialAccept");
+  QVERIFY(window.document().patches().empty());
+  QVERIFY(window.document().loops().size() == 1 && !window.document().present(0));
+  for (const Vec3& p : made(window).points) QVERIFY(std::abs(p.norm() - 1) < 2e-3);  // the sphere is whole
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(window.document().patches().size(), std::size_t(1));
+}
+
+void ToolsTest::points_of_a_polyhedron() {
+  const QString path = file("dodecahedron.ply", make_dodecahedron());
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  key(window, Qt::Key_I);
+  press(window, "trialPreview");
+  QVERIFY(reach(window, Trial::Stage::posed));
+  QCOMPARE(window.tools().trial().free_vertices(), 1134);
+  press(window, "trialEvolve");
+  QVERIFY(reach(window, Trial::Stage::solved));
+  press(window, "trialAccept");
+  const QString out = folder_.filePath(QStringLiteral("ball_out.ply"));
+  QVERIFY(run_program({QStringLiteral("interpolate"), path, QStringLiteral("-o"), out}));
+  QVERIFY(same(made(window), soup_of(out)));
+  for (const Vec3& p : made(window).points) QVERIFY(std::abs(p.norm() - 1) < 1e-3);
+}
+
+void ToolsTest::picked_points_and_a_box() {
+  Shown shown({file("dodecahedron.ply", make_dodecahedron())});
+  MainWindow& window = shown.window;
+  key(window, Qt::Key_I);
+  QTest::mouseClick(part<QRadioButton>(window, "pointsPicked"), Qt::LeftButton);
+  PointsTool& tool = window.tools().points();
+  QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
+  QWidget* canvas = window.view().canvas();
+  int clicked = -1;
+  for (int v = 0; v < 20 && tool.count() == 0; ++v) {
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, tool.position_of(v, window.view().space()).toPoint());
+    if (tool.count() == 1) clicked = v;
+  }
+  QVERIFY(clicked >= 0);
+  QCOMPARE(tool.fixed(), std::vector<int>{clicked});
+  const QPoint corner(2, 2);
+  drag(canvas, {corner, QPoint(canvas->width() - 3, canvas->height() - 3)});
+  QCOMPARE(tool.count(), 20);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, tool.position_of(clicked, window.view().space()).toPoint());
+  QCOMPARE(tool.count(), 19);
+  QVERIFY(part<QPushButton>(window, "trialEvolve")->isEnabled());
+  part<QSpinBox>(window, "pointsSubdivide")->setValue(2);
+  press(window, "trialEvolve");
+  QVERIFY(reach(window, Trial::Stage::solved));
+}
+
+void ToolsTest::rims_of_three_parts_are_joined() {
+  const std::vector<TubeShape> tubes = three_tubes();
+  QStringList files;
+  for (std::size_t k = 0; k < tubes.size(); ++k)
+    files << file(qPrintable(QStringLiteral("tube%1.ply").arg(k + 1)), make_tube(tubes[k]));
+  Shown shown(files);
+  MainWindow& window = shown.window;
+  key(window, Qt::Key_B);
+  QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
+  press(window, "blendFacing");
+  QCOMPARE(window.selection().selected().size(), std::size_t(3));
+  press(window, "trialPreview");
+  QVERIFY(reach(window, Trial::Stage::posed));
+  press(window, "trialEvolve");
+  QVERIFY(reach(window, Trial::Stage::solved));
+  press(window, "trialAccept");
+  QCOMPARE(window.document().scans(), std::vector<int>{3});
+  const QString out = folder_.filePath(QStringLiteral("joined.ply"));
+  QVERIFY(run_program(QStringList{QStringLiteral("blend")} << files << QStringLiteral("-o") << out));
+  // The linear algebra below rounds by where things lie in memory, so another process may differ in the last digits.
+  QCOMPARE(made(window).triangles.size(), soup_of(out).triangles.size());
+  QVERIFY(farthest(made(window), soup_of(out)) < 1e-6);
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(window.document().scans(), (std::vector<int>{0, 1, 2}));
+}
+
+void ToolsTest::a_part_is_placed_by_its_handle() {
+  const std::vector<TubeShape> tubes = tee_tubes();
+  Shown shown({file("tee1.ply", make_tube(tubes[0])), file("tee2.ply", make_tube(tubes[1]))});
+  MainWindow& window = shown.window;
+  window.view().frame();
+  settle(300);
+  key(window, Qt::Key_B);
+  press(window, "blendFacing");
+  const std::size_t chosen = window.selection().selected().size();
+  auto* parts = part<QComboBox>(window, "blendPart");
+  parts->setCurrentIndex(2);
+  Q_EMIT parts->activated(2);
+  PartTool& tool = window.tools().part();
+  QCOMPARE(tool.scan(), 1);
+  const auto middle = [&] {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : made(window).points) sum += p;
+    return Vec3(sum / static_cast<double>(made(window).points.size()));
+  };
+  QWidget* canvas = window.view().canvas();
+  const auto pull = [&](PartTool::Handle handle, const QPoint& by) {
+    const QPoint from = tool.grip(handle, window.view().space()).toPoint();
+    const std::size_t scans = window.document().scans().size();
+    const int newest = window.document().scans().back();
+    drag(canvas, {from, from + by});
+    return wait_until([&] { return window.document().scans().back() != newest; }, 20) &&
+           window.document().scans().size() == scans;
+  };
+  const Vec3 before = middle();
+  QVERIFY(pull(PartTool::Handle::slide, QPoint(30, 12)));
+  QVERIFY((middle() - before).norm() > 0.05);
+  QCOMPARE(window.selection().selected().size(), chosen);  // the rims are still selected
+  const Vec3 slid = middle();
+  const double across = (made(window).points.front() - slid).norm();
+  QVERIFY(pull(PartTool::Handle::scale, QPoint(30, -30)));
+  QVERIFY((made(window).points.front() - middle()).norm() > 1.1 * across);
+  const Vec3 arm = made(window).points.front() - middle();
+  const QPointF about = tool.grip(PartTool::Handle::slide, window.view().space());
+  const QPointF at = tool.grip(PartTool::Handle::turn_z, window.view().space()) - about;
+  QVERIFY(pull(PartTool::Handle::turn_z, QPoint(qRound(-0.5 * at.y()), qRound(0.5 * at.x()))));  // square to its arm
+  const Vec3 turned = made(window).points.front() - middle();
+  QVERIFY(std::abs(turned.norm() - arm.norm()) < 1e-6 * arm.norm());
+  QVERIFY((turned - arm).norm() > 0.02 * arm.norm());
+  QVERIFY(std::abs(turned.z() - arm.z()) < 1e-6 * arm.norm());
+  for (int k = 0; k < 3; ++k) key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(window.document().scans(), (std::vector<int>{0, 1}));
+}
+
+void ToolsTest::made_surfaces_survive_a_session() {
+  const QString session = folder_.filePath(QStringLiteral("work.loopmend"));
+  TriangleSoup kept;
+  {
+    Shown shown({file("dodecahedron.ply", make_dodecahedron())});
+    key(shown.window, Qt::Key_I);
+    part<QSpinBox>(shown.window, "pointsSubdivide")->setValue(2);
+    press(shown.window, "trialEvolve");
+    QVERIFY(reach(shown.window, Trial::Stage::solved));
+    press(shown.window, "trialAccept");
+    kept = made(shown.window);
+    shown.window.workbench().save_session(session);
+    QVERIFY(wait_idle(shown.window));
+    QVERIFY(!shown.window.isWindowModified());
+  }
+  Shown shown({session});
+  QCOMPARE(shown.window.document().scans().size(), std::size_t(1));
+  QVERIFY(same(made(shown.window), kept));
+  QVERIFY(count_colors(shown.window.view().picture()) >= 40);
+}
+
+void ToolsTest::the_gallery_opens_and_runs() {
+  Shown shown;
+  MainWindow& window = shown.window;
+  for (const PaperExample& example : paper_examples()) {
+    auto* button = part<QToolButton>(window, qPrintable(QStringLiteral("example_") + QLatin1String(example.id)));
+    QVERIFY2(button && !button->icon().isNull() && !button->toolTip().isEmpty(), example.id);
+  }
+  // One click opens, a second runs: a surface through points, ...
+  QTest::mouseClick(part<QToolButton>(window, "example_fig5.4"), Qt::LeftButton);
+  QVERIFY(wait_until([&] { return window.document().has_scan(); }));
+  QVERIFY(!window.isWindowModified());
+  settle(200);
+  press(window, "exampleRun");
+  QVERIFY(reach(window, Trial::Stage::solved));
+  press(window, "trialAccept");
+  QVERIFY(window.isWindowModified());
+  // ... and holes, by the paper's scheme.
+  Shown other;
+  QTest::mouseClick(part<QToolButton>(other.window, "example_fig5.1a"), Qt::LeftButton);
+  QVERIFY(wait_until([&] { return other.window.document().has_scan(); }));
+  settle(200);
+  press(other.window, "exampleRun");
+  QVERIFY(wait_until(
+      [&] {
+        const auto& patches = other.window.document().patches();
+        return patches.size() == 3 && std::all_of(patches.begin(), patches.end(), [](const OpenPatch& patch) {
+                 return patch.state->stage == PatchStage::converged;
+               });
+      },
+      120));
+}
+
+void ToolsTest::errors_are_said_in_place() {
+  Shown shown({file("closed.ply", make_icosphere(2))});
+  MainWindow& window = shown.window;
+  key(window, Qt::Key_R);
+  std::vector<int> all;
+  for (std::size_t v = 0; v < made(window).points.size(); ++v) all.push_back(static_cast<int>(v));
+  window.tools().region().set_vertices(0, all);
+  press(window, "trialEvolve");
+  QVERIFY(reach(window, Trial::Stage::none));
+  QVERIFY2(banner_text(window).contains(QStringLiteral("whole piece")), qPrintable(banner_text(window)));
+  key(window, Qt::Key_Escape);
+  key(window, Qt::Key_B);
+  QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
+  QVERIFY(part<QLabel>(window, "trialWords")->text().contains(QStringLiteral("two rims")));
+}
+
+void ToolsTest::cancel_comes_back_at_once() {
+  Shown shown({file("bumps.ply", make_bumps())});
+  MainWindow& window = shown.window;
+  key(window, Qt::Key_R);
+  std::vector<int> high;
+  for (std::size_t v = 0; v < made(window).points.size(); ++v)
+    if (made(window).points[v].z() > 0.2) high.push_back(static_cast<int>(v));
+  window.tools().region().set_vertices(0, high);
+  press(window, "trialEvolve");
+  QVERIFY(reach(window, Trial::Stage::evolving));
+  QElapsedTimer clock;
+  clock.start();
+  window.tools().trial().cancel();
+  QVERIFY(window.tools().trial().stage() == Trial::Stage::posed);
+  std::printf("cancel: %lld ms\n", static_cast<long long>(clock.elapsed()));
+  press(window, "trialDiscard");
+  QVERIFY(window.tools().trial().stage() == Trial::Stage::none);
+  QVERIFY(window.tools().shut_down(std::chrono::seconds(60)));
+}
+
+int main(int argc, char** argv) {
+  const QTemporaryDir home;
+  use_own_home(home.path());
+  prepare_application();
+  QApplication application(argc, argv);
+  settle_application();
+  ToolsTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "tools_test.moc"
