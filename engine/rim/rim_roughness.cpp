@@ -66,7 +66,7 @@ void measure_residuals(const Patch& patch, RimRoughness& rim) {
 }
 
 // What a cubic leaves over grows with the fourth power of the neighbourhood's width on a smooth surface, not at all under
-// white noise, and about linearly on the scans. Measured: 3.0 to 3.9, 0.05 to 0.15, 0.2 to 2.7.
+// white noise, and about linearly on the scans. Measured: 3.0 to 3.9, 0.04 to 0.19, 0.24 to 2.7.
 constexpr double least_smooth_growth = 2.8, most_white_growth = 0.17;
 constexpr double smooth_correlation = 0.985;  ///< of H from here on, the rim's curvature tells that of the hole
 constexpr double even_curvature = 0.005;      ///< unevenness below, noise does not matter
