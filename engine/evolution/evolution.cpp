@@ -42,6 +42,7 @@ constexpr int most_passes = 12;        ///< of the fairings for position or tang
 constexpr double small_move = 1e-3;    ///< in mean edge lengths: no eye sees it
 constexpr double settled_move = 5e-5;  ///< in patch radii: what such a bold step leaves is a few hundredths of it
 constexpr double near_the_end_move = 0.05;  ///< in mean edge lengths: the next bold step would go a hundredth of that
+constexpr double least_coarsening = 0.7;    ///< of the free vertices
 constexpr std::size_t most_coarse_steps = 12;  ///< straight ways take fewer; a longer one may lead to a bubble
 constexpr double smallest_step = 1e-6;         ///< relative to the step that was asked for: below, the flow has stalled
 
@@ -309,7 +310,10 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   Stopwatch watch;
   EvolutionOptions coarse_options = options;
   coarse_options.bending = blend;
-  Evolution coarse(coarsened(state.patch), coarse_options);
+  Patch copy = coarsened(state.patch);
+  // Between tubes there may be nothing to take away; such a copy would ask for a coarse copy of its own, without end.
+  if (copy.free_count > least_coarsening * state.patch.free_count) return false;
+  Evolution coarse(std::move(copy), coarse_options);
   const Impl& there = *coarse.impl_;
   while (coarse.status() == EvolutionStatus::ready && there.history.size() < most_coarse_steps && !there.near_the_end())
     coarse.step(cancel);
