@@ -126,8 +126,11 @@ Triangles hull_of(const Points& points) {
       corners.push_back(number.at(std::tuple(p.x(), p.y(), p.z())));
     }
     if (corners.size() != 3) return {};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     triangles.push_back({corners[0], corners[1], corners[2]});
   }
+  // CGAL keeps the border of what it has seen in order of addresses: its facets come in another order in every process.
+  std::sort(triangles.begin(), triangles.end());
   return triangles;
 }
 
