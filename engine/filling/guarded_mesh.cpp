@@ -2,6 +2,11 @@
 
 #include "mesh/quality.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+#include <boost/property_map/function_property_map.hpp>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -12,6 +17,8 @@
 namespace loopmend {
 
 namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 const double guard_cosine = std::cos(80 * std::numbers::pi / 180);
 
@@ -31,13 +38,17 @@ GuardedMesh::GuardedMesh(const Points& points, const Triangles& triangles, int l
     size_.push_back(target_size_(p));
   }
   for (const Triangle& t : triangles) mesh_.add_face(VH(t[0]), VH(t[1]), VH(t[2]));
+  set_rim_normals(rim_normals);
+  normal_.resize(mesh_.n_faces());
+  for (const auto f : mesh_.faces()) update_normal(f);
+}
+
+void GuardedMesh::set_rim_normals(const RimNormals& rim_normals) {
   rim_normal_.assign(mesh_.n_edges(), Vec3::Zero());
   for (const auto& [edge, normal] : rim_normals) {
     const HH h = mesh_.find_halfedge(VH(edge.first), VH(edge.second));
     if (h.is_valid()) rim_normal_[mesh_.edge_handle(h).idx()] = normal;
   }
-  normal_.resize(mesh_.n_faces());
-  for (const auto f : mesh_.faces()) update_normal(f);
 }
 
 double GuardedMesh::length(EH e) const {
@@ -176,6 +187,44 @@ bool GuardedMesh::guarded_move(VH v, const Vec3& position) {
 void GuardedMesh::scale_sizes(double factor) {
   coarser_ *= factor;
   for (double& size : size_) size *= factor;
+}
+
+void GuardedMesh::sort_in_space() {
+  RimNormals rim_normals;
+  for (const auto e : mesh_.edges())
+    if (mesh_.is_boundary(e) && !rim_normal_[e.idx()].isZero()) {
+      const HH h = mesh_.halfedge_handle(e, 0);
+      rim_normals[{mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx()}] = rim_normal_[e.idx()];
+    }
+  std::vector<VH> order;
+  for (const auto v : mesh_.vertices()) order.push_back(v);
+  const auto places = boost::make_function_property_map<VH>(
+      [this](VH v) { return Kernel::Point_3(mesh_.point(v)[0], mesh_.point(v)[1], mesh_.point(v)[2]); });
+  CGAL::hilbert_sort(order.begin() + locked_, order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(places)>(places));
+  std::vector<int> number(mesh_.n_vertices(), -1);
+  TriMesh sorted;
+  std::vector<double> sizes;
+  for (const VH v : order) {
+    number[v.idx()] = sorted.add_vertex(mesh_.point(v)).idx();
+    sizes.push_back(size_[v.idx()]);
+  }
+  Triangles triangles;
+  for (const auto f : mesh_.faces()) {
+    Triangle t;
+    int k = 0;
+    for (const auto v : mesh_.fv_range(f)) t[k++] = number[v.idx()];
+    triangles.push_back(t);
+  }
+  std::sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+    return std::max({a[0], a[1], a[2]}) < std::max({b[0], b[1], b[2]});
+  });
+  for (const Triangle& t : triangles) sorted.add_face(VH(t[0]), VH(t[1]), VH(t[2]));
+  mesh_ = std::move(sorted);
+  size_ = std::move(sizes);
+  set_rim_normals(rim_normals);
+  normal_.resize(mesh_.n_faces());
+  for (const auto f : mesh_.faces()) update_normal(f);
 }
 
 int GuardedMesh::split_long_edges() {

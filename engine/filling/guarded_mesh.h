@@ -25,6 +25,9 @@ class GuardedMesh {
               TargetSize target_size);
 
   void scale_sizes(double factor);
+  /// Numbers vertices and triangles anew, so that those near each other in space are near each other in memory: after many
+  /// splits everything else takes twice the time. Locked vertices keep their numbers.
+  void sort_in_space();
   /// Splits edges above 4/3 of the target (chords between rim vertices above 1/2); the midpoints stay on the edges.
   /// @returns how many.
   int split_long_edges();
@@ -50,6 +53,7 @@ class GuardedMesh {
   using HH = TriMesh::HalfedgeHandle;
   using FH = TriMesh::FaceHandle;
 
+  void set_rim_normals(const RimNormals& rim_normals);
   bool is_locked(VH v) const { return v.idx() < locked_; }
   double target(EH e) const;
   double length(EH e) const;

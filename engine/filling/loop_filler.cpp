@@ -21,7 +21,8 @@ constexpr int longest_for_cubic_first = 100;
 constexpr int longest_for_cubic = 350;  // FILLING.md, step 1
 constexpr int longest_for_all_methods = 5000;
 constexpr std::size_t from_coarse_to_fine = 200;  // vertices
-constexpr double most_vertices = 2e6;     // some 20 GB of solver memory
+constexpr int beyond_the_cache = 5000;            // free vertices on the last coarse level
+constexpr double most_vertices = 2e6;             // some 20 GB of solver memory
 
 /// Everything the filler needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
 struct LoopSite {
@@ -149,18 +150,27 @@ bool relax_once(GuardedMesh& mesh) {
   return wanted > still;
 }
 
+/// The same, on a mesh that its splits would scatter over the memory.
+bool remesh_sorted(GuardedMesh& mesh) {
+  if (mesh.free_count() > beyond_the_cache) {
+    mesh.split_long_edges();
+    mesh.sort_in_space();
+  }
+  return remesh_once(mesh);
+}
+
 /// The same for all but small patches: the shape is found on coarse meshes, where a round costs little.
 void coarse_to_fine(GuardedMesh& mesh, const CancelToken& cancel) {
   for (double coarser : {8.0, 4.0, 2.0}) {
     mesh.scale_sizes(coarser);
-    remesh_once(mesh);
+    remesh_sorted(mesh);
     remesh_once(mesh);
     if (cancel.cancelled()) return;
     relax_once(mesh);
     mesh.scale_sizes(1 / coarser);
     if (cancel.cancelled()) return;
   }
-  if (remesh_once(mesh) && !cancel.cancelled()) remesh_once(mesh);
+  if (remesh_sorted(mesh) && !cancel.cancelled()) remesh_once(mesh);
   if (!cancel.cancelled()) relax_once(mesh);
 }
 
