@@ -261,7 +261,8 @@ bool Evolution::Impl::replace_if_good(Patch patch, double limit) {
   return true;
 }
 
-/// Only while the surface still moves: near the end the mesh must stand still for the solve to converge.
+/// Only while the surface still moves: near the end the mesh must stand still for the solve to converge. The energy stays
+/// within the limit, but where a folded patch is mended.
 void Evolution::Impl::care_for_mesh(double limit) {
   if (history.size() > steps_with_mesh_care || history.back().max_move < 0.05) return;
   const Patch relaxed = tangentially_relaxed(state);
@@ -440,7 +441,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
       mu = std::max(0.2 * mu, 1e-8 * decay());
       if (small && (bold || small_moves >= 3)) return finish();
       if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
-      return care_for_mesh(1.2 * state.measure);
+      return care_for_mesh(std::min(1.2 * state.measure, energy_before));
     }
     if (k == 0) promised = trial.promised;
     ++record.rejections;
