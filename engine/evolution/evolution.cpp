@@ -44,6 +44,9 @@ constexpr double settled_move = 5e-5;  ///< in patch radii: what such a bold ste
 constexpr double near_the_end_move = 0.05;  ///< in mean edge lengths: the next bold step would go a hundredth of that
 constexpr double least_coarsening = 0.7;    ///< of the free vertices
 constexpr std::size_t most_coarse_steps = 12;  ///< straight ways take fewer; a longer one may lead to a bubble
+constexpr double creeping_move = 1e-2;         ///< in mean edge lengths, with next to no fall of the energy:
+constexpr double creeping_fall = 1e-4;         ///< relative; the frozen fits lead no further down
+constexpr int most_creeping_steps = 8;         ///< in a row
 constexpr double smallest_step = 1e-6;         ///< relative to the step that was asked for: below, the flow has stalled
 
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
@@ -134,6 +137,7 @@ struct Evolution::Impl {
   bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
   int fairings_left = 0;           ///< linear fairing steps that may still be tried before Gauss-Newton
   double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
+  int creeping_steps = 0;     ///< Gauss-Newton steps in a row that neither move nor gain anything to speak of
   int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
   double start_measure = 0;   ///< at the last set_options
   double lowest_measure = 0;  ///< since then
@@ -219,6 +223,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   small_moves = 0;
+  creeping_steps = 0;
   last_bold_move = 0;
   fairings_left = history.empty() && options.start != SteadyStart::as_given ? most_fairings : 0;
   coarse_start_left = history.empty() && newton && options.start == SteadyStart::faired &&
@@ -376,6 +381,7 @@ bool Evolution::Impl::go_over_to_cubic_fits() {
   stencil = Stencil::two_ring_cubic;
   state = std::move(cubic);
   small_moves = 0;
+  creeping_steps = 0;
   initial_energy = shown_energy(options.flow, cubic_start);
   history.back().energy = shown_energy(options.flow, state);
   return true;
@@ -439,7 +445,9 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
       small_moves = small ? small_moves + 1 : 0;
       const bool bold = mu <= decay();
       mu = std::max(0.2 * mu, 1e-8 * decay());
-      if (small && (bold || small_moves >= 3)) return finish();
+      const bool creeping = move < creeping_move && energy_before - state.measure < creeping_fall * energy_before;
+      creeping_steps = creeping ? creeping_steps + 1 : 0;
+      if ((small && (bold || small_moves >= 3)) || creeping_steps >= most_creeping_steps) return finish();
       if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
       return care_for_mesh(std::min(1.2 * state.measure, energy_before));
     }

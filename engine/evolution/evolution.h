@@ -64,7 +64,7 @@ void check(const EvolutionOptions& options);
 
 enum class EvolutionStatus {
   ready,       ///< more steps can be taken
-  converged,   ///< the steady state: a bold step moves nothing that could be seen
+  converged,   ///< the steady state: a bold step moves nothing that could be seen, or many steps gained nothing
   step_limit,  ///< max_steps taken
   cancelled,   ///< by the token; the state is the last accepted one
   failed,      ///< stalled: no acceptable step was found; the state is the last accepted one
