@@ -123,6 +123,25 @@ TEST(Evolution, TheFourFlowsFindTheirOwnSteadyStates) {
   EXPECT_GT(distance[FlowKind::mcf], 0.05);
 }
 
+TEST(Evolution, SurfaceDiffusionLowersTheAreaAtEveryStep) {
+  Patch start = test::exact_sphere_patch(4, 0.8);
+  test::disturb(start, 0.05);
+  EvolutionOptions options;
+  options.flow = FlowKind::sdf;
+  options.mode = EvolutionMode::steps;
+  options.sigma = 0.1;
+  options.max_steps = 5;
+  Evolution evolution(start, options);
+  double last = evolution.energy();
+  evolution.run(
+      [&](const Evolution&, const StepRecord& record) {
+        EXPECT_LT(record.energy, last);
+        last = record.energy;
+      },
+      {});
+  EXPECT_EQ(evolution.history().size(), 5u);
+}
+
 TEST(Evolution, GmresAndDirectTakeTheSameSteps) {
   EvolutionOptions direct, gmres;
   direct.mode = gmres.mode = EvolutionMode::steps;

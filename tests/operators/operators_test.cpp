@@ -1,5 +1,6 @@
 #include "operators/operator_set.h"
 
+#include "known_surfaces.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <tuple>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -164,6 +167,95 @@ TEST_P(OperatorConvergence, FirstOrderOnIrregularCatenoid) {
   EXPECT_GT(order(coarse.H, fine.H), 0.7) << coarse.H << " " << fine.H;
   EXPECT_GT(order(coarse.K, fine.K), 0.7) << coarse.K << " " << fine.K;
   EXPECT_LT(fine.H, 0.02);
+}
+
+/// Gradient and Hessian of a function that is 0 on a surface and grows outwards.
+struct Level {
+  Vec3 gradient;
+  Eigen::Matrix3d hessian;
+};
+
+/// S = −P F″ P / ‖∇F‖ with P the projection onto the tangent plane.
+Surface level_surface(const std::function<Level(const Vec3&)>& level) {
+  const auto shape = [=](const Vec3& p) -> Eigen::Matrix3d {
+    const Level F = level(p);
+    const Vec3 n = F.gradient.normalized();
+    const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - n * n.transpose();
+    return -P * F.hessian * P / F.gradient.norm();
+  };
+  const auto at = [=](const Vec3& p) {
+    const Eigen::Matrix3d S = shape(p);
+    return Analytic{S.trace() / 2, (S.trace() * S.trace() - (S * S).trace()) / 2, level(p).gradient.normalized()};
+  };
+  return {at, shape};
+}
+
+/// F = ρ − r(z) about the z axis; `profile` gives r′ and r″ at a point.
+Surface revolved(const std::function<Eigen::Vector2d(const Vec3&)>& profile) {
+  return level_surface([=](const Vec3& p) {
+    const double radius = std::hypot(p.x(), p.y());
+    const Vec3 out(p.x() / radius, p.y() / radius, 0), along(-out.y(), out.x(), 0);
+    const Eigen::Vector2d r = profile(p);
+    Level F{out - r[0] * Vec3::UnitZ(), along * along.transpose() / radius};
+    F.hessian(2, 2) = -r[1];
+    return F;
+  });
+}
+
+struct Case {
+  const char* name;
+  std::function<bench::KnownSurface(int)> mesh;  ///< for 1, and with half the edge length for 2
+  Surface exact;
+};
+
+std::vector<Case> all_surfaces() {
+  constexpr double minor = 0.4, bulge = 0.4;
+  const auto sphere = level_surface([](const Vec3& p) { return Level{p, Eigen::Matrix3d::Identity()}; });
+  const auto torus = level_surface([](const Vec3& p) {
+    const double radius = std::hypot(p.x(), p.y());
+    const Vec3 out(p.x() / radius, p.y() / radius, 0), along(-out.y(), out.x(), 0);
+    Level F{(radius - 1) * out + p.z() * Vec3::UnitZ(), out * out.transpose()};
+    F.hessian += (1 - 1 / radius) * along * along.transpose() + Vec3::UnitZ() * Vec3::UnitZ().transpose();
+    return F;
+  });
+  // First integral r / w − r² / 2 = (1 − bulge²) / 2 with w = √(1 + r′²); between neck and bulge r′ > 0.
+  const auto unduloid = revolved([](const Vec3& p) {
+    const double r = std::hypot(p.x(), p.y()), w = r / ((1 - bulge * bulge) / 2 + r * r / 2);
+    return Eigen::Vector2d(std::sqrt(std::max(0.0, w * w - 1)), w * w / r - w * w * w);
+  });
+  const auto graph = level_surface([](const Vec3& p) {
+    const double sx = std::sin(2 * p.x()), cx = std::cos(2 * p.x());
+    const double sy = std::sin(1.5 * p.y()), cy = std::cos(1.5 * p.y());
+    Level F{Vec3(-0.6 * cx * cy - 0.2 * p.x(), 0.45 * sx * sy, 1), Eigen::Matrix3d::Zero()};
+    F.hessian(0, 0) = 1.2 * sx * cy - 0.2;
+    F.hessian(0, 1) = F.hessian(1, 0) = 0.9 * cx * sy;
+    F.hessian(1, 1) = 0.675 * sx * cy;
+    return F;
+  });
+  return {{"sphere", [](int k) { return bench::known_sphere(12 * k); }, sphere},
+          {"cylinder", [](int k) { return bench::known_cylinder(2, 48 * k); },
+           revolved([](const Vec3&) { return Eigen::Vector2d(0, 0); })},
+          {"torus", [](int k) { return bench::known_torus(minor, 80 * k); }, torus},
+          {"catenoid", [](int k) { return bench::known_catenoid(1.2, 48 * k); },
+           revolved([](const Vec3& p) { return Eigen::Vector2d(std::sinh(p.z()), std::cosh(p.z())); })},
+          {"unduloid", [](int k) { return bench::known_unduloid(bulge, 1.4, 48 * k); }, unduloid},
+          {"graph", [](int k) { return bench::known_graph(24 * k); }, graph}};
+}
+
+class Convergence : public testing::TestWithParam<std::tuple<int, bench::MeshKind>> {};
+INSTANTIATE_TEST_SUITE_P(SurfacesAndMeshes, Convergence,
+                         testing::Combine(testing::Range(0, 6),
+                                          testing::Values(bench::MeshKind::regular, bench::MeshKind::jittered,
+                                                          bench::MeshKind::irregular)));
+
+TEST_P(Convergence, OfTwoRingFits) {
+  const auto [index, kind] = GetParam();
+  const Case surface = all_surfaces()[index];
+  const auto errors = [&](int k) {
+    return errors_on(bench::with_mesh(surface.mesh(k), kind, 5).mesh, surface.exact, Stencil::two_ring);
+  };
+  const double least = kind == bench::MeshKind::regular ? 1.6 : 0.8;  // an icosphere is nearly regular
+  expect_order(errors(1), errors(2), least, surface.name);
 }
 
 /// Cubic fits win an order for H and Δ, the two that the energy stands on.
