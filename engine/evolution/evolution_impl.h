@@ -1,0 +1,99 @@
+// What an Evolution holds and how it steps: the plan in evolution.cpp, the starts in evolution_starts.cpp, Gauss-Newton in
+// evolution_newton.cpp. For these alone.
+#pragma once
+
+#include "energy/curvature_energy.h"
+#include "evolution/evolution.h"
+#include "evolution/state.h"
+#include "flows/gauss_newton.h"
+#include "mesh/quality.h"
+#include "rim/rim_roughness.h"
+#include "solvers/linear_solver.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace loopmend {
+
+inline constexpr int most_trials = 12;      ///< before the step is given up
+inline constexpr int rough_passes = 4;      ///< of rim_blend: one of second order, three that weigh the rim
+inline constexpr double small_move = 1e-3;  ///< in mean edge lengths: no eye sees it
+/// In mean edge lengths: the next bold step would go a hundredth of that.
+inline constexpr double near_the_end_move = 0.05;
+
+/// The box of the patch, grown by a share of its diagonal.
+Eigen::AlignedBox3d room_around(const Patch& patch, double share);
+
+/// What came of one Gauss-Newton solve.
+struct GaussNewtonTrial {
+  bool accepted = false;
+  double move = 0;      ///< largest displacement before the line search, in mean edge lengths; 0 if unsolved
+  double promised = 0;  ///< fall of the energy that the quadratic model foresees
+};
+
+struct Evolution::Impl {
+  EvolutionOptions options;
+  Patch start;
+  EvolutionState state;
+  Stencil stencil = Stencil::two_ring;
+  Objective objective;
+  EvolutionStatus status = EvolutionStatus::ready;
+  std::string message;
+  std::vector<StepRecord> history;
+  double initial_energy = 0;
+
+  Eigen::AlignedBox3d room;  ///< no vertex may leave it: inflating a patch lowers the energy (NUMERICS §9.2)
+  int start_folds = 0;
+  int allowed_folds = 0;             ///< in between; whoever takes the result looks at what is left
+  double start_edge_length = 0;      ///< mean, of the patch
+  bool smooth_surroundings = false;  ///< fits of all widths agree on the curvature: it can be trusted to high order
+  double blend = 0;                  ///< αR² of the order blend in force
+  std::optional<RimRoughness> rim;   ///< of the surroundings; MMCVF to the steady state only
+  int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
+  double decay_rate = 0;  ///< patch frame
+  double sigma = 0;       ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;          ///< of the next Gauss-Newton step
+  bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
+  int fairings_left = 0;           ///< linear fairing steps that may still be tried before Gauss-Newton
+  double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
+  int creeping_steps = 0;     ///< Gauss-Newton steps in a row that neither move nor gain anything to speak of
+  int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double start_measure = 0;   ///< at the last set_options
+  double lowest_measure = 0;  ///< since then
+  std::unique_ptr<GeneralSolver> general;
+  std::unique_ptr<SpdSolver> spd;
+
+  void prepare(Patch first);
+  void take_options(const EvolutionOptions& new_options);
+  Objective objective_for(const EvolutionOptions& new_options);
+  bool acceptable(const EvolutionState& next, double limit) const;
+  void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma);
+  void care_for_mesh(double limit);
+  bool replace_if_good(Patch patch, double limit);
+  bool fairing_step(const CancelToken& cancel);
+  void blend_step();
+  bool coarse_step(const CancelToken& cancel);
+  void take_start(EvolutionState next, StepRecord record, double move);
+  double decay();
+  bool near_the_end() const { return last_bold_move > 0 && last_bold_move < near_the_end_move; }
+  bool go_over_to_cubic_fits();
+  void finish();
+  void gauss_newton_step(const CancelToken& cancel);
+  GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
+  void semi_implicit_step(const CancelToken& cancel);
+  double edge_length() const {
+    return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);
+  }
+  double radius() const {
+    return std::sqrt(patch_area(state.patch) / (std::numbers::pi * static_cast<double>(state.patch.loops.size())));
+  }
+  void stop(EvolutionStatus why, std::string words) {
+    status = why;
+    message = std::move(words);
+  }
+};
+
+}  // namespace loopmend

@@ -1,0 +1,124 @@
+#include "evolution/evolution_impl.h"
+#include "evolution/stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double first_gauss_newton_sigma = 500;
+constexpr int most_dampings = 6;      ///< of the trials of a step, because it would go too far
+constexpr double longest_move = 0.3;  ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
+constexpr double near_move = 1;       ///< in mean edge lengths
+constexpr double newton_tolerance = 1 + 1e-9;
+constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it
+constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to no fall of the energy:
+constexpr double creeping_fall = 1e-4;  ///< relative; the frozen fits lead no further down
+constexpr int most_creeping_steps = 8;  ///< in a row
+constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
+
+EnergyWeights energy_of(const Objective& objective) {
+  return objective.flow == FlowKind::wf ? EnergyWeights{0, 1} : EnergyWeights{1, objective.bending};
+}
+
+}  // namespace
+
+/// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order. Not
+/// where these find the start better than what came of it: then the mesh is too coarse for them.
+bool Evolution::Impl::go_over_to_cubic_fits() {
+  if (stencil == Stencil::two_ring_cubic || !smooth_surroundings || state.folds > start_folds) return false;
+  const EvolutionState cubic_start = make_state(start, objective, Stencil::two_ring_cubic);
+  EvolutionState cubic = make_state(state.patch, objective, Stencil::two_ring_cubic, state.topology);
+  if (!(cubic.measure < cubic_start.measure)) {
+    smooth_surroundings = false;
+    return false;
+  }
+  stencil = Stencil::two_ring_cubic;
+  state = std::move(cubic);
+  small_moves = 0;
+  creeping_steps = 0;
+  initial_energy = shown_energy(options.flow, cubic_start);
+  history.back().energy = shown_energy(options.flow, state);
+  return true;
+}
+
+/// At the minimum: done, unless more accurate fits can still refine it.
+void Evolution::Impl::finish() {
+  if (!go_over_to_cubic_fits()) stop(EvolutionStatus::converged, "");
+}
+
+/// One trial with the present mu: the whole step, a half, a quarter.
+GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record,
+                                                   const CancelToken& cancel) {
+  Stopwatch watch;
+  GaussNewtonTrial trial;
+  SparseMatrix A = system.curvature;
+  const SparseMatrix M(system.mass.asDiagonal());
+  A += mu * M;
+  Eigen::MatrixXd s;
+  const bool solved = spd->factorize(A) && spd->solve(-system.half_gradient, s);
+  record.solve_seconds += watch.lap();
+  if (!solved) return trial;
+  trial.move = s.cwiseAbs().maxCoeff() / edge_length();
+  trial.promised = -system.half_gradient.dot(s.col(0));
+  // So far the linear model is worth nothing: more damping first, which smooths what is rough; then a part of the way.
+  const double reach = longest_move * radius() / (trial.move * edge_length());
+  if (reach < 1 && record.rejections < most_dampings) return trial;
+  for (double share : {1.0, 0.5, 0.25}) {
+    if (cancel.cancelled()) return trial;
+    const Eigen::VectorXd move = std::min(1.0, reach) * share * s.col(0);
+    EvolutionState next = displaced(state, objective, stencil, move);
+    const bool good = acceptable(next, newton_tolerance * state.measure);
+    record.assemble_seconds += watch.lap();
+    if (!good) continue;
+    accept(std::move(next), record, move, decay() / (2 * mu));
+    trial.accepted = true;
+    return trial;
+  }
+  return trial;
+}
+
+void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
+  Stopwatch watch;
+  const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+  StepRecord record;
+  record.assemble_seconds = watch.lap();
+  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
+  double promised = 0;  // by the first, boldest trial
+  for (int k = 0; k < most_trials; ++k) {
+    if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
+    const double energy_before = state.measure;
+    const GaussNewtonTrial trial = try_gauss_newton(system, record, cancel);
+    if (trial.accepted) {
+      const double move = history.back().max_move;
+      // Gauss-Newton steps shrink ever faster: two bold ones tell how far the next would go.
+      const bool next_small = mu <= decay() && record.rejections == 0 && move < 0.1 * last_bold_move &&
+                              move * move / last_bold_move < 0.1 * small_move;
+      last_bold_move = mu <= decay() && record.rejections == 0 ? move : 0;
+      const double settled = std::max(0.1 * small_move, settled_move * radius() / edge_length());
+      const bool small = move < settled || next_small;
+      small_moves = small ? small_moves + 1 : 0;
+      const bool bold = mu <= decay();
+      mu = std::max(0.2 * mu, 1e-8 * decay());
+      const bool creeping = move < creeping_move && energy_before - state.measure < creeping_fall * energy_before;
+      creeping_steps = creeping ? creeping_steps + 1 : 0;
+      if ((small && (bold || small_moves >= 3)) || creeping_steps >= most_creeping_steps) return finish();
+      if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
+      return care_for_mesh(std::min(1.2 * state.measure, energy_before));
+    }
+    if (k == 0) promised = trial.promised;
+    ++record.rejections;
+    if (trial.move > 0 && trial.move < small_move) {
+      // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
+      const bool at_minimum = k == 0 || promised < 1e-2 * energy_before || promised < 1e-6 * start_measure;
+      return at_minimum ? finish() : stop(EvolutionStatus::failed, stalled_words);
+    }
+    mu *= 10;
+  }
+  if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
+  stop(EvolutionStatus::failed, stalled_words);
+}
+
+}  // namespace loopmend
