@@ -12,61 +12,80 @@ namespace loopmend {
 
 namespace {
 
-using Matrix5X = Eigen::Matrix<double, 5, Eigen::Dynamic>;
-
 /// Smallest ratio of singular values of the weighted design matrix that a stencil may have (NUMERICS §2).
 double least_condition(int rings) { return rings == 1 ? 1e-2 : rings == 2 ? 1e-4 : 1e-8; }
 
 constexpr double least_cubic_condition = 1e-3;
 
-/// P (5 by m): derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i), by a polynomial with `terms` terms: 5 quadratic, 9 cubic.
-/// False when the stencil does not determine it.
-template <int terms>
-bool derivative_weights(const Points& points, int i, const std::vector<int>& neighbors, const Vec3& normal, int rings,
-                        Matrix5X& P) {
-  using Square = Eigen::Matrix<double, terms, terms>;
-  const Eigen::Index m = static_cast<Eigen::Index>(neighbors.size());
-  if (m < terms) return false;
+/// The neighbours in the tangent plane, each at its true distance, in units of their mean distance.
+/// @returns that mean; 0 where a neighbour is straight above the centre, or in the same place.
+double flatten(const Points& points, int i, const std::vector<int>& neighbors, const Vec3& normal,
+               std::vector<Eigen::Vector2d>& flat) {
+  flat.clear();
   const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
-  Eigen::Matrix2Xd q(2, m);
-  double mean = 0;
-  for (Eigen::Index k = 0; k < m; ++k) {
-    const Vec3 d = points[neighbors[k]] - points[i];
+  double sum = 0;
+  for (int j : neighbors) {
+    const Vec3 d = points[j] - points[i];
     const double length = d.norm();
-    Eigen::Vector2d flat(d.dot(e1), d.dot(e2));
-    const double flat_length = flat.norm();
-    if (!(flat_length > 1e-12 * length)) return false;  // a neighbour straight above, or in the same place
-    q.col(k) = flat * (length / flat_length);
-    mean += length;
+    const Eigen::Vector2d q(d.dot(e1), d.dot(e2));
+    const double flat_length = q.norm();
+    if (!(flat_length > 1e-12 * length)) return 0;
+    flat.push_back(q * (length / flat_length));
+    sum += length;
   }
-  mean /= static_cast<double>(m);
-  q /= mean;
+  const double mean = sum / static_cast<double>(neighbors.size());
+  for (Eigen::Vector2d& q : flat) q /= mean;
+  return mean;
+}
 
-  Eigen::Matrix<double, terms, Eigen::Dynamic> weighted_rows(terms, m);  // Aᵀ W
-  Square normal_matrix = Square::Zero();
-  for (Eigen::Index k = 0; k < m; ++k) {
-    const double u = q(0, k), v = q(1, k);
-    Eigen::Matrix<double, terms, 1> row;
-    row.template head<5>() << u, v, u * u / 2, u * v, v * v / 2;
-    if constexpr (terms == 9) row.template tail<4>() << u * u * u / 6, u * u * v / 2, u * v * v / 2, v * v * v / 6;
-    const double weight = rings == 1 ? 1.0 : 1 / (u * u + v * v);
-    weighted_rows.col(k) = weight * row;
-    normal_matrix.noalias() += weighted_rows.col(k) * row.transpose();
+/// The polynomial's terms at one place: 5 of a quadratic, 9 of a cubic, both without the constant.
+template <int terms>
+Eigen::Matrix<double, terms, 1> monomials(const Eigen::Vector2d& q) {
+  const double u = q[0], v = q[1];
+  Eigen::Matrix<double, terms, 1> row;
+  row.template head<5>() << u, v, u * u / 2, u * v, v * v / 2;
+  if constexpr (terms == 9) row.template tail<4>() << u * u * u / 6, u * u * v / 2, u * v * v / 2, v * v * v / 6;
+  return row;
+}
+
+double weight_at(const Eigen::Vector2d& q, int rings) { return rings == 1 ? 1.0 : 1 / q.squaredNorm(); }
+
+template <int size>
+double norm1(const Eigen::Matrix<double, size, size>& matrix) {
+  return matrix.cwiseAbs().colwise().sum().maxCoeff();
+}
+
+/// P, a column for each neighbour: derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i), by a polynomial with `terms` terms.
+/// False when the stencil does not determine it. All sizes are known to the compiler: this is the innermost loop.
+template <int terms>
+bool derivative_weights(const std::vector<Eigen::Vector2d>& flat, double mean, int rings,
+                        std::vector<DerivativeWeights>& P) {
+  using Square = Eigen::Matrix<double, terms, terms>;
+  if (flat.size() < terms) return false;
+  Square normal_matrix = Square::Zero();  // Aᵀ W A
+  for (const Eigen::Vector2d& q : flat) {
+    const Eigen::Matrix<double, terms, 1> row = monomials<terms>(q);
+    normal_matrix.noalias() += (weight_at(q, rings) * row) * row.transpose();
   }
-  const Eigen::LDLT<Square> factors(normal_matrix);
+  const Eigen::LLT<Square> factors(normal_matrix);
+  if (factors.info() != Eigen::Success) return false;
+  Square inverse;
+  for (int c = 0; c < terms; ++c) inverse.col(c) = factors.solve(Eigen::Matrix<double, terms, 1>::Unit(c));
   const double condition = terms == 9 ? least_cubic_condition : least_condition(rings);
-  if (!factors.isPositive() || !(factors.rcond() >= condition * condition)) return false;
-  P.noalias() = factors.solve(weighted_rows).template topRows<5>();
-  P.topRows<2>() /= mean;
-  P.bottomRows<3>() /= mean * mean;
+  if (!(norm1(normal_matrix) * norm1(inverse) * condition * condition <= 1)) return false;
+  Eigen::Matrix<double, 5, terms> rows = inverse.template topRows<5>();
+  rows.template topRows<2>() /= mean;
+  rows.template bottomRows<3>() /= mean * mean;
+  P.clear();
+  for (const Eigen::Vector2d& q : flat) P.push_back(rows * (weight_at(q, rings) * monomials<terms>(q)));
   return true;
 }
 
 /// Curvatures and weights from the derivatives (NUMERICS §2, paper §2).
-void operator_weights(const Points& points, int i, const Matrix5X& P, const Vec3& reference_normal, LocalFit& fit) {
-  const Eigen::Index m = P.cols();
+void operator_weights(const Points& points, int i, const std::vector<DerivativeWeights>& P,
+                      const Vec3& reference_normal, LocalFit& fit) {
   Eigen::Matrix<double, 3, 5> r = Eigen::Matrix<double, 3, 5>::Zero();  // r_u, r_v, r_uu, r_uv, r_vv
-  for (Eigen::Index k = 0; k < m; ++k) r.noalias() += (points[fit.neighbors[k]] - points[i]) * P.col(k).transpose();
+  for (std::size_t k = 0; k < P.size(); ++k) r.noalias() += (points[fit.neighbors[k]] - points[i]) * P[k].transpose();
   const Vec3 ru = r.col(0), rv = r.col(1), ruu = r.col(2), ruv = r.col(3), rvv = r.col(4);
   const double g11 = ru.squaredNorm(), g12 = ru.dot(rv), g22 = rv.squaredNorm();
   const double g = g11 * g22 - g12 * g12;
@@ -79,12 +98,18 @@ void operator_weights(const Points& points, int i, const Matrix5X& P, const Vec3
   const Vec3 L = i11 * ruu + 2 * i12 * ruv + i22 * rvv;
   const double G1 = i11 * ru.dot(L) + i12 * rv.dot(L), G2 = i12 * ru.dot(L) + i22 * rv.dot(L);
 
-  fit.laplacian = (i11 * P.row(2) + 2 * i12 * P.row(3) + i22 * P.row(4) - G1 * P.row(0) - G2 * P.row(1)).transpose();
-  fit.gradient = dual1 * P.row(0) + dual2 * P.row(1);
-  fit.diamond = ((b22 * ru - b12 * rv) * P.row(0) + (b11 * rv - b12 * ru) * P.row(1)) / g;
+  const Vec3 diamond1 = (b22 * ru - b12 * rv) / g, diamond2 = (b11 * rv - b12 * ru) / g;
+  const Vec3 scaled_normal = fit.normal / (2 * g);
+  fit.resize(P.size());
+  for (std::size_t k = 0; k < P.size(); ++k) {
+    const DerivativeWeights& p = P[k];
+    fit.laplacian[k] = i11 * p[2] + 2 * i12 * p[3] + i22 * p[4] - G1 * p[0] - G2 * p[1];
+    fit.gradient[k] = dual1 * p[0] + dual2 * p[1];
+    fit.diamond[k] = diamond1 * p[0] + diamond2 * p[1];
+    fit.gauss[k] = scaled_normal * (b11 * p[4] + b22 * p[2] - 2 * b12 * p[3]);
+  }
   fit.second_form = b11 * dual1 * dual1.transpose() + b22 * dual2 * dual2.transpose() +
                     b12 * (dual1 * dual2.transpose() + dual2 * dual1.transpose());
-  fit.gauss = fit.normal * (b11 * P.row(4) + b22 * P.row(2) - 2 * b12 * P.row(3)) / (2 * g);
   fit.H = 0.5 * fit.normal.dot(L);
   fit.K = (b11 * b22 - b12 * b12) / g;
   fit.valid = std::isfinite(fit.H) && std::isfinite(fit.K);
@@ -99,23 +124,27 @@ void fit_quadratic(const Points& points, const Topology& topology, int i, const 
   fit.normal = reference_normal;
   fit.second_form.setZero();
   const bool narrow = stencil == Stencil::one_ring && topology.valence(i) >= 5 && !topology.is_boundary(i);
-  Matrix5X P;
   const int first = stencil == Stencil::four_ring ? 4 : narrow ? 1 : 2;
-  for (fit.rings = first; fit.rings <= std::max(first, 3) && !fit.valid; ++fit.rings) {
+  for (fit.rings = first; fit.rings <= std::max(first, 3); ++fit.rings) {
     topology.k_ring(i, fit.rings, fit.neighbors, scratch.mark);
-    const bool cubic = stencil == Stencil::two_ring_cubic &&
-                       derivative_weights<9>(points, i, fit.neighbors, reference_normal, fit.rings, P);
-    if (cubic || derivative_weights<5>(points, i, fit.neighbors, reference_normal, fit.rings, P))
-      operator_weights(points, i, P, reference_normal, fit);
-    if (fit.valid) break;
+    const double mean = flatten(points, i, fit.neighbors, reference_normal, scratch.flat);
+    if (!(mean > 0)) continue;
+    const bool cubic =
+        stencil == Stencil::two_ring_cubic && derivative_weights<9>(scratch.flat, mean, fit.rings, scratch.derivatives);
+    if (cubic || derivative_weights<5>(scratch.flat, mean, fit.rings, scratch.derivatives))
+      operator_weights(points, i, scratch.derivatives, reference_normal, fit);
+    if (fit.valid) return;
   }
-  if (fit.valid) return;
-  const Eigen::Index m = static_cast<Eigen::Index>(fit.neighbors.size());
-  fit.laplacian.setZero(m);
-  fit.gradient.setZero(3, m);
-  fit.diamond.setZero(3, m);
-  fit.gauss.setZero(3, m);
+  fit.resize(0);
+  fit.resize(fit.neighbors.size());
   fit.H = fit.K = 0;
+}
+
+void LocalFit::resize(std::size_t count) {
+  laplacian.resize(count, 0.0);
+  gradient.resize(count, Vec3::Zero());
+  diamond.resize(count, Vec3::Zero());
+  gauss.resize(count, Vec3::Zero());
 }
 
 Points angle_weighted_normals(const Points& points, const Triangles& triangles) {

@@ -19,24 +19,31 @@ enum class Stencil {
 
 /// Weights such that Θf(r_i) ≈ Σ_j w_ij (f(r_j) − f(r_i)) for j in `neighbors`; the centre's own weight is −Σ w_ij.
 struct LocalFit {
-  std::vector<int> neighbors;  ///< m vertices
-  Eigen::VectorXd laplacian;   ///< m, 1/length²: Δ
-  Eigen::Matrix3Xd gradient;   ///< 3 by m, 1/length: ∇
-  Eigen::Matrix3Xd diamond;    ///< 3 by m, 1/length²: ◇ = 2H∇ − S∇, the second tangent operator of §2
-  Eigen::Matrix3Xd gauss;      ///< 3 by m, 1/length³: K ≈ Σ_j gauss_j · (r_j − r_i)
-  Vec3 normal = Vec3::Zero();  ///< r_u × r_v, unit
+  std::vector<int> neighbors;     ///< m vertices
+  std::vector<double> laplacian;  ///< m, 1/length²: Δ
+  Points gradient;                ///< m, 1/length: ∇
+  Points diamond;                 ///< m, 1/length²: ◇ = 2H∇ − S∇, the second tangent operator of §2
+  Points gauss;                   ///< m, 1/length³: K ≈ Σ_j gauss_j · (r_j − r_i)
+  Vec3 normal = Vec3::Zero();     ///< r_u × r_v, unit
   Eigen::Matrix3d second_form =
       Eigen::Matrix3d::Zero();  ///< 1/length: the surface is r + t + ½ (tᵀ II t) n for tangential t
   double H = 0;                 ///< mean curvature, 1/length; −1/R on a sphere with outward normals
   double K = 0;                 ///< Gaussian curvature, 1/length²
   int rings = 0;                ///< how far the stencil had to reach
   bool valid = false;           ///< false: rank-deficient or folded over; then all weights are 0
+
+  void resize(std::size_t count);  ///< of the four lists of weights; new ones are 0
 };
+
+/// Of one neighbour, on the derivatives ∂u ∂v ∂uu ∂uv ∂vv of the fitted polynomial at the centre.
+using DerivativeWeights = Eigen::Matrix<double, 5, 1>;
 
 /// Scratch memory that one thread reuses over many fits.
 struct FitScratch {
   explicit FitScratch(int vertex_count) : mark(vertex_count, 0) {}
   std::vector<char> mark;
+  std::vector<Eigen::Vector2d> flat;           ///< the neighbours' coordinates
+  std::vector<DerivativeWeights> derivatives;  ///< of the neighbours
 };
 
 /// Fits r(u, v) and f(u, v) at vertex i by [u, v, u²/2, uv, v²/2], interpolating the centre. Coordinates: projection to

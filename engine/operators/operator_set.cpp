@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace loopmend {
 
@@ -27,6 +28,11 @@ Vec3 OperatorSet::apply_diamond(int i, const Eigen::VectorXd& f) const {
 
 namespace {
 
+template <class T>
+void append_all(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
 /// The rows of a run of vertices, made by one thread.
 struct Rows {
   std::vector<int> length;  ///< entries per vertex of the run
@@ -36,26 +42,25 @@ struct Rows {
 
   void append(int i, const LocalFit& fit) {
     index.push_back(i);
-    laplacian.push_back(-fit.laplacian.sum());
-    gradient.push_back(-fit.gradient.rowwise().sum());
-    diamond.push_back(-fit.diamond.rowwise().sum());
-    gauss.push_back(-fit.gauss.rowwise().sum());
-    for (std::size_t k = 0; k < fit.neighbors.size(); ++k) {
-      const Eigen::Index c = static_cast<Eigen::Index>(k);
-      index.push_back(fit.neighbors[k]);
-      laplacian.push_back(fit.laplacian[c]);
-      gradient.push_back(fit.gradient.col(c));
-      diamond.push_back(fit.diamond.col(c));
-      gauss.push_back(fit.gauss.col(c));
-    }
+    laplacian.push_back(-std::accumulate(fit.laplacian.begin(), fit.laplacian.end(), 0.0));
+    gradient.push_back(minus_sum(fit.gradient));
+    diamond.push_back(minus_sum(fit.diamond));
+    gauss.push_back(minus_sum(fit.gauss));
+    append_all(index, fit.neighbors);
+    append_all(laplacian, fit.laplacian);
+    append_all(gradient, fit.gradient);
+    append_all(diamond, fit.diamond);
+    append_all(gauss, fit.gauss);
     length.back() = static_cast<int>(fit.neighbors.size()) + 1;
   }
-};
 
-template <class T>
-void append_all(std::vector<T>& to, const std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
+ private:
+  static Vec3 minus_sum(const Points& weights) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& w : weights) sum -= w;
+    return sum;
+  }
+};
 
 }  // namespace
 

@@ -353,7 +353,7 @@ TEST(Operators, RankDeficientStencilIsRefusedNotInvented) {
   fit_quadratic(points, Topology(4, triangles), 0, Vec3(0, 0, 1), Stencil::two_ring, scratch, fit);
   EXPECT_FALSE(fit.valid);
   EXPECT_EQ(fit.H, 0);
-  EXPECT_EQ(fit.laplacian.cwiseAbs().sum(), 0);
+  for (double w : fit.laplacian) EXPECT_EQ(w, 0);
 }
 
 TEST(CotanStiffness, DirichletEnergyOfALinearFunctionIsExact) {
