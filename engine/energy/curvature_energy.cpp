@@ -64,8 +64,8 @@ RowSparseMatrix curvature_jacobian(const OperatorSet& ops, int free_count) {
       const int j = ops.index[e];
       if (j >= free_count) continue;
       const Vec3& n = ops.normal[j];
-      row.emplace_back(
-          j, 0.5 * ops.laplacian[e] * ops.normal[i].dot(n) - (2 * ops.H[i] * ops.gradient[e] - ops.diamond[e]).dot(n));
+      row.emplace_back(j, 0.5 * ops.laplacian[e] * ops.normal[i].dot(n) -
+                              (2 * ops.H[i] * ops.gradient[e] - ops.diamond(i, ops.gradient[e])).dot(n));
     }
     std::sort(row.begin(), row.end());
     B.startVec(i);

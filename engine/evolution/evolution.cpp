@@ -6,6 +6,7 @@
 #include "evolution/mesh_care.h"
 #include "evolution/stopwatch.h"
 #include "flows/decay_rate.h"
+#include "flows/symmetric_part.h"
 #include "rim/rim_blend.h"
 
 #include <algorithm>
@@ -170,12 +171,24 @@ void Evolution::Impl::care_for_mesh(double limit) {
   history.back().energy = shown_energy(options.flow, state);
 }
 
+/// M(I − τJ) s = τ M V, which is nearly symmetric.
+SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, double tau, Eigen::VectorXd& s) {
+  const Eigen::VectorXd mass =
+      barycentric_areas(state.patch.positions, state.patch.triangles).head(state.patch.free_count);
+  const SparseMatrix M(mass.asDiagonal());
+  GeneralSystem linear;
+  linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    return mass.cwiseProduct(x - tau * system.times_jacobian(x));
+  };
+  linear.matrix = [&]() -> SparseMatrix { return M - tau * (M * system.jacobian()); };
+  linear.nearby = [&]() -> SparseMatrix { return M + tau * symmetric_part(options.flow, state.patch, state.ops); };
+  return general->solve(linear, tau * mass.cwiseProduct(system.velocity()), s);
+}
+
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   Stopwatch watch;
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
-  const FlowSystem system = assemble_flow(options.flow, FlowState(state.ops, state.patch.free_count));
-  SparseMatrix identity(state.patch.free_count, state.patch.free_count);
-  identity.setIdentity();
+  const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));
   StepRecord record;
   record.assemble_seconds = watch.lap();
   for (int trial = 0; trial < most_trials; ++trial) {
@@ -187,7 +200,7 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
     }
     const double tau = sigma / decay();
     Eigen::VectorXd s;
-    const SolveReport report = general->solve(identity - tau * system.jacobian, tau * system.velocity, s);
+    const SolveReport report = solve_flow_step(system, tau, s);
     record.solve_seconds += watch.lap();
     if (report.solved) {
       EvolutionState next = displaced(state, objective, stencil, s);

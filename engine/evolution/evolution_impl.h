@@ -5,6 +5,7 @@
 #include "energy/curvature_energy.h"
 #include "evolution/evolution.h"
 #include "evolution/state.h"
+#include "flows/flow_terms.h"
 #include "flows/gauss_newton.h"
 #include "mesh/quality.h"
 #include "rim/rim_roughness.h"
@@ -82,7 +83,9 @@ struct Evolution::Impl {
   bool go_over_to_cubic_fits();
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
+  bool solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s);
   GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
+  SolveReport solve_flow_step(const FlowSystem& system, double tau, Eigen::VectorXd& s);
   void semi_implicit_step(const CancelToken& cancel);
   double edge_length() const {
     return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);

@@ -1,5 +1,6 @@
 #include "evolution/evolution_impl.h"
 #include "evolution/stopwatch.h"
+#include "flows/decay_rate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,8 @@ constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold st
 constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to no fall of the energy:
 constexpr double creeping_fall = 1e-4;  ///< relative; the frozen fits lead no further down
 constexpr int most_creeping_steps = 8;  ///< in a row
+constexpr int largest_factored =
+    300000;  ///< free vertices: beyond, the factors of the step's matrix take many gigabytes
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
 
 EnergyWeights energy_of(const Objective& objective) {
@@ -49,26 +52,39 @@ void Evolution::Impl::finish() {
   if (!go_over_to_cubic_fits()) stop(EvolutionStatus::converged, "");
 }
 
+/// (μM + BᵀQB) s = −½∇E.
+bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s) {
+  const SparseMatrix M(system.mass.asDiagonal());
+  const SparseMatrix A = system.curvature + mu * M;
+  if (state.patch.free_count <= largest_factored) {
+    Eigen::MatrixXd solution;
+    if (!spd->factorize(A) || !spd->solve(-system.half_gradient, solution)) return false;
+    s = solution;
+    return true;
+  }
+  // B is near half the Laplacian.
+  SparseMatrix nearby = mu * M + 0.25 * clamped_polyharmonic(FlowKind::mmcvf, state.patch);
+  if (objective.bending > 0) nearby += 0.25 * objective.bending * clamped_polyharmonic(FlowKind::wf, state.patch);
+  return spd->factorize(nearby) && conjugate_gradients(A, *spd, -system.half_gradient, s).solved;
+}
+
 /// One trial with the present mu: the whole step, a half, a quarter.
 GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record,
                                                    const CancelToken& cancel) {
   Stopwatch watch;
   GaussNewtonTrial trial;
-  SparseMatrix A = system.curvature;
-  const SparseMatrix M(system.mass.asDiagonal());
-  A += mu * M;
-  Eigen::MatrixXd s;
-  const bool solved = spd->factorize(A) && spd->solve(-system.half_gradient, s);
+  Eigen::VectorXd s;
+  const bool solved = solve_gauss_newton(system, s);
   record.solve_seconds += watch.lap();
   if (!solved) return trial;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
-  trial.promised = -system.half_gradient.dot(s.col(0));
+  trial.promised = -system.half_gradient.dot(s);
   // So far the linear model is worth nothing: more damping first, which smooths what is rough; then a part of the way.
   const double reach = longest_move * radius() / (trial.move * edge_length());
   if (reach < 1 && record.rejections < most_dampings) return trial;
   for (double share : {1.0, 0.5, 0.25}) {
     if (cancel.cancelled()) return trial;
-    const Eigen::VectorXd move = std::min(1.0, reach) * share * s.col(0);
+    const Eigen::VectorXd move = std::min(1.0, reach) * share * s;
     EvolutionState next = displaced(state, objective, stencil, move);
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();

@@ -10,8 +10,8 @@ namespace loopmend {
 
 namespace {
 
-/// K for the flow, n by n; the Laplacian of the inner factors is taken on the free vertices and the loop.
-SparseMatrix linear_part(FlowKind flow, const SparseMatrix& C, const Eigen::VectorXd& mass, int n, int inner) {
+/// The Laplacian of the inner factors is taken on the free vertices and the loop.
+SparseMatrix power_of_laplacian(FlowKind flow, const SparseMatrix& C, const Eigen::VectorXd& mass, int n, int inner) {
   const SparseMatrix C00 = C.topLeftCorner(n, n);
   if (flow == FlowKind::mcf) return C00;
   const SparseMatrix C10 = C.topLeftCorner(inner, n);
@@ -25,18 +25,21 @@ SparseMatrix linear_part(FlowKind flow, const SparseMatrix& C, const Eigen::Vect
 
 }  // namespace
 
-double slowest_decay_rate(FlowKind flow, const Patch& patch) {
-  const int n = patch.free_count;
-  int inner = n;
+SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch) {
+  int inner = patch.free_count;
   while (inner < patch.vertex_count() && patch.ring[inner] == 1) ++inner;
   std::vector<int> faces(patch.triangles.size());
   std::iota(faces.begin(), faces.end(), 0);
   const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, faces, robust_clamp);
-  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
-  const SparseMatrix K = linear_part(flow, C, mass, n, inner);
+  return power_of_laplacian(flow, C, barycentric_areas(patch.positions, patch.triangles), patch.free_count, inner);
+}
+
+double slowest_decay_rate(FlowKind flow, const Patch& patch) {
+  const SparseMatrix K = clamped_polyharmonic(flow, patch);
+  const Eigen::Index n = K.rows();
   const auto solver = make_spd_solver();
   if (!solver->factorize(K)) return 0;
-  const Eigen::VectorXd M = mass.head(n);
+  const Eigen::VectorXd M = barycentric_areas(patch.positions, patch.triangles).head(n);
   Eigen::VectorXd x = Eigen::VectorXd::Ones(n);
   double rate = 0;
   for (int iteration = 0; iteration < 30; ++iteration) {

@@ -3,11 +3,16 @@
 
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
+#include "operators/operator_set.h"
 
 namespace loopmend {
 
+/// K, n by n, symmetric positive definite: the clamped cotan Laplacian to the power 1 (MCF), 2 (SDF, WF) or 3 (MMCVF), patch
+/// frame. The flow's linear part is ½M⁻¹K.
+SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
+
 /// λ₁ > 0, smallest eigenvalue of the flow's linear part on the patch with clamped boundary (NUMERICS §4): of ½M⁻¹K with
-/// K the clamped cotan Laplacian to the power 1 (MCF), 2 (SDF, WF) or 3 (MMCVF). Patch frame, 1/time. A step of
+/// K as above. Patch frame, 1/time. A step of
 /// τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found.
 double slowest_decay_rate(FlowKind flow, const Patch& patch);
 

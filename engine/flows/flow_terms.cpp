@@ -4,95 +4,67 @@ namespace loopmend {
 
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
-
-/// What one term adds to the system: V, and J = A B + D with A acting on H and D on s.
+/// What the terms add up to: V and the parts of J, see FlowSystem.
 struct TermSum {
   Eigen::VectorXd velocity;  ///< n
-  RowSparseMatrix A;         ///< n by #V
-  RowSparseMatrix D;         ///< n by n
+  std::vector<double> A, D;  ///< an entry for each of OperatorSet's in the first n rows
+  double b = 0;              ///< factor of Δ(ΔH)
 };
 
-using Term = void (*)(const FlowState&, TermSum&);
+/// Adds to row i; terms write to no other row than that of the vertex they are asked for.
+using Term = void (*)(const FlowState&, int i, TermSum&);
 
-RowSparseMatrix rows_matrix(Eigen::Index rows, Eigen::Index cols, const Triplets& triplets) {
-  RowSparseMatrix matrix(rows, cols);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
-}
-
-RowSparseMatrix diagonal_on_free(const FlowState& s, const Eigen::VectorXd& values) {
-  Triplets triplets;
-  for (int i = 0; i < s.n; ++i) triplets.emplace_back(i, i, values[i]);
-  return rows_matrix(s.n, s.ops.H.size(), triplets);
+/// A factor of H_i itself.
+void add_on_centre(const FlowState& s, int i, double factor, TermSum& sum) {
+  if (s.ops.valid[i]) sum.A[s.ops.offset[i]] += factor;
 }
 
 /// H
-void mean_curvature(const FlowState& s, TermSum& sum) {
-  sum.velocity += s.ops.H.head(s.n);
-  sum.A += diagonal_on_free(s, Eigen::VectorXd::Ones(s.n));
+void mean_curvature(const FlowState& s, int i, TermSum& sum) {
+  sum.velocity[i] += s.ops.H[i];
+  add_on_centre(s, i, 1, sum);
 }
 
 /// −ΔH ≈ −Δ(H^{k+1})
-void minus_laplacian_of_H(const FlowState& s, TermSum& sum) {
-  sum.velocity -= s.lap_H.head(s.n);
-  sum.A -= RowSparseMatrix(s.L.topRows(s.n));
+void minus_laplacian_of_H(const FlowState& s, int i, TermSum& sum) {
+  sum.velocity[i] -= s.lap_H[i];
+  for (int e = s.ops.offset[i]; e < s.ops.offset[i + 1]; ++e) sum.A[e] -= s.ops.laplacian[e];
 }
 
 /// −2H(H² − K) ≈ −2(H² − K) H^{k+1}
-void willmore_cubic(const FlowState& s, TermSum& sum) {
-  const Eigen::ArrayXd H = s.ops.H.head(s.n).array(), K = s.ops.K.head(s.n).array();
-  const Eigen::VectorXd factor = 2 * (H.square() - K);
-  sum.velocity -= factor.cwiseProduct(s.ops.H.head(s.n));
-  sum.A -= diagonal_on_free(s, factor);
+void willmore_cubic(const FlowState& s, int i, TermSum& sum) {
+  const double H = s.ops.H[i], factor = 2 * (H * H - s.ops.K[i]);
+  sum.velocity[i] -= factor * H;
+  add_on_centre(s, i, -factor, sum);
 }
 
-/// Δ²H ≈ Δ(ΔH^{k+1})
-void bilaplacian_of_H(const FlowState& s, TermSum& sum) {
-  const RowSparseMatrix L0 = s.L.topRows(s.n);
-  sum.velocity += L0 * s.lap_H;
-  sum.A += RowSparseMatrix(L0 * s.L);
-}
+/// Δ²H ≈ Δ(ΔH^{k+1}), whose part of J is the same in all rows
+void bilaplacian_of_H(const FlowState& s, int i, TermSum& sum) { sum.velocity[i] += s.ops.apply_laplacian(i, s.lap_H); }
 
 /// 2(2H² − K)ΔH ≈ (2H^{k+1}H − K^{k+1})ΔH + (2H² − K)ΔH^{k+1}, with K linear in r by its own weights
-void curvature_times_laplacian(const FlowState& s, TermSum& sum) {
-  const Eigen::ArrayXd H = s.ops.H.head(s.n).array(), K = s.ops.K.head(s.n).array();
-  const Eigen::VectorXd lap = s.lap_H.head(s.n);
-  const Eigen::VectorXd factor = 2 * H.square() - K;
-  sum.velocity += 2 * factor.cwiseProduct(lap);
-  sum.A += RowSparseMatrix(factor.asDiagonal() * RowSparseMatrix(s.L.topRows(s.n)));
-  sum.A += diagonal_on_free(s, (2 * H * lap.array()).matrix());
-  Triplets gauss;
-  for (int i = 0; i < s.n; ++i)
-    for (int e = s.ops.offset[i]; e < s.ops.offset[i + 1]; ++e) {
-      const int j = s.ops.index[e];
-      if (j < s.n) gauss.emplace_back(i, j, -lap[i] * s.ops.gauss[e].dot(s.ops.normal[j]));
-    }
-  sum.D += rows_matrix(s.n, s.n, gauss);
+void curvature_times_laplacian(const FlowState& s, int i, TermSum& sum) {
+  const double H = s.ops.H[i], lap = s.lap_H[i], factor = 2 * H * H - s.ops.K[i];
+  sum.velocity[i] += 2 * factor * lap;
+  add_on_centre(s, i, 2 * H * lap, sum);
+  for (int e = s.ops.offset[i]; e < s.ops.offset[i + 1]; ++e) {
+    sum.A[e] += factor * s.ops.laplacian[e];
+    sum.D[e] -= lap * s.ops.gauss[e] * s.ops.normal[i].dot(s.ops.normal[s.ops.index[e]]);
+  }
 }
 
 /// 2⟨∇H, ◇H⟩ ≈ ⟨∇H^{k+1}, ◇H⟩ + ⟨∇H, ◇H^{k+1}⟩
-void gradient_times_diamond(const FlowState& s, TermSum& sum) {
-  Triplets triplets;
-  for (int i = 0; i < s.n; ++i) {
-    sum.velocity[i] += 2 * s.grad_H[i].dot(s.dia_H[i]);
-    for (int e = s.ops.offset[i]; e < s.ops.offset[i + 1]; ++e)
-      triplets.emplace_back(i, s.ops.index[e], s.ops.gradient[e].dot(s.dia_H[i]) + s.ops.diamond[e].dot(s.grad_H[i]));
-  }
-  sum.A += rows_matrix(s.n, s.ops.H.size(), triplets);
+void gradient_times_diamond(const FlowState& s, int i, TermSum& sum) {
+  sum.velocity[i] += 2 * s.grad_H[i].dot(s.dia_H[i]);
+  const Vec3 both = s.dia_H[i] + s.ops.diamond(i, s.grad_H[i]);  // ◇ is ∇ times a symmetric matrix
+  for (int e = s.ops.offset[i]; e < s.ops.offset[i + 1]; ++e) sum.A[e] += s.ops.gradient[e].dot(both);
 }
 
 /// −2H⟨∇H, ∇H⟩ ≈ −H^{k+1}⟨∇H, ∇H⟩ − H⟨∇H^{k+1}, ∇H⟩
-void minus_H_gradient_squared(const FlowState& s, TermSum& sum) {
-  Triplets triplets;
-  for (int i = 0; i < s.n; ++i) {
-    const double squared = s.grad_H[i].squaredNorm();
-    sum.velocity[i] -= 2 * s.ops.H[i] * squared;
-    triplets.emplace_back(i, i, -squared);
-    for (int e = s.ops.offset[i]; e < s.ops.offset[i + 1]; ++e)
-      triplets.emplace_back(i, s.ops.index[e], -s.ops.H[i] * s.ops.gradient[e].dot(s.grad_H[i]));
-  }
-  sum.A += rows_matrix(s.n, s.ops.H.size(), triplets);
+void minus_H_gradient_squared(const FlowState& s, int i, TermSum& sum) {
+  const double H = s.ops.H[i], squared = s.grad_H[i].squaredNorm();
+  sum.velocity[i] -= 2 * H * squared;
+  add_on_centre(s, i, -squared, sum);
+  for (int e = s.ops.offset[i]; e < s.ops.offset[i + 1]; ++e) sum.A[e] -= H * s.ops.gradient[e].dot(s.grad_H[i]);
 }
 
 std::vector<Term> terms_of(FlowKind flow) {
@@ -109,10 +81,20 @@ std::vector<Term> terms_of(FlowKind flow) {
 TermSum add_terms(FlowKind flow, const FlowState& state) {
   TermSum sum;
   sum.velocity.setZero(state.n);
-  sum.A.resize(state.n, state.ops.H.size());
-  sum.D.resize(state.n, state.n);
-  for (Term term : terms_of(flow)) term(state, sum);
+  sum.A.assign(state.ops.offset[state.n], 0);
+  sum.D.assign(state.ops.offset[state.n], 0);
+  sum.b = flow == FlowKind::mmcvf ? 1 : 0;
+  const std::vector<Term> terms = terms_of(flow);
+#pragma omp parallel for if (state.n > 2000)
+  for (int i = 0; i < state.n; ++i)
+    for (Term term : terms) term(state, i, sum);
   return sum;
+}
+
+/// The first rows of a matrix that has entries where the operators have.
+Eigen::Map<const RowSparseMatrix> matrix_of(const OperatorSet& ops, const std::vector<double>& values,
+                                            Eigen::Index rows) {
+  return {rows, ops.H.size(), ops.offset[rows], ops.offset.data(), ops.index.data(), values.data()};
 }
 
 }  // namespace
@@ -127,29 +109,57 @@ const char* to_string(FlowKind flow) {
   return "";
 }
 
-FlowState::FlowState(const OperatorSet& operators, int free_count) : ops(operators), n(free_count) {
-  const int vertices = static_cast<int>(ops.H.size());
-  Triplets laplacian, curvature;
-  lap_H.setZero(vertices);
-  for (int i = 0; i < vertices; ++i) {
-    for (int e = ops.offset[i]; e < ops.offset[i + 1]; ++e) {
-      const int j = ops.index[e];
-      laplacian.emplace_back(i, j, ops.laplacian[e]);
-      if (j < n) curvature.emplace_back(i, j, 0.5 * ops.laplacian[e] * ops.normal[i].dot(ops.normal[j]));
-    }
-    lap_H[i] = ops.apply_laplacian(i, ops.H);
-  }
-  L = rows_matrix(vertices, vertices, laplacian);
-  B = rows_matrix(vertices, n, curvature);
+FlowState::FlowState(const OperatorSet& operators, int free_count)
+    : ops(operators),
+      n(free_count),
+      lap_H(matrix_of(ops, ops.laplacian, ops.H.size()) * ops.H),
+      grad_H(free_count),
+      dia_H(free_count) {
+#pragma omp parallel for if (n > 2000)
   for (int i = 0; i < n; ++i) {
-    grad_H.push_back(ops.apply_gradient(i, ops.H));
-    dia_H.push_back(ops.apply_diamond(i, ops.H));
+    grad_H[i] = ops.apply_gradient(i, ops.H);
+    dia_H[i] = ops.apply_diamond(i, ops.H);
   }
 }
 
-FlowSystem assemble_flow(FlowKind flow, const FlowState& state) {
+FlowSystem::FlowSystem(FlowKind flow, const FlowState& state) : ops_(state.ops), B_(state.ops.index.size()) {
   TermSum sum = add_terms(flow, state);
-  return {std::move(sum.velocity), SparseMatrix(RowSparseMatrix(sum.A * state.B) + sum.D)};
+  velocity_ = std::move(sum.velocity);
+  A_ = std::move(sum.A);
+  D_ = std::move(sum.D);
+  b_ = sum.b;
+  const int vertices = static_cast<int>(ops_.H.size());
+#pragma omp parallel for if (vertices > 2000)
+  for (int i = 0; i < vertices; ++i)
+    for (int e = ops_.offset[i]; e < ops_.offset[i + 1]; ++e)
+      B_[e] = 0.5 * ops_.laplacian[e] * ops_.normal[i].dot(ops_.normal[ops_.index[e]]);
+}
+
+Eigen::VectorXd FlowSystem::times_jacobian(const Eigen::VectorXd& s) const {
+  const Eigen::Index n = velocity_.size(), vertices = ops_.H.size();
+  Eigen::VectorXd displacement = Eigen::VectorXd::Zero(vertices);
+  displacement.head(n) = s;
+  const Eigen::VectorXd H = matrix_of(ops_, B_, vertices) * displacement;
+  Eigen::VectorXd result = matrix_of(ops_, A_, n) * H;
+  result += matrix_of(ops_, D_, n) * displacement;
+  if (b_ != 0) {
+    const Eigen::VectorXd lap_H = matrix_of(ops_, ops_.laplacian, vertices) * H;
+    result += b_ * (matrix_of(ops_, ops_.laplacian, n) * lap_H);
+  }
+  return result;
+}
+
+SparseMatrix FlowSystem::jacobian() const {
+  const Eigen::Index n = velocity_.size(), vertices = ops_.H.size();
+  // By columns, so that the entries of the operators get into order.
+  const SparseMatrix B = SparseMatrix(matrix_of(ops_, B_, vertices)).leftCols(n);
+  const SparseMatrix D = SparseMatrix(matrix_of(ops_, D_, n)).leftCols(n);
+  SparseMatrix A = matrix_of(ops_, A_, n);
+  if (b_ != 0) {
+    const SparseMatrix L = matrix_of(ops_, ops_.laplacian, vertices), L0 = matrix_of(ops_, ops_.laplacian, n);
+    A += b_ * SparseMatrix(L0 * L);
+  }
+  return SparseMatrix(A * B) + D;
 }
 
 Eigen::VectorXd flow_velocity(FlowKind flow, const FlowState& state) { return add_terms(flow, state).velocity; }

@@ -15,26 +15,35 @@ struct FlowState {
   int n = 0;
   Eigen::VectorXd lap_H;  ///< #V; 0 where there is no fit
   Points grad_H, dia_H;   ///< n
-  RowSparseMatrix B;      ///< #V by n: H at the new level = B s + H, frozen operators: ½ w^Δ_ij ⟨n_i, n_j⟩
-  RowSparseMatrix L;      ///< #V by #V: Δ
 
   FlowState(const OperatorSet& operators, int free_count);
 };
 
-/// The semi-implicit step (I − τJ) s = τV for scalar displacements s along the normals.
-struct FlowSystem {
-  Eigen::VectorXd velocity;  ///< n: V at the present state, length/time
-  SparseMatrix jacobian;     ///< n by n: J
+/// The semi-implicit step (I − τJ) s = τV for scalar displacements s along the normals. J is kept in its factors: each row
+/// of it reaches over six rings, its factors over two each. Refers to the operators it was made from.
+class FlowSystem {
+ public:
+  FlowSystem(FlowKind flow, const FlowState& state);
+
+  const Eigen::VectorXd& velocity() const { return velocity_; }  ///< n: V at the present state, length/time
+  /// J s without the matrix. @param s  n.
+  Eigen::VectorXd times_jacobian(const Eigen::VectorXd& s) const;
+  SparseMatrix jacobian() const;  ///< n by n: J
+
+ private:
+  const OperatorSet& ops_;
+  Eigen::VectorXd velocity_;
+  // J = (A + b ΔΔ) B + D; A, B and D by their values in the places that OperatorSet has entries for.
+  std::vector<double> A_, D_;  ///< of the rows of the free vertices: on H at the new level, on s
+  std::vector<double> B_;  ///< of all rows: H at the new level = B s + H, frozen operators: ½ w^Δ_ij ⟨n_i, n_j⟩
+  double b_ = 0;
 };
 
-/// Adds up the flow's terms:
+/// V of the flow, by its terms:
 ///   MCF    V = H
 ///   SDF    V = −ΔH
 ///   WF     V = −ΔH − 2H(H² − K)
 ///   MMCVF  V = Δ²H + 2(2H² − K)ΔH + 2⟨∇H, ◇H⟩ − 2H‖∇H‖²     (eq. 3.8)
-FlowSystem assemble_flow(FlowKind flow, const FlowState& state);
-
-/// V alone.
 Eigen::VectorXd flow_velocity(FlowKind flow, const FlowState& state);
 
 /// How far from the free vertices, in rings, the flow reads operators: fits are needed on rings 0..this.

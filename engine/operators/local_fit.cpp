@@ -98,15 +98,12 @@ void operator_weights(const Points& points, int i, const std::vector<DerivativeW
   const Vec3 L = i11 * ruu + 2 * i12 * ruv + i22 * rvv;
   const double G1 = i11 * ru.dot(L) + i12 * rv.dot(L), G2 = i12 * ru.dot(L) + i22 * rv.dot(L);
 
-  const Vec3 diamond1 = (b22 * ru - b12 * rv) / g, diamond2 = (b11 * rv - b12 * ru) / g;
-  const Vec3 scaled_normal = fit.normal / (2 * g);
   fit.resize(P.size());
   for (std::size_t k = 0; k < P.size(); ++k) {
     const DerivativeWeights& p = P[k];
     fit.laplacian[k] = i11 * p[2] + 2 * i12 * p[3] + i22 * p[4] - G1 * p[0] - G2 * p[1];
     fit.gradient[k] = dual1 * p[0] + dual2 * p[1];
-    fit.diamond[k] = diamond1 * p[0] + diamond2 * p[1];
-    fit.gauss[k] = scaled_normal * (b11 * p[4] + b22 * p[2] - 2 * b12 * p[3]);
+    fit.gauss[k] = (b11 * p[4] + b22 * p[2] - 2 * b12 * p[3]) / (2 * g);
   }
   fit.second_form = b11 * dual1 * dual1.transpose() + b22 * dual2 * dual2.transpose() +
                     b12 * (dual1 * dual2.transpose() + dual2 * dual1.transpose());
@@ -143,8 +140,7 @@ void fit_quadratic(const Points& points, const Topology& topology, int i, const 
 void LocalFit::resize(std::size_t count) {
   laplacian.resize(count, 0.0);
   gradient.resize(count, Vec3::Zero());
-  diamond.resize(count, Vec3::Zero());
-  gauss.resize(count, Vec3::Zero());
+  gauss.resize(count, 0.0);
 }
 
 Points angle_weighted_normals(const Points& points, const Triangles& triangles) {

@@ -22,8 +22,7 @@ struct LocalFit {
   std::vector<int> neighbors;     ///< m vertices
   std::vector<double> laplacian;  ///< m, 1/length²: Δ
   Points gradient;                ///< m, 1/length: ∇
-  Points diamond;                 ///< m, 1/length²: ◇ = 2H∇ − S∇, the second tangent operator of §2
-  Points gauss;                   ///< m, 1/length³: K ≈ Σ_j gauss_j · (r_j − r_i)
+  std::vector<double> gauss;      ///< m, 1/length³: K ≈ Σ_j gauss_j ⟨n_i, r_j − r_i⟩
   Vec3 normal = Vec3::Zero();     ///< r_u × r_v, unit
   Eigen::Matrix3d second_form =
       Eigen::Matrix3d::Zero();  ///< 1/length: the surface is r + t + ½ (tᵀ II t) n for tangential t
@@ -32,7 +31,7 @@ struct LocalFit {
   int rings = 0;                ///< how far the stencil had to reach
   bool valid = false;           ///< false: rank-deficient or folded over; then all weights are 0
 
-  void resize(std::size_t count);  ///< of the four lists of weights; new ones are 0
+  void resize(std::size_t count);  ///< of the three lists of weights; new ones are 0
 };
 
 /// Of one neighbour, on the derivatives ∂u ∂v ∂uu ∂uv ∂vv of the fitted polynomial at the centre.

@@ -20,11 +20,7 @@ Vec3 OperatorSet::apply_gradient(int i, const Eigen::VectorXd& f) const {
   return sum;
 }
 
-Vec3 OperatorSet::apply_diamond(int i, const Eigen::VectorXd& f) const {
-  Vec3 sum = Vec3::Zero();
-  for (int e = offset[i]; e < offset[i + 1]; ++e) sum += diamond[e] * f[index[e]];
-  return sum;
-}
+Vec3 OperatorSet::apply_diamond(int i, const Eigen::VectorXd& f) const { return diamond(i, apply_gradient(i, f)); }
 
 namespace {
 
@@ -38,29 +34,40 @@ struct Rows {
   std::vector<int> length;  ///< entries per vertex of the run
   std::vector<int> index;
   std::vector<double> laplacian;
-  Points gradient, diamond, gauss;
+  Points gradient;
+  std::vector<double> gauss;
 
   void append(int i, const LocalFit& fit) {
     index.push_back(i);
     laplacian.push_back(-std::accumulate(fit.laplacian.begin(), fit.laplacian.end(), 0.0));
-    gradient.push_back(minus_sum(fit.gradient));
-    diamond.push_back(minus_sum(fit.diamond));
-    gauss.push_back(minus_sum(fit.gauss));
+    gradient.push_back(-std::accumulate(fit.gradient.begin(), fit.gradient.end(), Vec3(Vec3::Zero())));
+    gauss.push_back(-std::accumulate(fit.gauss.begin(), fit.gauss.end(), 0.0));
     append_all(index, fit.neighbors);
     append_all(laplacian, fit.laplacian);
     append_all(gradient, fit.gradient);
-    append_all(diamond, fit.diamond);
     append_all(gauss, fit.gauss);
     length.back() = static_cast<int>(fit.neighbors.size()) + 1;
   }
-
- private:
-  static Vec3 minus_sum(const Points& weights) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& w : weights) sum -= w;
-    return sum;
-  }
 };
+
+/// One after another; each run is freed as soon as it is copied, since there may be gigabytes of them.
+void join(std::vector<Rows>& runs, OperatorSet& set) {
+  std::size_t entries = 0;
+  for (const Rows& rows : runs) entries += rows.index.size();
+  set.index.reserve(entries);
+  set.laplacian.reserve(entries);
+  set.gradient.reserve(entries);
+  set.gauss.reserve(entries);
+  set.offset.push_back(0);
+  for (Rows& rows : runs) {
+    for (int length : rows.length) set.offset.push_back(set.offset.back() + length);
+    append_all(set.index, rows.index);
+    append_all(set.laplacian, rows.laplacian);
+    append_all(set.gradient, rows.gradient);
+    append_all(set.gauss, rows.gauss);
+    rows = Rows();
+  }
+}
 
 }  // namespace
 
@@ -98,16 +105,7 @@ OperatorSet compute_operators(const Points& points, const Triangles& triangles, 
       }
     }
   }
-  set.offset.reserve(n + 1);
-  set.offset.push_back(0);
-  for (const Rows& rows : runs) {
-    for (int length : rows.length) set.offset.push_back(set.offset.back() + length);
-    append_all(set.index, rows.index);
-    append_all(set.laplacian, rows.laplacian);
-    append_all(set.gradient, rows.gradient);
-    append_all(set.diamond, rows.diamond);
-    append_all(set.gauss, rows.gauss);
-  }
+  join(runs, set);
   return set;
 }
 

@@ -18,7 +18,8 @@ struct OperatorSet {
   std::vector<int> offset;  ///< #V + 1
   std::vector<int> index;   ///< vertex of each entry
   std::vector<double> laplacian;
-  Points gradient, diamond, gauss;
+  Points gradient;
+  std::vector<double> gauss;                 ///< times n_i: see LocalFit
   Points normal;                             ///< #V, unit: of the fit where there is one, else angle-weighted
   std::vector<Eigen::Matrix3d> second_form;  ///< #V, see LocalFit
   Eigen::VectorXd H, K;                      ///< #V, 0 in empty rows
@@ -27,6 +28,8 @@ struct OperatorSet {
   double apply_laplacian(int i, const Eigen::VectorXd& f) const;
   Vec3 apply_gradient(int i, const Eigen::VectorXd& f) const;
   Vec3 apply_diamond(int i, const Eigen::VectorXd& f) const;
+  /// ◇ = 2H∇ − S∇ at vertex i (§2): takes the gradient of a function, or a weight of ∇, to that of ◇. Symmetric.
+  Vec3 diamond(int i, const Vec3& tangent) const { return 2 * H[i] * tangent - second_form[i] * tangent; }
 };
 
 /// Fits every vertex i with wanted[i] != 0; in parallel (OpenMP), with the same bits for any number of threads.

@@ -1,6 +1,5 @@
 #include "rim/cubic_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -29,7 +28,23 @@ Eigen::VectorXd huber_weights(const Eigen::VectorXd& residuals) {
   return weights;
 }
 
+using Square = Eigen::Matrix<double, terms, terms>;
+using Row = Eigen::Matrix<double, terms, 1>;
+
+/// Back from the unit of the fit: a coefficient of degree p has length^(1 − p).
+Row scale_of_coefficients(double unit) {
+  Row scale;
+  scale << unit, 1, 1, 1 / unit, 1 / unit, 1 / unit, Eigen::Vector4d::Constant(1 / (unit * unit));
+  return scale;
+}
+
 }  // namespace
+
+Square CubicFit::covariance() const {
+  const double variance = residual * residual / (unit * unit);
+  const Row scale = scale_of_coefficients(unit);
+  return scale.asDiagonal() * Square(variance * factors.solve(Square::Identity())) * scale.asDiagonal();
+}
 
 std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology, int i, const Vec3& reference_normal,
                                   int rings, Outliers outliers, std::vector<char>& mark) {
@@ -45,7 +60,7 @@ std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology
   double unit = 0;  // mean distance, so that all columns are of one size
   for (int v : near) unit += (points[v] - points[i]).norm() / static_cast<double>(m - 1);
   if (!(unit > 0)) return std::nullopt;
-  Eigen::Matrix<double, Eigen::Dynamic, terms> A(m, terms);
+  Eigen::Matrix<double, Eigen::Dynamic, terms, Eigen::RowMajor> A(m, terms);
   Eigen::VectorXd height(m);
   for (Eigen::Index k = 0; k < m; ++k) {
     const Vec3 d = (points[near[k]] - points[i]) / unit;
@@ -53,26 +68,28 @@ std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology
     A.row(k) << 1, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v;
     height[k] = d.dot(fit.normal);
   }
-  using Square = Eigen::Matrix<double, terms, terms>;
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(m), residuals;
-  Eigen::LDLT<Square> factors;
   for (int round = 0; round <= (outliers == Outliers::count ? 0 : reweightings); ++round) {
     if (round > 0) weights = huber_weights(residuals);
-    const Eigen::Matrix<double, terms, Eigen::Dynamic> weighted = A.transpose() * weights.asDiagonal();
-    factors.compute(weighted * A);
-    if (!factors.isPositive() || !(factors.rcond() > least_condition)) return std::nullopt;
-    fit.coefficients = factors.solve(weighted * height);
-    residuals = height - A * fit.coefficients;
+    // Sums of small products of known size: many times faster than products of small matrices of any size.
+    Square normal_matrix = Square::Zero();
+    Row right = Row::Zero();
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const Row row = A.row(k).transpose(), weighted = weights[k] * row;
+      normal_matrix.noalias() += weighted * row.transpose();
+      right += height[k] * weighted;
+    }
+    fit.factors.compute(normal_matrix);
+    if (!fit.factors.isPositive() || !(fit.factors.rcond() > least_condition)) return std::nullopt;
+    fit.coefficients = fit.factors.solve(right);
+    residuals = height;
+    for (Eigen::Index k = 0; k < m; ++k) residuals[k] -= A.row(k).dot(fit.coefficients);
   }
   const double freedom = std::max(weights.sum() - terms, 1.0);
   const double variance = (weights.array() * residuals.array().square()).sum() / freedom;
-  fit.covariance = variance * factors.solve(Square::Identity());
+  fit.unit = unit;
   fit.residual = std::sqrt(variance) * unit;
-  // Back from the unit of the fit: a coefficient of degree p has length^(1 − p).
-  Eigen::Matrix<double, terms, 1> scale;
-  scale << unit, 1, 1, 1 / unit, 1 / unit, 1 / unit, Eigen::Vector4d::Constant(1 / (unit * unit));
-  fit.coefficients = scale.asDiagonal() * fit.coefficients;
-  fit.covariance = scale.asDiagonal() * fit.covariance * scale.asDiagonal();
+  fit.coefficients = scale_of_coefficients(unit).asDiagonal() * fit.coefficients;
   return fit;
 }
 

@@ -3,7 +3,7 @@
 
 #include "operators/topology.h"
 
-#include <Eigen/Core>
+#include <Eigen/Cholesky>
 
 #include <optional>
 
@@ -12,9 +12,12 @@ namespace loopmend {
 /// In the frame (e1, e2, normal) at the vertex, heights z(u, v) = c · [1 u v u² uv v² u³ u²v uv² v³].
 struct CubicFit {
   Eigen::Matrix<double, 10, 1> coefficients;
-  Eigen::Matrix<double, 10, 10> covariance;  ///< of the coefficients, from the residuals
-  double residual = 0;                       ///< rms of the heights left over, degrees of freedom taken off, length
-  Vec3 e1, e2, normal;                       ///< the frame: orthonormal
+  double residual = 0;  ///< rms of the heights left over, degrees of freedom taken off, length
+  Vec3 e1, e2, normal;  ///< the frame: orthonormal
+  double unit = 1;      ///< length in which `factors` was computed
+  Eigen::LDLT<Eigen::Matrix<double, 10, 10>> factors;  ///< of the normal matrix
+
+  Eigen::Matrix<double, 10, 10> covariance() const;  ///< of the coefficients, from the residuals
 };
 
 enum class Outliers {

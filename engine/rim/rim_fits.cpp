@@ -20,22 +20,23 @@ constexpr double white_growth = 1.5;  ///< NUMERICS §12.4
 /// depends on them, since the plane of the graph is nearly tangential.
 RimFit at_origin(const CubicFit& cubic) {
   const auto& c = cubic.coefficients;
+  const Eigen::Matrix<double, 10, 10> covariance = cubic.covariance();
   const double g = std::sqrt(1 + c[1] * c[1] + c[2] * c[2]);
   RimFit fit;
   fit.valid = true;
   fit.normal = (cubic.normal - c[1] * cubic.e1 - c[2] * cubic.e2) / g;
-  fit.normal_sigma = std::sqrt(cubic.covariance(1, 1) + cubic.covariance(2, 2)) / (g * g);
+  fit.normal_sigma = std::sqrt(covariance(1, 1) + covariance(2, 2)) / (g * g);
   Eigen::Matrix<double, 10, 1> slope = Eigen::Matrix<double, 10, 1>::Zero();  // ∂H/∂c
   slope[3] = (1 + c[2] * c[2]) / (g * g * g);
   slope[4] = -c[1] * c[2] / (g * g * g);
   slope[5] = (1 + c[1] * c[1]) / (g * g * g);
   fit.H = slope.dot(c);
-  fit.H_sigma = std::sqrt(slope.dot(cubic.covariance * slope));
+  fit.H_sigma = std::sqrt(slope.dot(covariance * slope));
   Eigen::Matrix<double, 10, 1> along_u = Eigen::Matrix<double, 10, 1>::Zero(), along_v = along_u;
   along_u[6] = along_v[9] = 3;
   along_u[8] = along_v[7] = 1;
   fit.gradient = std::hypot(along_u.dot(c), along_v.dot(c));
-  fit.gradient_sigma = std::sqrt(along_u.dot(cubic.covariance * along_u) + along_v.dot(cubic.covariance * along_v));
+  fit.gradient_sigma = std::sqrt(along_u.dot(covariance * along_u) + along_v.dot(covariance * along_v));
   return fit;
 }
 

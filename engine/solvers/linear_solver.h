@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <functional>
 #include <memory>
 
 namespace loopmend {
@@ -30,16 +31,31 @@ struct SolveReport {
   bool factored = false;  ///< a new factorisation was made for this solve
 };
 
+/// Symmetric positive definite systems too large to be factored, by conjugate gradients to a relative residual of 1e-5.
+/// @param A  n by n, compressed; only the lower triangle is read. @param nearby  factors of a matrix near A, with less
+/// fill. @param x  n, written only when solved.
+SolveReport conjugate_gradients(const Eigen::SparseMatrix<double>& A, const SpdSolver& nearby, const Eigen::VectorXd& b,
+                                Eigen::VectorXd& x);
+
+/// A general system A x = b, given by what the solvers may ask for.
+struct GeneralSystem {
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> times;  ///< A x
+  std::function<Eigen::SparseMatrix<double>()> matrix;           ///< A, n by n, compressed
+  /// A symmetric positive definite matrix near A, n by n, compressed; only the lower triangle is read.
+  std::function<Eigen::SparseMatrix<double>()> nearby;
+};
+
 /// General systems, again and again for matrices that change a little from call to call.
 class GeneralSolver {
  public:
   virtual ~GeneralSolver() = default;
-  /// @param A  n by n, compressed. @param b  n. @param x  n, written only when solved.
-  virtual SolveReport solve(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
+  /// @param b  n. @param x  n, written only when solved.
+  virtual SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
 };
 
-/// direct: sparse LU at every call. gmres: the LU of an earlier call is the preconditioner, renewed when more than 20
-/// iterations are needed (NUMERICS §5). automatic: direct.
+/// direct: sparse LU at every call. gmres: the Cholesky factors of the nearby matrix of an earlier call are the
+/// preconditioner, renewed when more than 20 iterations are needed; to 1e-6 of the preconditioned residual. automatic:
+/// gmres, and direct where that fails.
 std::unique_ptr<GeneralSolver> make_general_solver(SolverKind kind);
 
 }  // namespace loopmend

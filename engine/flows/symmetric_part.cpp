@@ -1,0 +1,22 @@
+#include "flows/symmetric_part.h"
+
+#include "energy/curvature_energy.h"
+#include "flows/congruence.h"
+
+#include <numeric>
+
+namespace loopmend {
+
+SparseMatrix symmetric_part(FlowKind flow, const Patch& patch, const OperatorSet& ops) {
+  const int n = patch.free_count;
+  if (flow == FlowKind::mcf) {
+    std::vector<int> faces(patch.triangles.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, faces, robust_clamp);
+    return 0.5 * C.topLeftCorner(n, n).triangularView<Eigen::Lower>();
+  }
+  const EnergyWeights weights = flow == FlowKind::mmcvf ? EnergyWeights{1, 0} : EnergyWeights{0, 1};
+  return 2 * lower_congruence(curvature_jacobian(ops, n), curvature_energy(patch, weights).Q);
+}
+
+}  // namespace loopmend
