@@ -121,32 +121,49 @@ class GmresSolver : public GeneralSolver {
  public:
   SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
     SolveReport report;
-    if (size_ == b.size() && iterate(system, b, x, most_with_old_factors, report)) return report;
+    report.solved = size_ == b.size() && solve_with_old_factors(system, b, x, report);
+    if (report.solved) return report;
     report.factored = true;
     size_ = factors_->factorize(system.nearby()) ? b.size() : 0;
-    if (size_ > 0) iterate(system, b, x, most_iterations, report);
+    if (size_ == 0) return report;
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(b.size());
+    report.solved = iterate(system, b, solution, tolerance, most_iterations, report) <= tolerance;
+    if (report.solved) x = solution;
     return report;
   }
 
  private:
-  bool iterate(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x, int most,
-               SolveReport& report) const {
+  /// A few iterations tell whether the others are worth their time.
+  bool solve_with_old_factors(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+                              SolveReport& report) const {
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(b.size());
+    double left = iterate(system, b, solution, tolerance, trial_iterations, report);
+    if (left > tolerance && left < promising)
+      left *= iterate(system, b, solution, tolerance / left, most_with_old_factors - trial_iterations, report);
+    if (left > tolerance) return false;
+    x = solution;
+    return true;
+  }
+
+  /// From the x given. @returns what is left of the preconditioned residual, relative to that of this x; infinite if x is
+  /// not finite any more.
+  double iterate(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x, double wanted, int most,
+                 SolveReport& report) const {
     const MatrixFree A(system, b.size());
     Eigen::GMRES<MatrixFree, KeptFactors> gmres;
     gmres.preconditioner().factors = factors_.get();
     gmres.compute(A);
-    gmres.setTolerance(tolerance);
-    gmres.set_restart(most);
+    gmres.setTolerance(wanted);
+    gmres.set_restart(std::min(most, most_between_restarts));
     gmres.setMaxIterations(most);
-    const Eigen::VectorXd solution = gmres.solve(b);
+    x = gmres.solveWithGuess(b, x).eval();
     report.iterations += static_cast<int>(gmres.iterations());
-    report.solved = gmres.info() == Eigen::Success && solution.allFinite();
-    if (report.solved) x = solution;
-    return report.solved;
+    return x.allFinite() ? gmres.error() : std::numeric_limits<double>::infinity();
   }
 
-  static constexpr double tolerance = 1e-6;
-  static constexpr int most_with_old_factors = 20, most_iterations = 120;
+  static constexpr double tolerance = 1e-6, promising = 1e-2;
+  static constexpr int trial_iterations = 8, most_with_old_factors = 22, most_iterations = 120;
+  static constexpr int most_between_restarts = 40;  ///< each keeps as many vectors
   std::unique_ptr<SpdSolver> factors_ = make_spd_solver();
   Eigen::Index size_ = 0;  ///< of the factors; 0 while there are none
 };

@@ -54,7 +54,7 @@ class GeneralSolver {
 };
 
 /// direct: sparse LU at every call. gmres: the Cholesky factors of the nearby matrix of an earlier call are the
-/// preconditioner, renewed when more than 20 iterations are needed; to 1e-6 of the preconditioned residual. automatic:
+/// preconditioner, renewed when more than some 20 iterations are needed; to 1e-6 of the preconditioned residual. automatic:
 /// gmres, and direct where that fails.
 std::unique_ptr<GeneralSolver> make_general_solver(SolverKind kind);
 
