@@ -1,6 +1,5 @@
 #include "evolution/evolution_impl.h"
 #include "evolution/stopwatch.h"
-#include "flows/decay_rate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,17 +54,18 @@ void Evolution::Impl::finish() {
 /// (μM + BᵀQB) s = −½∇E.
 bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s) {
   const SparseMatrix M(system.mass.asDiagonal());
-  const SparseMatrix A = system.curvature + mu * M;
   if (state.patch.free_count <= largest_factored) {
     Eigen::MatrixXd solution;
-    if (!spd->factorize(A) || !spd->solve(-system.half_gradient, solution)) return false;
+    if (!spd->factorize(system.curvature + mu * M) || !spd->solve(-system.half_gradient, solution)) return false;
     s = solution;
     return true;
   }
-  // B is near half the Laplacian.
-  SparseMatrix nearby = mu * M + 0.25 * clamped_polyharmonic(FlowKind::mmcvf, state.patch);
-  if (objective.bending > 0) nearby += 0.25 * objective.bending * clamped_polyharmonic(FlowKind::wf, state.patch);
-  return spd->factorize(nearby) && conjugate_gradients(A, *spd, -system.half_gradient, s).solved;
+  GeneralSystem linear;
+  linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    return system.curvature.selfadjointView<Eigen::Lower>() * x + mu * system.mass.cwiseProduct(x);
+  };
+  linear.nearby = [&]() { return near_gauss_newton(state.patch, energy_of(objective), mu); };
+  return conjugate_gradients(linear, -system.half_gradient, s).solved;
 }
 
 /// One trial with the present mu: the whole step, a half, a quarter.

@@ -1,6 +1,7 @@
 #include "flows/gauss_newton.h"
 
 #include "flows/congruence.h"
+#include "flows/decay_rate.h"
 
 namespace loopmend {
 
@@ -14,6 +15,13 @@ GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& o
   system.curvature = lower_congruence(B, energy.Q);
   system.mass = energy.mass.head(patch.free_count);
   return system;
+}
+
+SparseMatrix near_gauss_newton(const Patch& patch, const EnergyWeights& weights, double mu) {
+  const SparseMatrix M(barycentric_areas(patch.positions, patch.triangles).head(patch.free_count).asDiagonal());
+  SparseMatrix nearby = mu * M + 0.25 * weights.variation * clamped_polyharmonic(FlowKind::mmcvf, patch);
+  if (weights.bending > 0) nearby += 0.25 * weights.bending * clamped_polyharmonic(FlowKind::wf, patch);
+  return nearby.triangularView<Eigen::Lower>();
 }
 
 }  // namespace loopmend

@@ -15,4 +15,8 @@ struct GaussNewtonSystem {
 
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights);
 
+/// A matrix near μM + BᵀQB with a third of its fill, lower triangle: B is near half the Laplacian, of which the clamped cotan
+/// one has the fewest neighbours.
+SparseMatrix near_gauss_newton(const Patch& patch, const EnergyWeights& weights, double mu);
+
 }  // namespace loopmend

@@ -185,16 +185,19 @@ class AutomaticSolver : public GeneralSolver {
 
 }  // namespace
 
-SolveReport conjugate_gradients(const SparseMatrix& A, const SpdSolver& nearby, const Eigen::VectorXd& b,
-                                Eigen::VectorXd& x) {
+SolveReport conjugate_gradients(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   constexpr int most_iterations = 400;
-  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower, KeptFactors> cg;
-  cg.preconditioner().factors = &nearby;
+  SolveReport report;
+  const auto factors = make_spd_solver();
+  report.factored = true;
+  if (!factors->factorize(system.nearby())) return report;
+  const MatrixFree A(system, b.size());
+  Eigen::ConjugateGradient<MatrixFree, Eigen::Lower | Eigen::Upper, KeptFactors> cg;
+  cg.preconditioner().factors = factors.get();
   cg.compute(A);
   cg.setTolerance(1e-5);
   cg.setMaxIterations(most_iterations);
   const Eigen::VectorXd solution = cg.solve(b);
-  SolveReport report;
   report.iterations = static_cast<int>(cg.iterations());
   report.solved = cg.info() == Eigen::Success && solution.allFinite();
   if (report.solved) x = solution;

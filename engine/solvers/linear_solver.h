@@ -31,12 +31,6 @@ struct SolveReport {
   bool factored = false;  ///< a new factorisation was made for this solve
 };
 
-/// Symmetric positive definite systems too large to be factored, by conjugate gradients to a relative residual of 1e-5.
-/// @param A  n by n, compressed; only the lower triangle is read. @param nearby  factors of a matrix near A, with less
-/// fill. @param x  n, written only when solved.
-SolveReport conjugate_gradients(const Eigen::SparseMatrix<double>& A, const SpdSolver& nearby, const Eigen::VectorXd& b,
-                                Eigen::VectorXd& x);
-
 /// A general system A x = b, given by what the solvers may ask for.
 struct GeneralSystem {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> times;  ///< A x
@@ -44,6 +38,11 @@ struct GeneralSystem {
   /// A symmetric positive definite matrix near A, n by n, compressed; only the lower triangle is read.
   std::function<Eigen::SparseMatrix<double>()> nearby;
 };
+
+/// Symmetric positive definite systems too large to be factored, by conjugate gradients to a relative residual of 1e-5,
+/// preconditioned by the factors of the nearby matrix, which has less fill. The matrix itself is not asked for.
+/// @param b  n. @param x  n, written only when solved.
+SolveReport conjugate_gradients(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
 /// General systems, again and again for matrices that change a little from call to call.
 class GeneralSolver {
