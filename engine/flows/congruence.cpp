@@ -1,5 +1,7 @@
 #include "flows/congruence.h"
 
+#include "core/threads.h"
+
 #include <algorithm>
 
 namespace loopmend {
@@ -81,8 +83,7 @@ SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q) {
   const int n = static_cast<int>(B.cols());
   constexpr int run_length = 256;
   std::vector<Columns> runs((n + run_length - 1) / run_length);
-  const bool long_enough = runs.size() > 8;  // else waking and waiting for threads costs more than they save
-#pragma omp parallel if (long_enough)
+#pragma omp parallel if (n > least_for_threads)
   {
     Accumulator product(B.rows()), column(n);
 #pragma omp for schedule(dynamic)

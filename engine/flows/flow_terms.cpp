@@ -1,5 +1,7 @@
 #include "flows/flow_terms.h"
 
+#include "core/threads.h"
+
 namespace loopmend {
 
 namespace {
@@ -85,7 +87,7 @@ TermSum add_terms(FlowKind flow, const FlowState& state) {
   sum.D.assign(state.ops.offset[state.n], 0);
   sum.b = flow == FlowKind::mmcvf ? 1 : 0;
   const std::vector<Term> terms = terms_of(flow);
-#pragma omp parallel for if (state.n > 2000)
+#pragma omp parallel for if (state.n > least_for_threads)
   for (int i = 0; i < state.n; ++i)
     for (Term term : terms) term(state, i, sum);
   return sum;
@@ -115,7 +117,7 @@ FlowState::FlowState(const OperatorSet& operators, int free_count)
       lap_H(matrix_of(ops, ops.laplacian, ops.H.size()) * ops.H),
       grad_H(free_count),
       dia_H(free_count) {
-#pragma omp parallel for if (n > 2000)
+#pragma omp parallel for if (n > least_for_threads)
   for (int i = 0; i < n; ++i) {
     grad_H[i] = ops.apply_gradient(i, ops.H);
     dia_H[i] = ops.apply_diamond(i, ops.H);
@@ -129,7 +131,7 @@ FlowSystem::FlowSystem(FlowKind flow, const FlowState& state) : ops_(state.ops),
   D_ = std::move(sum.D);
   b_ = sum.b;
   const int vertices = static_cast<int>(ops_.H.size());
-#pragma omp parallel for if (vertices > 2000)
+#pragma omp parallel for if (vertices > least_for_threads)
   for (int i = 0; i < vertices; ++i)
     for (int e = ops_.offset[i]; e < ops_.offset[i + 1]; ++e)
       B_[e] = 0.5 * ops_.laplacian[e] * ops_.normal[i].dot(ops_.normal[ops_.index[e]]);

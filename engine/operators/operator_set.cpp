@@ -1,5 +1,7 @@
 #include "operators/operator_set.h"
 
+#include "core/threads.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -83,8 +85,7 @@ OperatorSet compute_operators(const Points& points, const Triangles& triangles, 
   // Runs of fixed length, joined in order: the same bits for any number of threads.
   constexpr int run_length = 256;
   std::vector<Rows> runs((n + run_length - 1) / run_length);
-  const bool long_enough = runs.size() > 8;  // else waking and waiting for threads costs more than they save
-#pragma omp parallel if (long_enough)
+#pragma omp parallel if (n > least_for_threads)
   {
     FitScratch scratch(n);
     LocalFit fit;

@@ -1,5 +1,7 @@
 #include "flows/congruence.h"
 
+#include "core/threads.h"
+
 #include <gtest/gtest.h>
 
 #include <omp.h>
@@ -59,7 +61,8 @@ TEST(Congruence, EntriesAreInOrderAndNoneAboveTheDiagonal) {
 }
 
 TEST(Congruence, IsTheSameToTheBitForAnyNumberOfThreads) {
-  const Factors f = random_factors(5000, 4000, 8);
+  const Factors f = random_factors(13000, 12000, 4);
+  ASSERT_GT(f.B.cols(), least_for_threads);
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
   const SparseMatrix one = lower_congruence(f.B, f.Q);
