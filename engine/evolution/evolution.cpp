@@ -81,7 +81,7 @@ Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   rim.reset();
   blends_left = 0;
   if (new_options.flow != FlowKind::mmcvf || new_options.mode != EvolutionMode::steady) return {new_options.flow, 0};
-  rim = rim_roughness(state.patch);
+  rim = new_options.roughness ? new_options.roughness : rim_roughness(state.patch);
   const double scale = rim->radius * rim->radius;
   if (new_options.continuity != SeamContinuity::curvature) {
     blends_left = most_passes;

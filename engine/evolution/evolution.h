@@ -57,6 +57,8 @@ struct EvolutionOptions {
       RimTrust::automatic;  ///< MMCVF to the steady state; `bending`, where given, counts more than automatic
   /// MMCVF to the steady state. Below curvature the patch is the linear fairing of that order, iterated.
   SeamContinuity continuity = SeamContinuity::curvature;
+  std::optional<RimRoughness>
+      roughness;  ///< of the surroundings, where the caller has measured it; else it is measured
 };
 
 /// @throws InvalidArgument if an option is out of range.

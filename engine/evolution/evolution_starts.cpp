@@ -62,6 +62,7 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   Stopwatch watch;
   EvolutionOptions coarse_options = options;
   coarse_options.bending = blend;
+  coarse_options.roughness = rim;
   Patch copy = coarsened(state.patch);
   // Between tubes there may be nothing to take away; such a copy would ask for a coarse copy of its own, without end.
   if (copy.free_count > least_coarsening * state.patch.free_count) return false;
