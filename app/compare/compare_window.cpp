@@ -413,12 +413,12 @@ void CompareWindow::frame() {
 
 void CompareWindow::update_wipe() {
   if (!race_.start() || !wiping_->isChecked()) return;
-  const auto shape = [this](const QComboBox* box) {
+  int side = 0;
+  for (const QComboBox* box : {left_, right_}) {
     const int at = box->currentIndex() - 1;
-    return at < 0 || at >= race_.lanes() ? race_.start()->shape : race_.lane(at)->shape;
-  };
-  wipe_->show_patch(0, shape(left_));
-  wipe_->show_patch(1, shape(right_));
+    const LaneState& lane = at < 0 || at >= race_.lanes() ? *race_.start() : *race_.lane(at);
+    wipe_->show_patch(side++, lane.shape, arrival_of(lane));
+  }
 }
 
 void CompareWindow::accept(int lane) {

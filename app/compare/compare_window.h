@@ -48,6 +48,7 @@ class CompareWindow : public QWidget {
   QImage picture(const QSize& size);
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
   QString save_numbers(const QString& path) const;
+  const FlowRace& race() const { return race_; }
   FlowPane& pane(int number) { return *panes_[static_cast<std::size_t>(number)]; }
   FlowCanvas& wipe() { return *wipe_; }
 

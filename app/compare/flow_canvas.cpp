@@ -3,6 +3,7 @@
 
 #include "scene/mesh_scene.h"
 #include "scene/view_direction.h"
+#include "views/picture_pace.h"
 #include "views/turn_style.h"
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -121,9 +122,9 @@ void FlowCanvas::set_surroundings(std::shared_ptr<const SurfaceShape> shape) {
   redraw();
 }
 
-void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape) {
+void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival) {
   MeshScene& scene = *impl_->scenes[static_cast<std::size_t>(side)];
-  shape ? scene.set_patch(0, std::move(shape)) : scene.keep_patches({});
+  shape ? scene.set_patch(0, std::move(shape), arrival) : scene.keep_patches({});
   redraw();
 }
 
@@ -146,14 +147,14 @@ void FlowCanvas::redraw() {
 
 void FlowCanvas::draw() {
   if (!isVisible()) return;
-  for (auto& scene : impl_->scenes) scene->update();
   QElapsedTimer clock;
   clock.start();
+  bool moving = false;
+  for (auto& scene : impl_->scenes) moving = scene->update() || moving;
   impl_->window->Render();
   ++impl_->frames;
-  // Where drawing is slow, everything else of the window gets its share of the time before the next picture.
-  constexpr qint64 longest_wait_ms = 40;
-  impl_->redraw_timer.setInterval(static_cast<int>(std::min(longest_wait_ms, clock.elapsed() / 3)));
+  impl_->redraw_timer.setInterval(wait_after_picture(clock.elapsed()));
+  if (moving) redraw();
 }
 
 /// One eye for both sides: the side that the person turned leads.
@@ -168,7 +169,7 @@ void FlowCanvas::before_drawing() {
   for (std::size_t side = 0; side < impl_->scenes.size(); ++side) {
     vtkCamera* camera = impl_->camera(side);
     if (moved) apply(impl_->pose, camera);
-    impl_->scenes[side]->renderer()->ResetCameraClippingRange();
+    impl_->scenes[side]->fit_depths();
     impl_->seen[side] = camera->GetMTime();
   }
   if (moved && !impl_->placing) Q_EMIT turned();
@@ -180,7 +181,7 @@ void FlowCanvas::set_pose(const CameraPose& pose) {
   impl_->pose = pose;
   for (std::size_t side = 0; side < impl_->scenes.size(); ++side) {
     apply(pose, impl_->camera(side));
-    impl_->scenes[side]->renderer()->ResetCameraClippingRange();
+    impl_->scenes[side]->fit_depths();
     impl_->seen[side] = impl_->camera(side)->GetMTime();
   }
   redraw();
@@ -249,7 +250,7 @@ QImage FlowCanvas::picture(const QSize& size) {
   impl_->canvas->makeCurrent();
   const QSize old = impl_->canvas->size() * impl_->canvas->devicePixelRatioF();
   impl_->window->SetSize(size.width(), size.height());
-  for (auto& scene : impl_->scenes) scene->update();
+  for (auto& scene : impl_->scenes) scene->arrive();
   impl_->window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   impl_->window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, pixels);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/look.h"
+#include "scene/shape_glide.h"
 #include "views/camera_flight.h"
 
 #include <QImage>
@@ -24,7 +25,7 @@ class FlowCanvas : public QWidget {
 
   void set_surroundings(std::shared_ptr<const SurfaceShape> shape);
   /// @param side  0, or 1 for what is right of the line.
-  void show_patch(int side, std::shared_ptr<const SurfaceShape> shape);
+  void show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
   /// @param half_width  of the colour range, in force instead of the look's own.
   void set_look(const Look& look, double half_width);
 

@@ -34,6 +34,16 @@ QString stage_words(const LaneState& lane) {
 
 }  // namespace
 
+Arrival arrival_of(const LaneState& lane) {
+  switch (lane.stage) {
+    case LaneState::Stage::start: return Arrival::at_once;
+    case LaneState::Stage::moving: return Arrival::with_the_next;
+    case LaneState::Stage::ended:
+    case LaneState::Stage::stopped: break;
+  }
+  return Arrival::soon;
+}
+
 int ink_of(FlowKind flow) {
   switch (flow) {
     case FlowKind::mcf: return 2;
@@ -112,7 +122,7 @@ void FlowPane::show_lane(const LaneState& lane, const QString& accepting) {
   figures_->setToolTip(in_full);
   can_accept_ = !accepting.isEmpty() && lane.stage != LaneState::Stage::start && lane.stage != LaneState::Stage::moving;
   accept_->setToolTip(accepting.isEmpty() ? tr("Run the flows first") : accepting);
-  canvas_->show_patch(0, lane.shape);
+  canvas_->show_patch(0, lane.shape, arrival_of(lane));
 }
 
 QString FlowPane::caption() const { return flow_->currentText() + QStringLiteral("   ") + words_; }

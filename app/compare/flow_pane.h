@@ -3,6 +3,7 @@
 #pragma once
 
 #include "jobs/flow_race.h"
+#include "scene/shape_glide.h"
 
 #include <QWidget>
 
@@ -45,6 +46,9 @@ class FlowPane : public QWidget {
   QString words_;
   bool can_accept_ = false;
 };
+
+/// How a picture comes to this state: a flow at work moves on evenly.
+Arrival arrival_of(const LaneState& lane);
 
 /// The colour that stands for a flow in plots and headings; see plot_ink().
 int ink_of(FlowKind flow);

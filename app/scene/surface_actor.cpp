@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -24,6 +26,9 @@ constexpr Rgb patch_color{0.50, 0.74, 0.70};
 constexpr Rgb edge_color{0.22, 0.25, 0.30};
 constexpr float edge_width = 0.5F;
 constexpr int default_stripes = 9;
+
+constexpr std::chrono::milliseconds a_moment{150}, shortest_way{60};
+constexpr std::chrono::seconds longest_way{10};
 
 // One program for all shadings, coloured or not: to compile another one takes software graphics a quarter of a second.
 // There is no ambient light: VTK leaves in the ambient colour how much of a triangle's edge lies on the pixel.
@@ -120,9 +125,23 @@ SurfaceActor::~SurfaceActor() = default;
 
 vtkActor* SurfaceActor::actor() const { return actor_; }
 
-void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape) {
-  if (shape == shape_) return;
-  const std::shared_ptr<const SurfaceShape> old = std::move(shape_);  // its arrays stay valid until they are replaced
+void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now) {
+  const bool known = shape == shape_;
+  if (known && (!glide_ || arrival == Arrival::with_the_next)) return;
+  if (!known && arrival != Arrival::at_once && shape_ && ShapeGlide::is_possible(*shape_, *shape)) {
+    glide(std::move(shape), arrival, now);
+  } else if (known && arrival == Arrival::soon) {
+    glide_->hurry(now, now + a_moment);
+  } else {
+    show(std::move(shape));
+  }
+}
+
+/// As it is, without a copy.
+void SurfaceActor::show(std::shared_ptr<const SurfaceShape> shape) {
+  // The old arrays stay valid until they are replaced.
+  const std::shared_ptr<const SurfaceShape> old = std::move(shape_);
+  const std::unique_ptr<ShapeGlide> old_glide = std::move(glide_);
   shape_ = std::move(shape);
   vtkNew<vtkPoints> points;
   points->SetData(wrap(shape_->points, 3, "points"));
@@ -132,16 +151,54 @@ void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape) {
   update_scalars();
 }
 
+/// The time that the last state took to come is about what the next one will take.
+void SurfaceActor::glide(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now) {
+  Clock::duration time = a_moment;
+  if (arrival == Arrival::with_the_next && last_news_)
+    time = std::clamp<Clock::duration>(now - *last_news_, shortest_way, longest_way);
+  last_news_ = now;
+  if (glide_) glide_->advance(now);
+  auto next = std::make_unique<ShapeGlide>(glide_ ? glide_->shown() : *shape_, shape, now, time);
+  const std::unique_ptr<ShapeGlide> old = std::exchange(glide_, std::move(next));
+  const std::shared_ptr<const SurfaceShape> old_shape = std::exchange(shape_, std::move(shape));
+  vtkNew<vtkPoints> points;
+  points->SetData(wrap(glide_->shown().points, 3, "points"));
+  data_->SetPoints(points);
+  data_->GetPointData()->SetNormals(wrap(glide_->shown().normals, 3, "normals"));
+  update_triangles();
+  update_scalars();
+}
+
+bool SurfaceActor::advance(Clock::time_point now) {
+  if (!glide_) return false;
+  if (glide_->has_arrived(now)) {
+    show(shape_);
+    return false;
+  }
+  glide_->advance(now);
+  data_->GetPoints()->GetData()->Modified();
+  data_->GetPoints()->Modified();
+  data_->GetPointData()->GetNormals()->Modified();
+  if (is_colored(shading_)) data_->GetPointData()->GetScalars()->Modified();
+  data_->Modified();
+  return true;
+}
+
 /// The rings around a patch continue its H and its reflections, but they are not the patch: in plain colour they go.
 void SurfaceActor::update_triangles() {
   const auto all = static_cast<vtkIdType>(shape_->triangles.size() / 3);
-  data_->SetPolys(wrap_triangles(shape_->triangles, shading_ == Shading::plain ? shape_->own_triangles : all));
+  const vtkIdType shown = shading_ == Shading::plain ? shape_->own_triangles : all;
+  // The same ones need not go to the graphics again.
+  if (triangles_of_ && data_->GetNumberOfPolys() == shown && triangles_of_->triangles == shape_->triangles) return;
+  data_->SetPolys(wrap_triangles(shape_->triangles, shown));
+  triangles_of_ = shape_;
 }
 
 void SurfaceActor::update_scalars() {
+  const SurfaceShape* shown = glide_ ? &glide_->shown() : shape_.get();
   const std::vector<float>* values = nullptr;
-  if (shape_ && shading_ == Shading::curvature) values = &shape_->H;
-  if (shape_ && shading_ == Shading::gaussian) values = &shape_->K;
+  if (shown && shading_ == Shading::curvature) values = &shown->H;
+  if (shown && shading_ == Shading::gaussian) values = &shown->K;
   const bool known = values && !values->empty();
   data_->GetPointData()->SetScalars(known ? wrap(*values, 1, "curvature") : unknown_everywhere(shape_));
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", known ? 1 : 0);

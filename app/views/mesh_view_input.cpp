@@ -281,7 +281,7 @@ QImage MeshView::picture(const PictureOptions& options) {
     renderer->SetBackgroundAlpha(0);
     window->SetAlphaBitPlanes(1);
   }
-  impl_->scene.update();
+  impl_->scene.arrive();
   renderer->ResetCameraClippingRange();
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;

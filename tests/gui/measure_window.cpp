@@ -1,22 +1,31 @@
-// Figures that issue after issue asks of the window, on this machine: measure_window DRAGON
-// Opening and hovering on a large scan; a flow on a patch of 18 000 triangles in a scan of a million, in pictures a second;
-// memory before, while and after. Run by hand: none of it is a test.
+// Figures that issue after issue asks of the window, on this machine: measure_window DRAGON [BUNNY] [WHAT...]
+// WHAT: opening, hover, gaps, memory, flow (18 000 triangles in a scan of a million), compare (four flows on a patch of
+// 20 000); all of them without it. Run by hand: none of it is a test.
 #include "driver.h"
 
+#include "compare/compare_desk.h"
+#include "compare/flow_canvas.h"
+#include "compare/flow_pane.h"
 #include "document/undo_history.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 
 #include <QApplication>
+#include <QLabel>
+#include <QPushButton>
 #include <QSlider>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 
 using namespace loopmend;
@@ -103,6 +112,119 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   std::printf("its states as fast as they can be drawn: %.1f pictures a second\n", pictures / seconds(clock));
 }
 
+/// Of all threads of the program, the drawing ones among them.
+double process_cpu_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+constexpr int views = 4;
+using Frames = std::array<int, views>;
+
+Frames frames_of(CompareWindow& window) {
+  Frames frames{};
+  for (int k = 0; k < views; ++k) frames[static_cast<std::size_t>(k)] = window.pane(k).canvas().frames();
+  return frames;
+}
+
+void move_cameras(CompareWindow& window, const char* what) {
+  double worst = 0, sum = 0;
+  constexpr int moves = 10;
+  for (int move = 0; move < moves; ++move) {
+    CameraPose pose = window.pane(0).canvas().pose();
+    pose.position += (move % 2 ? -0.05 : 0.05) * (pose.position - pose.focus).norm() * pose.up;
+    const Frames before = frames_of(window);
+    QElapsedTimer clock;
+    clock.start();
+    for (int k = 0; k < views; ++k) window.pane(k).canvas().set_pose(pose);
+    wait_until([&] {
+      const Frames now = frames_of(window);
+      return std::equal(now.begin(), now.end(), before.begin(), std::greater<>());
+    });
+    const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    worst = std::max(worst, ms);
+    sum += ms;
+  }
+  std::printf("%s: a move of the camera in all four views takes %.0f ms, at worst %.0f\n", what, sum / moves, worst);
+}
+
+/// Were there no flows to be computed: two states, to and fro.
+void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const SurfaceShape>, 2>& states) {
+  const Frames before = frames_of(window);
+  QElapsedTimer clock, since;
+  clock.start();
+  since.start();
+  const double cpu = process_cpu_ms();
+  for (std::size_t turn = 0; clock.elapsed() < 5000;) {
+    if (turn == 0 || since.elapsed() > 500) {
+      for (int k = 0; k < views; ++k)
+        window.pane(k).canvas().show_patch(0, states[turn % 2], Arrival::with_the_next);
+      ++turn;
+      since.restart();
+    }
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+  }
+  int all = 0;
+  const Frames now = frames_of(window);
+  for (std::size_t k = 0; k < views; ++k) all += now[k] - before[k];
+  std::printf("drawing alone: %.1f pictures a second in each view, %.1f ms of processor time each\n",
+              all / seconds(clock) / views, (process_cpu_ms() - cpu) / all);
+}
+
+void measure_compare(const QTemporaryDir& folder) {
+  const QString large = folder.filePath(QStringLiteral("large.ply"));
+  write_mesh(large.toStdString(), cut(make_icosphere(6), [](const Vec3& p) { return p.z() > 0.5; }));
+  Shown shown({large});
+  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  if (!QTest::qWaitForWindowExposed(window)) return;
+  auto* run = window->findChild<QPushButton*>(QStringLiteral("compareRun"));
+  wait_until([&] { return run->isEnabled(); }, 240);
+  settle(1500);
+  const QSize size = window->pane(0).canvas().size();
+  std::printf("four views of %d x %d pixels; %s\n", size.width(), size.height(),
+              qPrintable(window->findChild<QLabel*>(QStringLiteral("compareWait"))->text()));
+  move_cameras(*window, "at rest");
+  const auto start = window->race().start()->shape;
+  const auto moving = [&](int k) { return window->race().lane(k)->stage == LaneState::Stage::moving; };
+  GapMeter gaps;
+  const Frames first = frames_of(*window);
+  Frames last = first;
+  std::array<double, views> time{};
+  std::array<bool, views> seen{};
+  QElapsedTimer clock;
+  clock.start();
+  QTest::mouseClick(run, Qt::LeftButton);
+  bool turned = false;
+  wait_until(
+      [&] {
+        if (!turned && clock.elapsed() > 4000) {
+          turned = true;
+          move_cameras(*window, "while the flows run");
+        }
+        for (std::size_t k = 0; k < views; ++k) {
+          const bool moves = moving(static_cast<int>(k));
+          if (moves || !seen[k]) {
+            last[k] = frames_of(*window)[k];
+            time[k] = seconds(clock);
+          }
+          seen[k] = seen[k] || moves;
+        }
+        return run->isEnabled();
+      },
+      400);
+  for (int k = 0; k < views; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    std::printf("view %d: %d pictures in the %.1f s that its flow ran: %.1f a second; %s\n", k, last[at] - first[at],
+                time[at], (last[at] - first[at]) / time[at],
+                qPrintable(window->findChild<QLabel*>(QStringLiteral("paneFigures%1").arg(k))->text()));
+  }
+  gaps.report("four flows on a 20k patch");
+  settle(500);
+  draw_alone(*window, {start, window->race().lane(1)->shape});
+  window->close();
+}
+
 void measure_memory(const QTemporaryDir& folder) {
   Shown shown({sample_file(folder)});
   MainWindow& window = shown.window;
@@ -137,8 +259,8 @@ void measure_memory(const QTemporaryDir& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fputs("usage: measure_window DRAGON\n", stderr);
+  if (argc < 2) {
+    std::fputs("usage: measure_window DRAGON [BUNNY] [opening|hover|gaps|memory|flow|compare ...]\n", stderr);
     return 2;
   }
   const QTemporaryDir home, folder;
@@ -146,8 +268,14 @@ int main(int argc, char** argv) {
   prepare_application();
   QApplication application(argc, argv);
   settle_application();
-  measure_opening(QString::fromLocal8Bit(argv[1]));
-  measure_memory(folder);
-  measure_frame_rate(folder);
+  const QStringList words = application.arguments().mid(2);
+  const auto wanted = [&](const char* what) {
+    const auto names = words.filter(QRegularExpression(QStringLiteral("^[a-z]+$")));
+    return names.isEmpty() || names.contains(QLatin1String(what));
+  };
+  if (wanted("opening")) measure_opening(QString::fromLocal8Bit(argv[1]));
+  if (wanted("memory")) measure_memory(folder);
+  if (wanted("flow")) measure_frame_rate(folder);
+  if (wanted("compare")) measure_compare(folder);
   return 0;
 }
