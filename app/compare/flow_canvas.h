@@ -5,6 +5,7 @@
 #include "scene/look.h"
 #include "scene/shape_glide.h"
 #include "views/camera_flight.h"
+#include "views/mesh_view.h"
 
 #include <QImage>
 #include <QWidget>
@@ -13,6 +14,7 @@
 
 namespace loopmend {
 
+class PictureClock;
 struct SurfaceShape;
 
 class FlowCanvas : public QWidget {
@@ -20,7 +22,8 @@ class FlowCanvas : public QWidget {
 
  public:
   enum class Sides { one, two };
-  FlowCanvas(const char* name, Sides sides, QWidget* parent = nullptr);
+  /// @param clock  lives longer; says when to draw.
+  FlowCanvas(const char* name, Sides sides, PictureClock& clock, QWidget* parent = nullptr);
   ~FlowCanvas() override;
 
   void set_surroundings(std::shared_ptr<const SurfaceShape> shape);
@@ -38,13 +41,18 @@ class FlowCanvas : public QWidget {
   double line() const;
   void set_line(double share);
 
-  /// Queued: several wishes make one picture.
+  /// When the clock says so: several wishes make one picture.
   void redraw();
+  /// Now; for the clock.
+  void draw();
   /// Drawn anew at another size, device pixels. Null when the graphics cannot.
-  QImage picture(const QSize& size);
+  QImage picture(const QSize& size, PictureOptions::Ground ground = PictureOptions::Ground::as_seen);
   QWidget* canvas() const;
-  /// How many pictures were drawn so far; for measurements.
+  /// For tests and measurements: how many pictures were drawn so far, how many of them kept the surroundings for the
+  /// next ones, and whether the patch is between two states.
   int frames() const;
+  int surroundings_drawn() const;
+  bool is_moving() const;
 
  Q_SIGNALS:
   /// The person has turned or moved it.
@@ -58,7 +66,6 @@ class FlowCanvas : public QWidget {
 
  private:
   struct Impl;
-  void draw();
   void before_drawing();
   void update_palette();
   void place_sides();

@@ -54,7 +54,7 @@ int ink_of(FlowKind flow) {
   return 0;
 }
 
-FlowPane::FlowPane(int number, QWidget* parent)
+FlowPane::FlowPane(int number, PictureClock& clock, QWidget* parent)
     : QWidget(parent),
       flow_(new QComboBox),
       swatch_(new QLabel),
@@ -65,7 +65,7 @@ FlowPane::FlowPane(int number, QWidget* parent)
   flow_->setObjectName(named("paneFlow"));
   accept_->setObjectName(named("paneAccept"));
   figures_->setObjectName(named("paneFigures"));
-  canvas_ = new FlowCanvas(named("paneView").toLatin1().constData(), FlowCanvas::Sides::one);
+  canvas_ = new FlowCanvas(named("paneView").toLatin1().constData(), FlowCanvas::Sides::one, clock);
   explain(flow_, tr("Flow"), tr("Which flow this view shows"));
   for (FlowKind kind : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
     flow_->addItem(words::flow_name(kind), static_cast<int>(kind));

@@ -14,12 +14,13 @@ class QPushButton;
 namespace loopmend {
 
 class FlowCanvas;
+class PictureClock;
 
 class FlowPane : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FlowPane(int number, QWidget* parent = nullptr);
+  FlowPane(int number, PictureClock& clock, QWidget* parent = nullptr);
 
   void show_flow(FlowKind flow);
   /// @param accepting  what taking it over would do, in words; empty: it cannot be taken over.

@@ -337,6 +337,13 @@ void MeshScene::set_background(Background background) {
   impl_->legend.set_ink(light ? 0.14 : 0.92);
 }
 
+void MeshScene::set_ground(Ground ground) {
+  const bool shown = ground == Ground::shown;
+  impl_->renderer->still_changed();
+  impl_->renderer->SetGradientBackground(shown);
+  impl_->renderer->SetBackgroundAlpha(shown ? 1 : 0);
+}
+
 void MeshScene::set_pixel_ratio(double ratio) {
   impl_->legend.set_pixel_ratio(ratio);
   impl_->loops.set_pixel_ratio(ratio);

@@ -70,6 +70,9 @@ class MeshScene {
   /// Where the legend is with LegendPlace::beside: to be given a viewport of its own in the same window.
   vtkRenderer* legend_renderer() const;
   void set_background(Background background);
+  /// Whether the background is drawn at all.
+  enum class Ground { shown, transparent };
+  void set_ground(Ground ground);
   void set_pixel_ratio(double device_pixels_per_logical);
   /// Of the renderer that holds the legend, device pixels.
   void set_size(int width, int height);

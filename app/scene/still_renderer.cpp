@@ -47,9 +47,12 @@ bool StillRenderer::copy(Way way) {
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
   state->PushFramebufferBindings();
   if (!store_->GetFBOIndex() || store_->GetLastSize()[0] != size[0] || store_->GetLastSize()[1] != size[1]) {
+    // Depths can be copied only between buffers of one format.
+    GLint bits = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+                                          GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &bits);
     store_->SetContext(window);
-    // As VTK's own, without which depths cannot be copied.
-    store_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, 24, 0,
+    store_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, bits, 0,
                                 window->GetStencilCapable() != 0);
   }
   const auto stored = static_cast<GLuint>(store_->GetFBOIndex());

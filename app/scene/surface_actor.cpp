@@ -30,39 +30,48 @@ constexpr int default_stripes = 9;
 constexpr std::chrono::milliseconds a_moment{150}, shortest_way{60};
 constexpr std::chrono::seconds longest_way{10};
 
-// One program for all shadings, coloured or not: to compile another one takes software graphics a quarter of a second.
+// Two programs for all shadings, one with stripes and one without: software graphics work through all of a program at
+// every pixel, whichever way it branches, and take a quarter of a second to compile another one.
 // There is no ambient light: VTK leaves in the ambient colour how much of a triangle's edge lies on the pixel.
 // Key light over the left shoulder, soft fill from the right, a little sky: in view coordinates, so it follows the eye.
-// The inside of the surface is dull and dark, so that a hole reads as a hole. A patch lies on top of the rings that it
-// shares with the scan, hence the tiny shift in depth.
-constexpr const char* lighting = R"(//VTK::Light::Impl
-  vec3 loopmendNormal = normalize(normalVCVSOutput);
+// The inside of the surface is dull and dark, so that a hole reads as a hole.
+constexpr const char* beginning = R"(//VTK::Light::Impl
+  vec3 loopmendNormal = normalVCVSOutput;  // VTK has made it a unit vector
   float loopmendEdge = clamp(ambientColor.b / loopmendEdgeColor.b, 0.0, 1.0);
-  vec3 loopmendBase = loopmendColored == 1 ? diffuseColor / max(0.05, 1.0 - loopmendEdge) : loopmendPlain;
-  float loopmendGloss = 0.07;
-  bool striped = loopmendShading == 3 || loopmendShading == 4;
-  if (striped) {
-    vec3 mirrored = reflect(normalize(vertexVC.xyz), loopmendNormal);
-    float band = loopmendShading == 3 ? 0.5 + 0.5 * mirrored.y / max(1e-3, length(mirrored) + abs(mirrored.z) * 0.35)
-                                      : 0.5 + 0.5 * dot(loopmendNormal, normalize(vec3(-0.35, 0.75, 0.55)));
-    float stripe = sin(float(loopmendStripes) * 3.14159265 * (loopmendShading == 3 ? band : 2.0 * band));
-    float soft = clamp(fwidth(stripe) * 0.9, 0.02, 1.0);
-    loopmendBase = mix(vec3(0.11, 0.12, 0.14), vec3(0.94, 0.94, 0.92), smoothstep(-soft, soft, stripe));
-    loopmendGloss = 0.0;
-  }
-  float inside = gl_FrontFacing ? 0.0 : 1.0;
-  loopmendBase = mix(loopmendBase, vec3(0.36, 0.34, 0.33), 0.85 * inside);
   float key = max(0.0, dot(loopmendNormal, normalize(vec3(-0.45, 0.55, 0.75))));
   float fill = max(0.0, dot(loopmendNormal, normalize(vec3(0.75, -0.10, 0.55))));
-  float sky = 0.5 + 0.5 * loopmendNormal.y;
-  float amount = 0.46 + 0.42 * key + 0.12 * fill + 0.10 * sky;
-  float shine = pow(max(0.0, dot(loopmendNormal, normalize(vec3(-0.25, 0.35, 1.0)))), 40.0);
-  if (striped) amount = mix(1.0, amount, 0.45);
-  vec3 loopmendLit = loopmendBase * amount + loopmendGloss * shine * (1.0 - inside);
+  float amount = 0.51 + 0.42 * key + 0.12 * fill + 0.05 * loopmendNormal.y;
+)";
+constexpr const char* plain_or_colored = R"(
+  vec3 loopmendBase = loopmendColored == 1 ? diffuseColor / max(0.05, 1.0 - loopmendEdge) : loopmendPlain;
+  float shine = max(0.0, dot(loopmendNormal, normalize(vec3(-0.25, 0.35, 1.0))));
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  float loopmendShine = 0.07 * shine * shine * shine * shine * shine;
+)";
+constexpr const char* striped = R"(
+  vec3 mirrored = reflect(normalize(vertexVC.xyz), loopmendNormal);
+  float band = loopmendShading == 3 ? 0.5 + 0.5 * mirrored.y / max(1e-3, length(mirrored) + abs(mirrored.z) * 0.35)
+                                    : 0.5 + 0.5 * dot(loopmendNormal, normalize(vec3(-0.35, 0.75, 0.55)));
+  float stripe = sin(float(loopmendStripes) * 3.14159265 * (loopmendShading == 3 ? band : 2.0 * band));
+  float soft = clamp(fwidth(stripe) * 0.9, 0.02, 1.0);
+  vec3 loopmendBase = mix(vec3(0.11, 0.12, 0.14), vec3(0.94, 0.94, 0.92), smoothstep(-soft, soft, stripe));
+  float loopmendShine = 0.0;
+  amount = mix(1.0, amount, 0.45);
+)";
+constexpr const char* ending = R"(
+  vec3 loopmendLit = gl_FrontFacing ? loopmendBase * amount + loopmendShine
+                                    : mix(loopmendBase, vec3(0.36, 0.34, 0.33), 0.85) * amount;
   fragOutput0 = vec4(mix(loopmendLit, loopmendEdgeColor, loopmendEdge), 1.0);
 )";
-constexpr const char* patch_on_top = R"(  gl_FragDepth = gl_FragCoord.z - 0.00002;
+// A patch lies on top of the rings that it shares with the scan, hence the tiny shift in depth. Made for each vertex:
+// a depth made for each pixel would keep the graphics from leaving out early what is hidden.
+constexpr const char* patch_on_top = R"(//VTK::PositionVC::Impl
+  gl_Position.z -= 0.00004 * gl_Position.w;
 )";
+
+bool has_stripes(Shading shading) { return shading == Shading::zebra || shading == Shading::isophotes; }
 
 vtkNew<vtkFloatArray> wrap(const std::vector<float>& values, int components, const char* name) {
   vtkNew<vtkFloatArray> array;
@@ -109,8 +118,8 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   look->SetDiffuse(1);
   look->SetAmbient(0);
   vtkShaderProperty* shader = actor_->GetShaderProperty();
-  const std::string code = std::string(lighting) + (role == Role::patch ? patch_on_top : "");
-  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
+  if (role == Role::patch) shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, patch_on_top, false);
+  choose_program();
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading_));
   std::array<float, 3> plain{}, edge{};
   std::copy(color.begin(), color.end(), plain.begin());
@@ -205,10 +214,17 @@ void SurfaceActor::update_scalars() {
   data_->Modified();
 }
 
+void SurfaceActor::choose_program() {
+  const std::string code = std::string(beginning) + (has_stripes(shading_) ? striped : plain_or_colored) + ending;
+  actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
+}
+
 void SurfaceActor::set_shading(Shading shading) {
   if (shading == shading_) return;
   const bool other_scalars = is_colored(shading) || is_colored(shading_);
+  const bool other_program = has_stripes(shading) != has_stripes(shading_);
   shading_ = shading;
+  if (other_program) choose_program();
   if (shape_ && role_ == Role::patch) update_triangles();
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading));
   if (shape_ && other_scalars) update_scalars();

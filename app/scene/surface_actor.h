@@ -47,6 +47,7 @@ class SurfaceActor {
  private:
   void show(std::shared_ptr<const SurfaceShape> shape);
   void glide(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now);
+  void choose_program();
   void update_triangles();
   void update_scalars();
 
