@@ -23,7 +23,7 @@ namespace {
 
 /// The window's thread goes first when both want the processor: what works for seconds can spare milliseconds.
 void yield_to_window() {
-  constexpr int steps_back = 10;
+  constexpr int steps_back = 7;
   // Linux gives every thread a niceness of its own; where that fails, nothing is lost but smoothness.
   const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
   ::setpriority(PRIO_PROCESS, thread, ::getpriority(PRIO_PROCESS, thread) + steps_back);
