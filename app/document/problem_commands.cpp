@@ -12,7 +12,7 @@
 namespace loopmend {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("loopmend::ProblemCommands", text); }
+QString tr(const char* text) { return QCoreApplication::translate("loopmend", text); }
 
 bool has_patches(const Document& document, int scan) {
   return std::any_of(document.patches().begin(), document.patches().end(),

@@ -238,10 +238,10 @@ void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
 }
 
 bool MeshScene::warm_up_next() {
-  constexpr std::pair<SurfaceActor::Role, Edges> programs[] = {{SurfaceActor::Role::scan, Edges::hidden},
-                                                               {SurfaceActor::Role::patch, Edges::hidden},
-                                                               {SurfaceActor::Role::scan, Edges::shown},
-                                                               {SurfaceActor::Role::patch, Edges::shown}};
+  constexpr std::pair<Shading, Edges> programs[] = {{Shading::curvature, Edges::hidden},
+                                                    {Shading::zebra, Edges::hidden},
+                                                    {Shading::curvature, Edges::shown},
+                                                    {Shading::zebra, Edges::shown}};
   if (impl_->warming) impl_->renderer->RemoveActor(impl_->warming->actor());
   impl_->warming.reset();
   if (std::exchange(impl_->line_for_warmth, false)) impl_->loops.set_lines({});
@@ -253,8 +253,9 @@ bool MeshScene::warm_up_next() {
     return true;
   }
   if (impl_->warmed_up > std::size(programs)) return false;
-  const auto [role, edges] = programs[impl_->warmed_up++];
-  impl_->warming = impl_->make(role);
+  const auto [shading, edges] = programs[impl_->warmed_up++];
+  impl_->warming = impl_->make(SurfaceActor::Role::scan);
+  impl_->warming->set_shading(shading);
   impl_->warming->set_edges(edges);
   impl_->warming->set_shape(speck());
   impl_->warming->actor()->UseBoundsOff();

@@ -26,6 +26,7 @@ constexpr Rgb patch_color{0.50, 0.74, 0.70};
 constexpr Rgb edge_color{0.22, 0.25, 0.30};
 constexpr float edge_width = 0.5F;
 constexpr int default_stripes = 9;
+constexpr float patch_lift = 0.00004F;
 
 constexpr std::chrono::milliseconds a_moment{150}, shortest_way{60};
 constexpr std::chrono::seconds longest_way{10};
@@ -66,9 +67,9 @@ constexpr const char* ending = R"(
   fragOutput0 = vec4(mix(loopmendLit, loopmendEdgeColor, loopmendEdge), 1.0);
 )";
 // A patch lies on top of the rings that it shares with the scan, hence the tiny shift in depth. Made for each vertex:
-// a depth made for each pixel would keep the graphics from leaving out early what is hidden.
-constexpr const char* patch_on_top = R"(//VTK::PositionVC::Impl
-  gl_Position.z -= 0.00004 * gl_Position.w;
+// a depth made for each pixel would keep the graphics from leaving out early what is hidden. The program is the scan's, too.
+constexpr const char* lifted = R"(//VTK::PositionVC::Impl
+  gl_Position.z -= loopmendLift * gl_Position.w;
 )";
 
 bool has_stripes(Shading shading) { return shading == Shading::zebra || shading == Shading::isophotes; }
@@ -118,7 +119,8 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   look->SetDiffuse(1);
   look->SetAmbient(0);
   vtkShaderProperty* shader = actor_->GetShaderProperty();
-  if (role == Role::patch) shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, patch_on_top, false);
+  shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, lifted, false);
+  shader->GetVertexCustomUniforms()->SetUniformf("loopmendLift", role == Role::patch ? patch_lift : 0);
   choose_program();
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading_));
   std::array<float, 3> plain{}, edge{};
