@@ -71,8 +71,8 @@ class ScanCommands {
     for (const auto& [options, loops] : by_options_) {
       // Numbers change when loops are filled; vertices of the input keep theirs.
       const QString which = input == file ? by_number(loops) : by_vertex(loops);
-      lines << QStringLiteral("loopmend fill ") + shell::quoted(input) + QStringLiteral(" -o ") + shell::quoted(output) + which +
-                   options;
+      lines << QStringLiteral("loopmend fill ") + shell::quoted(input) + QStringLiteral(" -o ") +
+                   shell::quoted(output) + which + options;
       input = output;
     }
     return lines.join(QLatin1Char('\n'));

@@ -29,8 +29,8 @@ void add_input(ProblemWords& words, const Document& document, int index) {
   if (patched)
     words.remarks << tr("%1 has patches: export it by itself as %2 before you use the command.").arg(scan.name, made);
   else if (scan.from == ScanOrigin::made)
-    words.remarks << tr("%1 was made in the window: export it by itself as %2 before you use the command.")
-                         .arg(scan.name, made);
+    words.remarks
+        << tr("%1 was made in the window: export it by itself as %2 before you use the command.").arg(scan.name, made);
   words.inputs << (patched ? made : shell::file_of(scan, made));
 }
 
@@ -140,8 +140,7 @@ CommandLine solving_command(const ProblemWords& problem, const EvolutionOptions&
 CommandLine comparing_command(const ProblemWords& problem, const EvolutionOptions& options,
                               const std::vector<FlowKind>& flows) {
   constexpr std::size_t all = 4;
-  CommandLine result =
-      command(problem, QStringLiteral("compare"), QStringLiteral("-flows"), step_words(options));
+  CommandLine result = command(problem, QStringLiteral("compare"), QStringLiteral("-flows"), step_words(options));
   if (flows.size() < all) result.remarks << tr("The command runs all four flows.");
   return result;
 }

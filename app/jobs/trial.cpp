@@ -207,7 +207,7 @@ void Trial::on_solved(std::shared_ptr<const Solution> solution, const OpenedScan
   job_.reset();
   if (!made) {
     picture_.patch = start_shape_;
-  picture_.arrival = Arrival::at_once;
+    picture_.arrival = Arrival::at_once;
     fail(text(solution->refusal) + QLatin1Char('.'), Stage::posed);
     Q_EMIT picture_changed();
     return;

@@ -28,7 +28,7 @@ struct TrialWish {
   std::vector<int> scans;
   /// Called on a worker with the scans as one surface; may throw Error in words.
   std::function<PosedProblem(const TrialBase& base, const CancelToken& cancel)> pose;
-  ProblemWords command;  ///< the same for a shell
+  ProblemWords command;                                        ///< the same for a shell
   enum class Around { shown, hidden } around = Around::shown;  ///< what the patch does not replace
 };
 

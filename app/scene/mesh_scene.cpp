@@ -122,6 +122,7 @@ MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
   impl_->ghosts.surface().set_edges(Edges::shown);
   impl_->marked.surface().set_shading(Shading::plain);
   impl_->loops.add_to(impl_->renderer);
+  for (vtkActor* line : impl_->loops.actors()) impl_->renderer->add_still(line);
   impl_->legend.add_to(impl_->renderer);
   impl_->legend.hide();
   set_background(Background::light);
@@ -233,11 +234,13 @@ void MeshScene::set_marked(ShapePtr shape) {
 }
 
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
+  impl_->renderer->still_changed();
   impl_->line_for_warmth = false;
   impl_->loops.set_lines(loops);
 }
 
 bool MeshScene::warm_up_next() {
+  impl_->renderer->still_changed();
   constexpr std::pair<Shading, Edges> programs[] = {{Shading::curvature, Edges::hidden},
                                                     {Shading::zebra, Edges::hidden},
                                                     {Shading::curvature, Edges::shown},
@@ -285,7 +288,10 @@ void MeshScene::set_edges(Edges edges) {
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_edges(edges); });
 }
 
-void MeshScene::set_seams(Seams seams) { impl_->loops.set_visible(seams); }
+void MeshScene::set_seams(Seams seams) {
+  impl_->renderer->still_changed();
+  impl_->loops.set_visible(seams);
+}
 
 void MeshScene::set_stripes(int count) {
   impl_->renderer->still_changed();
@@ -346,6 +352,7 @@ void MeshScene::set_ground(Ground ground) {
 }
 
 void MeshScene::set_pixel_ratio(double ratio) {
+  impl_->renderer->still_changed();
   impl_->legend.set_pixel_ratio(ratio);
   impl_->loops.set_pixel_ratio(ratio);
   impl_->update_legend();

@@ -33,7 +33,12 @@ StillRenderer::Key StillRenderer::key() {
   int width = 0, height = 0, left = 0, bottom = 0;
   GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   const auto whole = [](int n) { return static_cast<vtkMTimeType>(n); };
-  return {GetActiveCamera()->GetMTime(), whole(width), whole(height), whole(left), whole(bottom), version_,
+  return {GetActiveCamera()->GetMTime(),
+          whole(width),
+          whole(height),
+          whole(left),
+          whole(bottom),
+          version_,
           whole(GetRenderWindow()->GetSize()[0]) << 16 | whole(GetRenderWindow()->GetSize()[1])};
 }
 

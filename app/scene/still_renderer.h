@@ -16,8 +16,7 @@ namespace loopmend {
 class StillRenderer : public vtkOpenGLRenderer {
  public:
   static StillRenderer* New();
-  vtkTypeMacro(StillRenderer, vtkOpenGLRenderer)
-  StillRenderer(const StillRenderer&) = delete;
+  vtkTypeMacro(StillRenderer, vtkOpenGLRenderer) StillRenderer(const StillRenderer&) = delete;
   void operator=(const StillRenderer&) = delete;
 
   /// Something is about to move in front of what stands still, or nothing is any more. What was kept is used either way.

@@ -211,7 +211,8 @@ void CompareTest::pictures_of_any_size() {
       for (int x = part.left(); x <= part.right(); ++x) count += qAlpha(image.pixel(x, y)) == 255;
     return count;
   };
-  const QRect strip(words.width() - 20, words.height() / 3, 20, words.height() / 3), heading(0, 0, words.width() / 2, 16);
+  const QRect strip(words.width() - 20, words.height() / 3, 20, words.height() / 3),
+      heading(0, 0, words.width() / 2, 16);
   QCOMPARE(qAlpha(words.pixel(2, words.height() - 8)), 0);
   QVERIFY(opaque(words, words.rect()) > words.width() * words.height() / 20);
   QVERIFY(opaque(words, heading) > 0);
@@ -235,8 +236,9 @@ void CompareTest::the_command_in_the_clipboard_does_the_same() {
   const QString folder = QFileInfo(ball_file(folder_)).dir().filePath(QStringLiteral("ball-flows"));
   QCOMPARE(command, QStringLiteral("loopmend compare %1 -o %2").arg(ball_file(folder_), folder));
   QProcess shell;
-  shell.start(QStringLiteral("sh"), {QStringLiteral("-c"), command.replace(QStringLiteral("loopmend compare"),
-                                                                           QStringLiteral(LOOPMEND_PROGRAM " compare"))});
+  shell.start(QStringLiteral("sh"),
+              {QStringLiteral("-c"),
+               command.replace(QStringLiteral("loopmend compare"), QStringLiteral(LOOPMEND_PROGRAM " compare"))});
   QVERIFY(shell.waitForFinished(240000));
   QCOMPARE(shell.exitCode(), 0);
   QCOMPARE(content(table), content(folder + QStringLiteral("/table.csv")));

@@ -14,8 +14,8 @@
 #include <QEventLoop>
 #include <QLabel>
 #include <QPushButton>
-#include <QSlider>
 #include <QRegularExpression>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -67,8 +67,8 @@ void measure_hover(MainWindow& window) {
       QCoreApplication::processEvents();
       const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
       sum += ms;
-      moves.push_back({ms, own_work() - cpu, static_cast<double>(before),
-                       static_cast<double>(window.selection().hovered())});
+      moves.push_back(
+          {ms, own_work() - cpu, static_cast<double>(before), static_cast<double>(window.selection().hovered())});
     }
   std::sort(moves.rbegin(), moves.rend());
   std::printf("hover: %.1f ms in the mean of %d moves; the slowest:\n", sum / count, count);
@@ -221,9 +221,10 @@ void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const Su
   int all = 0;
   const Frames now = frames_of(window);
   for (std::size_t k = 0; k < views; ++k) all += now[k] - before[k];
-  std::printf("drawing alone: %.1f pictures a second in each view, %.1f ms of processor time each, surroundings in %d of %d\n",
-              all / seconds(clock) / views, (process_cpu_ms() - cpu) / all,
-              window.pane(0).canvas().surroundings_drawn(), now[0]);
+  std::printf(
+      "drawing alone: %.1f pictures a second in each view, %.1f ms of processor time each, surroundings in %d of %d\n",
+      all / seconds(clock) / views, (process_cpu_ms() - cpu) / all, window.pane(0).canvas().surroundings_drawn(),
+      now[0]);
 }
 
 /// The state, swollen a little.

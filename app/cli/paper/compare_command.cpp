@@ -60,8 +60,7 @@ PosedProblem problem_of(const CompareCommand& command) {
   if (region && !command.loops.empty()) throw UsageError("--loops and a region exclude each other");
   if (!command.region.empty() && !command.where.empty())
     throw UsageError("a region is given by --region FILE or by --where CONDITION: one of the two");
-  if (points && (region || !command.loops.empty()))
-    throw UsageError("--subdivide excludes --loops and regions");
+  if (points && (region || !command.loops.empty())) throw UsageError("--subdivide excludes --loops and regions");
   if (points) return points_problem(command);
   if (region) return region_problem(command);
   return command.inputs.size() > 1 || !command.loops.empty() ? blend_problem(command) : hole_problem(command);

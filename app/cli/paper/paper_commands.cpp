@@ -75,7 +75,8 @@ void add_compare(CLI::App& app, CompareCommand& command) {
   compare->add_option("--region", command.region, "Compare in a region: file of vertex numbers")->type_name("FILE");
   compare->add_option("--where", command.where, "Compare in a region: condition, such as z>0.725")
       ->type_name("CONDITION");
-  compare->add_option("--subdivide", command.subdivide, "Compare through the vertices of a polyhedron, as 'interpolate'")
+  compare
+      ->add_option("--subdivide", command.subdivide, "Compare through the vertices of a polyhedron, as 'interpolate'")
       ->type_name("K")
       ->check(CLI::Range(1, 8));
   compare->add_option("--fixed", command.fixed, "With --subdivide: go through these vertices alone")->type_name("FILE");
