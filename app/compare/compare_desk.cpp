@@ -91,6 +91,7 @@ CompareWindow* CompareDesk::compare_holes(const Look& look) {
   task.source.start = [model = opened->model, holes, density](const CancelToken& cancel) {
     return pose_holes(model, holes, FillerOptions{density}, cancel).problem.start;
   };
+  task.command = holes_words(document_, chosen, density);
   task.source.surroundings = opened->shape;
   task.source.origin = document_.origin();
   task.accept_help = tr("Put this patch into the holes, in place of what is there; can be undone");
@@ -113,6 +114,7 @@ CompareWindow* CompareDesk::compare_trial(Trial& trial, const Look& look) {
   if (!trial.can_compare()) return nullptr;
   CompareTask task;
   task.source = trial.race_source();
+  task.command = trial.command();
   task.accept_help = tr("Take this surface over into the document, in place of what it came from; can be undone");
   task.accept = [at = QPointer<Trial>(&trial)](const LaneState&, const LaneState& lane) {
     return at ? at->adopt(lane) : QString();

@@ -26,18 +26,21 @@ void write(const QString& path, const std::string& text) {
 
 }  // namespace
 
-QImage CompareWindow::picture(const QSize& size) {
+QImage CompareWindow::picture(const PictureOptions& options) {
+  const QSize& size = options.size;
+  const bool words = options.extras != PictureOptions::Extras::none;
+  const bool see_through = options.ground == PictureOptions::Ground::transparent;
   const QWidget& seen = *pages_->parentWidget();
   const double scale = static_cast<double>(size.height()) / std::max(1, seen.height());
-  QImage all(size, QImage::Format_RGB32);
-  all.fill(palette().color(QPalette::Window));
+  QImage all(size, see_through ? QImage::Format_ARGB32 : QImage::Format_RGB32);
+  all.fill(see_through ? QColor(Qt::transparent) : palette().color(QPalette::Window));
   QPainter painter(&all);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double legend = legend_->isVisible() ? legend_->sizeHint().width() * scale : 0;
+  const double legend = words && legend_->isVisible() ? legend_->sizeHint().width() * scale : 0;
   const bool wiping = pages_->currentIndex() == 1;
   const int count = wiping ? 1 : race_.lanes(), columns = count == 4 ? 2 : count, rows = count == 4 ? 2 : 1;
   const double width = (size.width() - legend) / columns, height = static_cast<double>(size.height()) / rows;
-  const double title = wiping ? 0 : 2 * fontMetrics().height() * scale;
+  const double title = wiping || !words ? 0 : 2 * fontMetrics().height() * scale;
   QFont letters = font();
   letters.setPixelSize(std::max(6, static_cast<int>(fontInfo().pixelSize() * scale)));
   for (int lane = 0; lane < count; ++lane) {
@@ -45,10 +48,10 @@ QImage CompareWindow::picture(const QSize& size) {
     const QSize drawn(static_cast<int>(cell.width() - 3 * scale), static_cast<int>(cell.height() - title - 3 * scale));
     if (drawn.isEmpty()) return {};
     FlowPane& shown = *panes_[static_cast<std::size_t>(lane)];
-    const QImage view = (wiping ? *wipe_ : shown.canvas()).picture(drawn);
+    const QImage view = (wiping ? *wipe_ : shown.canvas()).picture(drawn, options.ground);
     if (view.isNull()) return {};
     painter.drawImage(QPointF(cell.left(), cell.top() + title), view);
-    if (wiping) continue;
+    if (title == 0) continue;
     painter.setFont(letters);
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(QRectF(cell.left() + 6 * scale, cell.top(), cell.width() - 12 * scale, title),
@@ -75,7 +78,7 @@ QString CompareWindow::save_numbers(const QString& path) const {
 void CompareWindow::ask_picture() {
   auto* dialog = new PictureDialog(
       {pages_->parentWidget()->size() * devicePixelRatioF(),
-       [this](const PictureOptions& options) { return picture(options.size); }, PictureSource::Offer::size_alone},
+       [this](const PictureOptions& options) { return picture(options); }, PictureSource::Offer::no_axes},
       this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PictureDialog::saved, this,

@@ -5,6 +5,7 @@
 #include "compare/flow_canvas.h"
 #include "compare/flow_pane.h"
 #include "compare/legend_strip.h"
+#include "compare/picture_clock.h"
 #include "document/words.h"
 #include "panels/banner.h"
 #include "panels/parts.h"
@@ -75,7 +76,8 @@ CompareWindow::CompareWindow(FlowRace& race, CompareTask task, const Look& look,
     : QWidget(parent, Qt::Window),
       race_(race),
       task_(std::move(task)),
-      look_(look) {
+      look_(look),
+      clock_(new PictureClock(this)) {
   setObjectName(QStringLiteral("compareWindow"));
   setWindowTitle(tr("Compare flows: %1").arg(race_.title()));
   resize(1280, 840);
@@ -130,6 +132,7 @@ QWidget* CompareWindow::build_run_bar() {
       make_button("comparePicture", tr("Save &picture\u2026"), tr("All views as one PNG of a size you choose"));
   save_numbers_ = make_button("compareNumbers", tr("Save &numbers\u2026"),
                               tr("Table, energies and profiles as CSV, as loopmend compare writes them"));
+  copy_ = make_button("compareCopy", tr("Copy co&mmand line"), tr("Copy the commands that do the same"));
   auto* bar = new QWidget;
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
@@ -137,6 +140,7 @@ QWidget* CompareWindow::build_run_bar() {
   for (QWidget* part : std::initializer_list<QWidget*>{run_, stop_, divider(), count_, mode_, sigma_, sigma_value_})
     row->addWidget(part);
   row->addWidget(wait_, 1);
+  row->addWidget(copy_);
   row->addWidget(save_picture_);
   row->addWidget(save_numbers_);
   return bar;
@@ -198,8 +202,8 @@ QWidget* CompareWindow::build_views() {
   grid_ = new QGridLayout(grid);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(6);
-  for (int number = 0; number < most_views; ++number) panes_.push_back(new FlowPane(number));
-  wipe_ = new FlowCanvas("compareWipeView", FlowCanvas::Sides::two);
+  for (int number = 0; number < most_views; ++number) panes_.push_back(new FlowPane(number, *clock_));
+  wipe_ = new FlowCanvas("compareWipeView", FlowCanvas::Sides::two, *clock_);
   pages_ = new QStackedWidget;
   pages_->addWidget(grid);
   pages_->addWidget(wipe_);
@@ -218,6 +222,7 @@ void CompareWindow::wire() {
   connect(stop_, &QPushButton::clicked, &race_, &FlowRace::stop);
   connect(save_picture_, &QPushButton::clicked, this, &CompareWindow::ask_picture);
   connect(save_numbers_, &QPushButton::clicked, this, &CompareWindow::ask_numbers);
+  connect(copy_, &QPushButton::clicked, this, &CompareWindow::copy_command);
   connect(count_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           [this] { set_view_count(count_->currentData().toInt()); });
   connect(mode_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_use);
@@ -413,12 +418,12 @@ void CompareWindow::frame() {
 
 void CompareWindow::update_wipe() {
   if (!race_.start() || !wiping_->isChecked()) return;
-  const auto shape = [this](const QComboBox* box) {
+  int side = 0;
+  for (const QComboBox* box : {left_, right_}) {
     const int at = box->currentIndex() - 1;
-    return at < 0 || at >= race_.lanes() ? race_.start()->shape : race_.lane(at)->shape;
-  };
-  wipe_->show_patch(0, shape(left_));
-  wipe_->show_patch(1, shape(right_));
+    const LaneState& lane = at < 0 || at >= race_.lanes() ? *race_.start() : *race_.lane(at);
+    wipe_->show_patch(side++, lane.shape, arrival_of(lane));
+  }
 }
 
 void CompareWindow::accept(int lane) {
@@ -428,6 +433,12 @@ void CompareWindow::accept(int lane) {
   } catch (const std::exception& error) {
     banner_->show_problem(QString::fromUtf8(error.what()));
   }
+}
+
+void CompareWindow::copy_command() {
+  std::vector<FlowKind> flows;
+  for (int lane = 0; lane < race_.lanes(); ++lane) flows.push_back(race_.flow(lane));
+  banner_->show_notice(copy_to_clipboard(comparing_command(task_.command, options(), flows)));
 }
 
 void CompareWindow::keyPressEvent(QKeyEvent* event) {

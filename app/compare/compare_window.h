@@ -2,6 +2,8 @@
 // Flows side by side: a window of its own, beside the main one.
 #pragma once
 
+#include "dialogs/picture_dialog.h"
+#include "document/problem_commands.h"
 #include "jobs/flow_race.h"
 #include "scene/look.h"
 
@@ -25,11 +27,13 @@ class CompareNumbers;
 class FlowCanvas;
 class FlowPane;
 class LegendStrip;
+class PictureClock;
 
 /// What a comparison is about, and what becomes of its winner.
 struct CompareTask {
   RaceSource source;
-  QString accept_help;  ///< what taking a result over does, in words
+  ProblemWords command;  ///< the same for a shell
+  QString accept_help;   ///< what taking a result over does, in words
   std::function<QString(const LaneState& start, const LaneState& lane)>
       accept;  ///< does it. @returns what to tell the person
 };
@@ -44,10 +48,11 @@ class CompareWindow : public QWidget {
   void run();
   /// Now, or as soon as the start is there.
   void run_when_ready();
-  /// All views with captions and the legend, device pixels. Null when the graphics cannot.
-  QImage picture(const QSize& size);
+  /// All views; with captions and the legend unless the surfaces alone are wanted. Null when the graphics cannot.
+  QImage picture(const PictureOptions& options);
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
   QString save_numbers(const QString& path) const;
+  const FlowRace& race() const { return race_; }
   FlowPane& pane(int number) { return *panes_[static_cast<std::size_t>(number)]; }
   FlowCanvas& wipe() { return *wipe_; }
 
@@ -75,12 +80,14 @@ class CompareWindow : public QWidget {
   void accept(int lane);
   void ask_picture();
   void ask_numbers();
+  void copy_command();
   EvolutionOptions options() const;
   std::vector<FlowCanvas*> canvases() const;
 
   FlowRace& race_;
   CompareTask task_;
   Look look_;
+  PictureClock* clock_;
   double range_ = 1;
   bool faced_ = false, run_soon_ = false;
   std::vector<FlowPane*> panes_;
@@ -90,7 +97,7 @@ class CompareWindow : public QWidget {
   LegendStrip* legend_ = nullptr;
   CompareNumbers* numbers_ = nullptr;
   Banner* banner_ = nullptr;
-  QPushButton *run_ = nullptr, *stop_ = nullptr, *save_picture_ = nullptr, *save_numbers_ = nullptr;
+  QPushButton *run_ = nullptr, *stop_ = nullptr, *save_picture_ = nullptr, *save_numbers_ = nullptr, *copy_ = nullptr;
   QComboBox *mode_ = nullptr, *count_ = nullptr, *shading_ = nullptr, *left_ = nullptr, *right_ = nullptr;
   QSlider *sigma_ = nullptr, *stripes_ = nullptr;
   QLabel *sigma_value_ = nullptr, *wait_ = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/flow_canvas.h"
 
+#include "compare/picture_clock.h"
 #include "scene/mesh_scene.h"
 #include "scene/view_direction.h"
 #include "views/turn_style.h"
@@ -15,10 +16,9 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
+#include <QPointer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -61,16 +61,19 @@ class LineSheet : public QWidget {
 }  // namespace
 
 struct FlowCanvas::Impl {
+  explicit Impl(PictureClock& c) : clock(&c) {}
+
+  QPointer<PictureClock> clock;  ///< both belong to the same window, and go in any order
   QVTKOpenGLNativeWidget* canvas = nullptr;
   LineSheet* sheet = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   std::vector<std::unique_ptr<MeshScene>> scenes;
   std::array<vtkMTimeType, 2> seen{};
   CameraPose pose;
-  QTimer redraw_timer;
   Look look;
   double line = 0.5;
   int frames = 0;
+  bool moving = false;   ///< towards the next state
   bool placing = false;  ///< the camera is moved by us, not by the person
   enum class Drag { none, line } drag = Drag::none;
 
@@ -78,9 +81,9 @@ struct FlowCanvas::Impl {
   double aspect() const { return static_cast<double>(canvas->width()) / std::max(1, canvas->height()); }
 };
 
-FlowCanvas::FlowCanvas(const char* name, Sides sides, QWidget* parent)
+FlowCanvas::FlowCanvas(const char* name, Sides sides, PictureClock& clock, QWidget* parent)
     : QWidget(parent),
-      impl_(std::make_unique<Impl>()) {
+      impl_(std::make_unique<Impl>(clock)) {
   setObjectName(QLatin1String(name));
   setMinimumSize(140, 100);
   impl_->canvas = new QVTKOpenGLNativeWidget(this);
@@ -103,27 +106,28 @@ FlowCanvas::FlowCanvas(const char* name, Sides sides, QWidget* parent)
   }
   impl_->window->GetInteractor()->SetInteractorStyle(make_turn_style());
   impl_->window->AddObserver(vtkCommand::StartEvent, this, &FlowCanvas::before_drawing);
-  impl_->redraw_timer.setSingleShot(true);
-  impl_->redraw_timer.setInterval(0);
-  connect(&impl_->redraw_timer, &QTimer::timeout, this, &FlowCanvas::draw);
   update_palette();
   place_sides();
 }
 
-FlowCanvas::~FlowCanvas() = default;
+FlowCanvas::~FlowCanvas() {
+  if (impl_->clock) impl_->clock->forget(this);
+}
 
 QWidget* FlowCanvas::canvas() const { return impl_->canvas; }
 
 int FlowCanvas::frames() const { return impl_->frames; }
+int FlowCanvas::surroundings_drawn() const { return impl_->scenes.front()->still_drawn(); }
+bool FlowCanvas::is_moving() const { return impl_->moving; }
 
 void FlowCanvas::set_surroundings(std::shared_ptr<const SurfaceShape> shape) {
   for (auto& scene : impl_->scenes) shape ? scene->set_scan(0, shape) : scene->keep_scans({});
   redraw();
 }
 
-void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape) {
+void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival) {
   MeshScene& scene = *impl_->scenes[static_cast<std::size_t>(side)];
-  shape ? scene.set_patch(0, std::move(shape)) : scene.keep_patches({});
+  shape ? scene.set_patch(0, std::move(shape), arrival) : scene.keep_patches({});
   redraw();
 }
 
@@ -140,20 +144,15 @@ void FlowCanvas::set_look(const Look& look, double half_width) {
   redraw();
 }
 
-void FlowCanvas::redraw() {
-  if (!impl_->redraw_timer.isActive()) impl_->redraw_timer.start();
-}
+void FlowCanvas::redraw() { impl_->clock->wish(this); }
 
 void FlowCanvas::draw() {
   if (!isVisible()) return;
-  for (auto& scene : impl_->scenes) scene->update();
-  QElapsedTimer clock;
-  clock.start();
+  impl_->moving = false;
+  for (auto& scene : impl_->scenes) impl_->moving = scene->update() || impl_->moving;
   impl_->window->Render();
   ++impl_->frames;
-  // Where drawing is slow, everything else of the window gets its share of the time before the next picture.
-  constexpr qint64 longest_wait_ms = 40;
-  impl_->redraw_timer.setInterval(static_cast<int>(std::min(longest_wait_ms, clock.elapsed() / 3)));
+  if (impl_->moving) redraw();
 }
 
 /// One eye for both sides: the side that the person turned leads.
@@ -168,7 +167,7 @@ void FlowCanvas::before_drawing() {
   for (std::size_t side = 0; side < impl_->scenes.size(); ++side) {
     vtkCamera* camera = impl_->camera(side);
     if (moved) apply(impl_->pose, camera);
-    impl_->scenes[side]->renderer()->ResetCameraClippingRange();
+    impl_->scenes[side]->fit_depths();
     impl_->seen[side] = camera->GetMTime();
   }
   if (moved && !impl_->placing) Q_EMIT turned();
@@ -180,7 +179,7 @@ void FlowCanvas::set_pose(const CameraPose& pose) {
   impl_->pose = pose;
   for (std::size_t side = 0; side < impl_->scenes.size(); ++side) {
     apply(pose, impl_->camera(side));
-    impl_->scenes[side]->renderer()->ResetCameraClippingRange();
+    impl_->scenes[side]->fit_depths();
     impl_->seen[side] = impl_->camera(side)->GetMTime();
   }
   redraw();
@@ -245,11 +244,16 @@ bool FlowCanvas::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-QImage FlowCanvas::picture(const QSize& size) {
+QImage FlowCanvas::picture(const QSize& size, PictureOptions::Ground ground) {
+  const bool see_through = ground == PictureOptions::Ground::transparent;
   impl_->canvas->makeCurrent();
   const QSize old = impl_->canvas->size() * impl_->canvas->devicePixelRatioF();
   impl_->window->SetSize(size.width(), size.height());
-  for (auto& scene : impl_->scenes) scene->update();
+  for (auto& scene : impl_->scenes) {
+    scene->arrive();
+    scene->set_ground(see_through ? MeshScene::Ground::transparent : MeshScene::Ground::shown);
+  }
+  impl_->window->SetAlphaBitPlanes(1);
   impl_->window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   impl_->window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, pixels);
@@ -257,7 +261,8 @@ QImage FlowCanvas::picture(const QSize& size) {
   if (pixels->GetNumberOfTuples() == static_cast<vtkIdType>(size.width()) * size.height())
     picture = QImage(pixels->GetPointer(0), size.width(), size.height(), QImage::Format_RGBA8888)
                   .mirrored()
-                  .convertToFormat(QImage::Format_RGB32);
+                  .convertToFormat(see_through ? QImage::Format_ARGB32 : QImage::Format_RGB32);
+  for (auto& scene : impl_->scenes) scene->set_ground(MeshScene::Ground::shown);
   impl_->window->SetSize(old.width(), old.height());
   redraw();
   return picture;

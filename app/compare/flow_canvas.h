@@ -3,7 +3,9 @@
 #pragma once
 
 #include "scene/look.h"
+#include "scene/shape_glide.h"
 #include "views/camera_flight.h"
+#include "views/mesh_view.h"
 
 #include <QImage>
 #include <QWidget>
@@ -12,6 +14,7 @@
 
 namespace loopmend {
 
+class PictureClock;
 struct SurfaceShape;
 
 class FlowCanvas : public QWidget {
@@ -19,12 +22,13 @@ class FlowCanvas : public QWidget {
 
  public:
   enum class Sides { one, two };
-  FlowCanvas(const char* name, Sides sides, QWidget* parent = nullptr);
+  /// @param clock  lives longer; says when to draw.
+  FlowCanvas(const char* name, Sides sides, PictureClock& clock, QWidget* parent = nullptr);
   ~FlowCanvas() override;
 
   void set_surroundings(std::shared_ptr<const SurfaceShape> shape);
   /// @param side  0, or 1 for what is right of the line.
-  void show_patch(int side, std::shared_ptr<const SurfaceShape> shape);
+  void show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
   /// @param half_width  of the colour range, in force instead of the look's own.
   void set_look(const Look& look, double half_width);
 
@@ -37,13 +41,18 @@ class FlowCanvas : public QWidget {
   double line() const;
   void set_line(double share);
 
-  /// Queued: several wishes make one picture.
+  /// When the clock says so: several wishes make one picture.
   void redraw();
+  /// Now; for the clock.
+  void draw();
   /// Drawn anew at another size, device pixels. Null when the graphics cannot.
-  QImage picture(const QSize& size);
+  QImage picture(const QSize& size, PictureOptions::Ground ground = PictureOptions::Ground::as_seen);
   QWidget* canvas() const;
-  /// How many pictures were drawn so far; for measurements.
+  /// For tests and measurements: how many pictures were drawn so far, how many of them kept the surroundings for the
+  /// next ones, and whether the patch is between two states.
   int frames() const;
+  int surroundings_drawn() const;
+  bool is_moving() const;
 
  Q_SIGNALS:
   /// The person has turned or moved it.
@@ -57,7 +66,6 @@ class FlowCanvas : public QWidget {
 
  private:
   struct Impl;
-  void draw();
   void before_drawing();
   void update_palette();
   void place_sides();

@@ -34,6 +34,16 @@ QString stage_words(const LaneState& lane) {
 
 }  // namespace
 
+Arrival arrival_of(const LaneState& lane) {
+  switch (lane.stage) {
+    case LaneState::Stage::start: return Arrival::at_once;
+    case LaneState::Stage::moving: return Arrival::with_the_next;
+    case LaneState::Stage::ended:
+    case LaneState::Stage::stopped: break;
+  }
+  return Arrival::soon;
+}
+
 int ink_of(FlowKind flow) {
   switch (flow) {
     case FlowKind::mcf: return 2;
@@ -44,7 +54,7 @@ int ink_of(FlowKind flow) {
   return 0;
 }
 
-FlowPane::FlowPane(int number, QWidget* parent)
+FlowPane::FlowPane(int number, PictureClock& clock, QWidget* parent)
     : QWidget(parent),
       flow_(new QComboBox),
       swatch_(new QLabel),
@@ -55,7 +65,7 @@ FlowPane::FlowPane(int number, QWidget* parent)
   flow_->setObjectName(named("paneFlow"));
   accept_->setObjectName(named("paneAccept"));
   figures_->setObjectName(named("paneFigures"));
-  canvas_ = new FlowCanvas(named("paneView").toLatin1().constData(), FlowCanvas::Sides::one);
+  canvas_ = new FlowCanvas(named("paneView").toLatin1().constData(), FlowCanvas::Sides::one, clock);
   explain(flow_, tr("Flow"), tr("Which flow this view shows"));
   for (FlowKind kind : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
     flow_->addItem(words::flow_name(kind), static_cast<int>(kind));
@@ -112,7 +122,7 @@ void FlowPane::show_lane(const LaneState& lane, const QString& accepting) {
   figures_->setToolTip(in_full);
   can_accept_ = !accepting.isEmpty() && lane.stage != LaneState::Stage::start && lane.stage != LaneState::Stage::moving;
   accept_->setToolTip(accepting.isEmpty() ? tr("Run the flows first") : accepting);
-  canvas_->show_patch(0, lane.shape);
+  canvas_->show_patch(0, lane.shape, arrival_of(lane));
 }
 
 QString FlowPane::caption() const { return flow_->currentText() + QStringLiteral("   ") + words_; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "jobs/flow_race.h"
+#include "scene/shape_glide.h"
 
 #include <QWidget>
 
@@ -13,12 +14,13 @@ class QPushButton;
 namespace loopmend {
 
 class FlowCanvas;
+class PictureClock;
 
 class FlowPane : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FlowPane(int number, QWidget* parent = nullptr);
+  FlowPane(int number, PictureClock& clock, QWidget* parent = nullptr);
 
   void show_flow(FlowKind flow);
   /// @param accepting  what taking it over would do, in words; empty: it cannot be taken over.
@@ -45,6 +47,9 @@ class FlowPane : public QWidget {
   QString words_;
   bool can_accept_ = false;
 };
+
+/// How a picture comes to this state: a flow at work moves on evenly.
+Arrival arrival_of(const LaneState& lane);
 
 /// The colour that stands for a flow in plots and headings; see plot_ink().
 int ink_of(FlowKind flow);

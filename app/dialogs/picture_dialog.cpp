@@ -65,9 +65,17 @@ void PictureDialog::build() {
   ground_->addItem(tr("As on the screen"), static_cast<int>(PictureOptions::Ground::as_seen));
   ground_->addItem(tr("Transparent"), static_cast<int>(PictureOptions::Ground::transparent));
   extras_ = combo("pictureExtras", tr("With"), tr("What is drawn beside the surface"));
-  extras_->addItem(tr("Legend, axes and scale bar"), static_cast<int>(PictureOptions::Extras::legend_axes_scale));
-  extras_->addItem(tr("Legend"), static_cast<int>(PictureOptions::Extras::legend));
-  extras_->addItem(tr("The surface alone"), static_cast<int>(PictureOptions::Extras::none));
+  const auto offer = [this](const QString& text, PictureOptions::Extras what) {
+    extras_->addItem(text, static_cast<int>(what));
+  };
+  if (source_.offer == PictureSource::Offer::everything) {
+    offer(tr("Legend, axes and scale bar"), PictureOptions::Extras::legend_axes_scale);
+    offer(tr("Legend"), PictureOptions::Extras::legend);
+    offer(tr("The surface alone"), PictureOptions::Extras::none);
+  } else {
+    offer(tr("Headings and legend"), PictureOptions::Extras::legend);
+    offer(tr("The surfaces alone"), PictureOptions::Extras::none);
+  }
   trouble_ = new QLabel;
   trouble_->setObjectName(QStringLiteral("pictureTrouble"));
   trouble_->setWordWrap(true);
@@ -87,15 +95,8 @@ void PictureDialog::build() {
   form->setVerticalSpacing(10);
   form->addRow(tr("Si&ze"), size_);
   form->addRow(QString(), both);
-  if (source_.offer == PictureSource::Offer::everything) {
-    form->addRow(tr("&Ground"), ground_);
-    form->addRow(tr("&With"), extras_);
-  } else {
-    for (QWidget* unused : {ground_, extras_}) {
-      unused->setParent(this);
-      unused->hide();
-    }
-  }
+  form->addRow(tr("&Ground"), ground_);
+  form->addRow(tr("&With"), extras_);
   form->addRow(trouble_);
   form->addRow(buttons);
 }

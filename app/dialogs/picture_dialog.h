@@ -17,7 +17,7 @@ namespace loopmend {
 struct PictureSource {
   QSize seen;                                         ///< device pixels on the screen
   std::function<QImage(const PictureOptions&)> draw;  ///< null image when the graphics cannot
-  enum class Offer { everything, size_alone } offer = Offer::everything;
+  enum class Offer { everything, no_axes } offer = Offer::everything;
 };
 
 class PictureDialog : public QDialog {

@@ -1,11 +1,9 @@
 #include "document/command_line.h"
 
+#include "document/shell_words.h"
 #include "document/words.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileInfo>
-#include <QLocale>
 
 #include <algorithm>
 #include <tuple>
@@ -15,37 +13,14 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("loopmend::ScanCommands", text); }
 
-/// The shortest decimal that reads back as the same double.
-QString exact(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
-
-QString quoted(const QString& path) {
-  static const QString plain = QStringLiteral("_-./,:=+@%");
-  const bool simple = !path.isEmpty() && std::all_of(path.begin(), path.end(), [](QChar c) {
-    return (c.unicode() < 128 && c.isLetterOrNumber()) || plain.contains(c);
-  });
-  if (simple) return path;
-  QString inside = path;
-  return QLatin1Char('\'') + inside.replace(QLatin1Char('\''), QStringLiteral("'\\''")) + QLatin1Char('\'');
-}
-
-QString word(FlowKind flow) {
-  switch (flow) {
-    case FlowKind::mcf: return QStringLiteral("mcf");
-    case FlowKind::sdf: return QStringLiteral("sdf");
-    case FlowKind::wf: return QStringLiteral("wf");
-    case FlowKind::mmcvf: return QStringLiteral("mmcvf");
-  }
-  return {};
-}
-
 /// The options of `loopmend fill` for a recipe; only the last run where there are several.
 QString options_of(const PatchRecipe& recipe) {
   QString text;
-  if (recipe.density != 1) text += QStringLiteral(" --density ") + exact(recipe.density);
+  if (recipe.density != 1) text += QStringLiteral(" --density ") + shell::exact(recipe.density);
   if (recipe.runs.empty()) return text + QStringLiteral(" --flow none");
   const RunRecipe& run = recipe.runs.back();
-  text += QStringLiteral(" --flow ") + word(run.flow);
-  if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + exact(run.sigma);
+  text += QStringLiteral(" --flow ") + shell::word(run.flow);
+  if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + shell::exact(run.sigma);
   if (run.mode == EvolutionMode::steps || run.end == RunRecipe::End::after_steps)
     text += QStringLiteral(" --steps ") + QString::number(run.steps);
   return text;
@@ -89,20 +64,15 @@ class ScanCommands {
 
   QString text() const {
     const bool sample = scan_.from == ScanOrigin::sample;
-    const QString file = sample                           ? QStringLiteral("sample.ply")
-                         : scan_.from == ScanOrigin::made ? QStringLiteral("surface.ply")
-                                                          : QDir::toNativeSeparators(scan_.path);
-    const QFileInfo info(file);
-    const QString base = info.path() == QStringLiteral(".") ? QString() : info.path() + QLatin1Char('/');
-    const QString output = base + info.completeBaseName() + QStringLiteral("-filled.ply");
+    const QString file = shell::file_of(scan_), output = shell::beside(file, QStringLiteral("-filled.ply"));
     QStringList lines;
     if (sample) lines << QStringLiteral("loopmend sample -o sample.ply");
     QString input = file;
     for (const auto& [options, loops] : by_options_) {
       // Numbers change when loops are filled; vertices of the input keep theirs.
       const QString which = input == file ? by_number(loops) : by_vertex(loops);
-      lines << QStringLiteral("loopmend fill ") + quoted(input) + QStringLiteral(" -o ") + quoted(output) + which +
-                   options;
+      lines << QStringLiteral("loopmend fill ") + shell::quoted(input) + QStringLiteral(" -o ") +
+                   shell::quoted(output) + which + options;
       input = output;
     }
     return lines.join(QLatin1Char('\n'));

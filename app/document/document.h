@@ -75,6 +75,7 @@ class Document : public QObject {
   void set_states(const std::map<int, PatchStatePtr>& states);
   void set_timeline(int id, TimelinePtr timeline);
   void set_running(const std::set<int>& ids);
+  bool is_running(int patch_id) const { return running_.contains(patch_id); }
   void add_failures(const std::map<int, std::string>& words_by_loop);
   void forget_failures(const std::set<int>& loops);
 

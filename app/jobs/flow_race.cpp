@@ -213,7 +213,6 @@ void FlowRace::run(const EvolutionOptions& base) {
   Q_EMIT stage_changed();
   for (int lane = 0; lane < lanes(); ++lane)
     tasks_.start([work = Lane(this, lane, base, post)] {
-      yield_to_window();
       try {
         work.go();
       } catch (const std::exception& error) {

@@ -41,9 +41,7 @@ class Job {
 };
 using JobPtr = std::shared_ptr<Job>;
 
-/// From a worker: it steps back behind the window's thread when both want the processor.
-void yield_to_window();
-
+/// Workers, and the threads that they start, step back behind the window's thread when both want the processor.
 class TaskRunner {
  public:
   TaskRunner() = default;

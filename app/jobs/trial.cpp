@@ -141,6 +141,7 @@ void Trial::on_posed(std::shared_ptr<const TrialBase> base, std::shared_ptr<cons
   picture_.hidden_scans = {wish_.scans.begin(), wish_.scans.end()};
   picture_.backdrop = std::move(backdrop);
   picture_.patch = start_shape_;
+  picture_.arrival = Arrival::at_once;
   QString words = tr("%1 free vertices.").arg(words::count(static_cast<std::size_t>(free_vertices())));
   if (!posed_->remark.empty()) words += QLatin1Char(' ') + words::sentence(text(posed_->remark)) + QLatin1Char('.');
   go_to(Stage::posed, words);
@@ -153,6 +154,7 @@ void Trial::evolve(const EvolutionOptions& options) {
   made_.reset();
   job_ = std::make_shared<Job>(this);
   picture_.patch = start_shape_;
+  picture_.arrival = Arrival::at_once;
   Q_EMIT picture_changed();
   go_to(Stage::evolving, tr("%1 at work\u2026").arg(words::flow_name(options.flow)));
   tasks_.start([this, job = job_, posed = posed_, options, origin = document_.origin(), name = wish_.made_name] {
@@ -191,6 +193,7 @@ void Trial::show_state(const std::shared_ptr<Post>& post) {
   {
     const std::lock_guard lock(post->mutex);
     picture_.patch = std::exchange(post->newest, nullptr);
+    picture_.arrival = Arrival::with_the_next;
     step = post->step;
     energy = post->energy;
     vertices = post->free_vertices;
@@ -204,6 +207,7 @@ void Trial::on_solved(std::shared_ptr<const Solution> solution, const OpenedScan
   job_.reset();
   if (!made) {
     picture_.patch = start_shape_;
+    picture_.arrival = Arrival::at_once;
     fail(text(solution->refusal) + QLatin1Char('.'), Stage::posed);
     Q_EMIT picture_changed();
     return;
@@ -211,6 +215,7 @@ void Trial::on_solved(std::shared_ptr<const Solution> solution, const OpenedScan
   solution_ = std::move(solution);
   made_ = made;
   picture_.patch = std::move(shape);
+  picture_.arrival = Arrival::soon;
   const bool rest = solution_->status == EvolutionStatus::converged;
   QString words = (rest ? tr("At rest after %1 steps, energy %2 \u2192 %3.") : tr("%1 steps, energy %2 \u2192 %3."))
                       .arg(solution_->steps)
@@ -230,6 +235,7 @@ void Trial::cancel() {
     return;
   }
   picture_.patch = start_shape_;
+  picture_.arrival = Arrival::at_once;
   go_to(Stage::posed, tr("Cancelled."));
   Q_EMIT picture_changed();
 }

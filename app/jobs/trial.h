@@ -4,6 +4,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/problem_commands.h"
 #include "jobs/flow_race.h"
 #include "jobs/workbench.h"
 #include "problems/problem.h"
@@ -27,6 +28,7 @@ struct TrialWish {
   std::vector<int> scans;
   /// Called on a worker with the scans as one surface; may throw Error in words.
   std::function<PosedProblem(const TrialBase& base, const CancelToken& cancel)> pose;
+  ProblemWords command;                                        ///< the same for a shell
   enum class Around { shown, hidden } around = Around::shown;  ///< what the patch does not replace
 };
 
@@ -59,6 +61,7 @@ class Trial : public QObject {
   /// The same problem for a comparison of flows; its winner comes into the document likewise.
   bool can_compare() const { return posed_ != nullptr && !busy(); }
   RaceSource race_source() const;
+  const ProblemWords& command() const { return wish_.command; }
   /// @returns what to tell the person.
   QString adopt(const LaneState& lane);
   bool shut_down(std::chrono::milliseconds at_most);

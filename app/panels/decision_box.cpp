@@ -1,15 +1,13 @@
 #include "panels/decision_box.h"
 
-#include "document/command_line.h"
+#include "document/problem_commands.h"
 #include "document/targets.h"
 #include "document/timeline.h"
 #include "document/words.h"
 #include "jobs/workbench.h"
 #include "panels/parts.h"
 
-#include <QClipboard>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
@@ -85,10 +83,7 @@ void DecisionBox::reject() {
 
 void DecisionBox::copy_command() {
   if (!copy_->isEnabled()) return;
-  const CommandLine command = command_line(document_, chosen_patches(document_, selection_));
-  QGuiApplication::clipboard()->setText(command.text);
-  Q_EMIT notice(tr("The command line is in the clipboard.") +
-                (command.remarks.isEmpty() ? QString() : QLatin1Char(' ') + command.remarks.join(QLatin1Char(' '))));
+  Q_EMIT notice(copy_to_clipboard(command_line(document_, chosen_patches(document_, selection_))));
 }
 
 void DecisionBox::scrub(int place) {

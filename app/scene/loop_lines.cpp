@@ -76,9 +76,10 @@ LoopLines::LoopLines() {
 
 LoopLines::~LoopLines() = default;
 
+std::vector<vtkActor*> LoopLines::actors() const { return {thin_casing_, thin_core_, bold_casing_, bold_core_}; }
+
 void LoopLines::add_to(vtkRenderer* renderer) {
-  for (vtkActor* actor : {thin_casing_.Get(), thin_core_.Get(), bold_casing_.Get(), bold_core_.Get()})
-    renderer->AddActor(actor);
+  for (vtkActor* actor : actors()) renderer->AddActor(actor);
 }
 
 void LoopLines::set_lines(const std::vector<LoopLine>& lines) {
@@ -87,8 +88,7 @@ void LoopLines::set_lines(const std::vector<LoopLine>& lines) {
 }
 
 void LoopLines::set_visible(Seams seams) {
-  for (vtkActor* actor : {thin_casing_.Get(), thin_core_.Get(), bold_casing_.Get(), bold_core_.Get()})
-    actor->SetVisibility(seams == Seams::shown);
+  for (vtkActor* actor : actors()) actor->SetVisibility(seams == Seams::shown);
 }
 
 void LoopLines::set_pixel_ratio(double ratio) {

@@ -26,6 +26,7 @@ class LoopLines {
   LoopLines();
   ~LoopLines();
   void add_to(vtkRenderer* renderer);
+  std::vector<vtkActor*> actors() const;
   void set_lines(const std::vector<LoopLine>& lines);
   void set_visible(Seams seams);
   /// Device pixels per logical pixel: widths follow.

@@ -2,9 +2,11 @@
 
 #include "scene/color_table.h"
 #include "scene/patch_batch.h"
+#include "scene/still_renderer.h"
 #include "scene/surface_actor.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkLookupTable.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -38,10 +40,15 @@ ShapePtr speck() {
 }  // namespace
 
 struct MeshScene::Impl {
-  vtkNew<vtkRenderer> renderer, legend_renderer;
+  vtkNew<StillRenderer> renderer;
+  vtkNew<vtkRenderer> legend_renderer;
   vtkSmartPointer<vtkLookupTable> table = make_diverging_table();
   std::map<int, std::unique_ptr<SurfaceActor>> scans;
-  std::map<int, ShapePtr> patch_shapes;
+  struct PatchGoal {
+    ShapePtr shape;
+    Arrival arrival = Arrival::at_once;
+  };
+  std::map<int, PatchGoal> patch_shapes;
   std::map<int, std::unique_ptr<SurfaceActor>> patches;
   PatchBatch batch{table}, ghosts{table}, marked{table};
   LoopLines loops;
@@ -51,7 +58,9 @@ struct MeshScene::Impl {
   Edges edges = Edges::hidden;
   int stripes = 9;
   int width = 1, height = 1;
-  bool patches_changed = false;
+  bool patches_changed = false, moving = false;
+  std::array<double, 6> depths_for{};     ///< the box that the camera's depths were fitted to
+  vtkMTimeType depths_seen = 0;           ///< the camera's, then
   std::size_t warmed_up = 0;              ///< how many programs
   std::unique_ptr<SurfaceActor> warming;  ///< drawn for its program's sake
   bool line_for_warmth = false;           ///< among the loops
@@ -82,17 +91,18 @@ struct MeshScene::Impl {
       legend.hide();
     }
   }
-  void distribute_patches() {
+  void distribute_patches(SurfaceActor::Clock::time_point now) {
     PatchBatch::Shapes together;
     const bool many = patch_shapes.size() > most_single_patches;
-    for (const auto& [id, shape] : patch_shapes) {
+    for (const auto& [id, goal] : patch_shapes) {
+      const ShapePtr& shape = goal.shape;
       if (many && shape->points.size() / 3 <= small_patch_points) {
         together.emplace(id, shape);
         continue;
       }
       auto& patch = patches[id];
       if (!patch) patch = make(SurfaceActor::Role::patch);
-      patch->set_shape(shape);
+      patch->set_shape(shape, goal.arrival, now);
     }
     std::erase_if(patches, [&](const auto& entry) {
       if (patch_shapes.contains(entry.first) && !together.contains(entry.first)) return false;
@@ -112,6 +122,7 @@ MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
   impl_->ghosts.surface().set_edges(Edges::shown);
   impl_->marked.surface().set_shading(Shading::plain);
   impl_->loops.add_to(impl_->renderer);
+  for (vtkActor* line : impl_->loops.actors()) impl_->renderer->add_still(line);
   impl_->legend.add_to(impl_->renderer);
   impl_->legend.hide();
   set_background(Background::light);
@@ -131,14 +142,20 @@ void MeshScene::clear() {
 
 void MeshScene::set_scan(int index, ShapePtr shape) {
   auto& scan = impl_->scans[index];
-  if (!scan) scan = impl_->make(SurfaceActor::Role::scan);
+  if (!scan) {
+    scan = impl_->make(SurfaceActor::Role::scan);
+    impl_->renderer->add_still(scan->actor());
+  }
+  if (shape.get() == scan->shape()) return;
   scan->set_shape(std::move(shape));
+  impl_->renderer->still_changed();
   impl_->update_legend();
 }
 
 void MeshScene::keep_scans(const std::vector<int>& indices) {
   std::erase_if(impl_->scans, [&](const auto& entry) {
     if (std::find(indices.begin(), indices.end(), entry.first) != indices.end()) return false;
+    impl_->renderer->remove_still(entry.second->actor());
     impl_->renderer->RemoveActor(entry.second->actor());
     return true;
   });
@@ -152,10 +169,11 @@ void MeshScene::place_scan(int index, const Eigen::Matrix4d& placement) {
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, placement(row, column));
   scan->second->actor()->SetUserMatrix(placement.isIdentity() ? nullptr : matrix.Get());
+  impl_->renderer->still_changed();
 }
 
-void MeshScene::set_patch(int id, ShapePtr shape) {
-  impl_->patch_shapes[id] = std::move(shape);
+void MeshScene::set_patch(int id, ShapePtr shape, Arrival arrival) {
+  impl_->patch_shapes[id] = {std::move(shape), arrival};
   impl_->patches_changed = true;
 }
 
@@ -165,9 +183,45 @@ void MeshScene::keep_patches(const std::vector<int>& ids) {
   impl_->patches_changed = true;
 }
 
-void MeshScene::update() {
-  if (std::exchange(impl_->patches_changed, false)) impl_->distribute_patches();
+bool MeshScene::update() {
+  const auto now = SurfaceActor::Clock::now();
+  const bool changed = std::exchange(impl_->patches_changed, false);
+  if (changed) impl_->distribute_patches(now);
+  impl_->moving = false;
+  for (auto& [id, patch] : impl_->patches) impl_->moving = patch->advance(now) || impl_->moving;
+  impl_->renderer->set_use(impl_->moving ? StillRenderer::Use::keep_still : StillRenderer::Use::draw_all);
+  return impl_->moving;
 }
+
+void MeshScene::arrive() {
+  for (auto& [id, goal] : impl_->patch_shapes) goal.arrival = Arrival::at_once;
+  impl_->patches_changed = true;
+  update();
+}
+
+void MeshScene::fit_depths() {
+  vtkCamera* camera = impl_->renderer->GetActiveCamera();
+  std::array<double, 6>& box = impl_->depths_for;
+  const std::array<double, 6> now = bounds();
+  const bool fits = now[0] >= box[0] && now[1] <= box[1] && now[2] >= box[2] && now[3] <= box[3] && now[4] >= box[4] &&
+                    now[5] <= box[5];
+  const auto size = [](const std::array<double, 6>& b) { return Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm(); };
+  constexpr double too_large = 1.5;  // depths are finer in a box that fits
+  if (fits && size(box) < too_large * size(now) && camera->GetMTime() == impl_->depths_seen) return;
+  box = now;
+  if (impl_->moving) {
+    constexpr double slack = 0.05;  // of the box, for what moves out of it
+    for (std::size_t k = 0; k < 6; k += 2) {
+      const double more = slack * (now[k + 1] - now[k]);
+      box[k] -= more;
+      box[k + 1] += more;
+    }
+  }
+  if (box[0] <= box[1]) impl_->renderer->ResetCameraClippingRange(box.data());
+  impl_->depths_seen = camera->GetMTime();
+}
+
+int MeshScene::still_drawn() const { return impl_->renderer->still_drawn(); }
 
 void MeshScene::set_ghosts(const std::vector<ShapePtr>& shapes) {
   PatchBatch::Shapes numbered;
@@ -180,15 +234,17 @@ void MeshScene::set_marked(ShapePtr shape) {
 }
 
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
+  impl_->renderer->still_changed();
   impl_->line_for_warmth = false;
   impl_->loops.set_lines(loops);
 }
 
 bool MeshScene::warm_up_next() {
-  constexpr std::pair<SurfaceActor::Role, Edges> programs[] = {{SurfaceActor::Role::scan, Edges::hidden},
-                                                               {SurfaceActor::Role::patch, Edges::hidden},
-                                                               {SurfaceActor::Role::scan, Edges::shown},
-                                                               {SurfaceActor::Role::patch, Edges::shown}};
+  impl_->renderer->still_changed();
+  constexpr std::pair<Shading, Edges> programs[] = {{Shading::curvature, Edges::hidden},
+                                                    {Shading::zebra, Edges::hidden},
+                                                    {Shading::curvature, Edges::shown},
+                                                    {Shading::zebra, Edges::shown}};
   if (impl_->warming) impl_->renderer->RemoveActor(impl_->warming->actor());
   impl_->warming.reset();
   if (std::exchange(impl_->line_for_warmth, false)) impl_->loops.set_lines({});
@@ -200,8 +256,9 @@ bool MeshScene::warm_up_next() {
     return true;
   }
   if (impl_->warmed_up > std::size(programs)) return false;
-  const auto [role, edges] = programs[impl_->warmed_up++];
-  impl_->warming = impl_->make(role);
+  const auto [shading, edges] = programs[impl_->warmed_up++];
+  impl_->warming = impl_->make(SurfaceActor::Role::scan);
+  impl_->warming->set_shading(shading);
   impl_->warming->set_edges(edges);
   impl_->warming->set_shape(speck());
   impl_->warming->actor()->UseBoundsOff();
@@ -219,30 +276,38 @@ std::size_t MeshScene::triangle_count() const {
 }
 
 void MeshScene::set_shading(Shading shading) {
+  impl_->renderer->still_changed();
   impl_->shading = shading;
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_shading(shading); });
   impl_->update_legend();
 }
 
 void MeshScene::set_edges(Edges edges) {
+  impl_->renderer->still_changed();
   impl_->edges = edges;
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_edges(edges); });
 }
 
-void MeshScene::set_seams(Seams seams) { impl_->loops.set_visible(seams); }
+void MeshScene::set_seams(Seams seams) {
+  impl_->renderer->still_changed();
+  impl_->loops.set_visible(seams);
+}
 
 void MeshScene::set_stripes(int count) {
+  impl_->renderer->still_changed();
   impl_->stripes = count;
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_stripes(count); });
 }
 
 void MeshScene::set_color_map(ColorMap map) {
+  impl_->renderer->still_changed();
   paint_table(impl_->table, map);
   impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
   impl_->update_legend();
 }
 
 void MeshScene::set_range(double half_width) {
+  impl_->renderer->still_changed();
   impl_->table->SetRange(-half_width, half_width);
   impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
   impl_->update_legend();
@@ -264,8 +329,9 @@ void MeshScene::set_legend(LegendPlace place) {
 vtkRenderer* MeshScene::legend_renderer() const { return impl_->legend_renderer; }
 
 void MeshScene::set_background(Background background) {
+  impl_->renderer->still_changed();
   const bool light = background == Background::light;
-  for (vtkRenderer* renderer : {impl_->renderer.Get(), impl_->legend_renderer.Get()}) {
+  for (vtkRenderer* renderer : std::initializer_list<vtkRenderer*>{impl_->renderer, impl_->legend_renderer}) {
     renderer->GradientBackgroundOn();
     if (light) {
       renderer->SetBackground(0.84, 0.855, 0.87);
@@ -278,7 +344,15 @@ void MeshScene::set_background(Background background) {
   impl_->legend.set_ink(light ? 0.14 : 0.92);
 }
 
+void MeshScene::set_ground(Ground ground) {
+  const bool shown = ground == Ground::shown;
+  impl_->renderer->still_changed();
+  impl_->renderer->SetGradientBackground(shown);
+  impl_->renderer->SetBackgroundAlpha(shown ? 1 : 0);
+}
+
 void MeshScene::set_pixel_ratio(double ratio) {
+  impl_->renderer->still_changed();
   impl_->legend.set_pixel_ratio(ratio);
   impl_->loops.set_pixel_ratio(ratio);
   impl_->update_legend();

@@ -5,6 +5,7 @@
 #include "scene/legend.h"
 #include "scene/loop_lines.h"
 #include "scene/shading.h"
+#include "scene/shape_glide.h"
 #include "scene/surface_shape.h"
 
 #include <array>
@@ -27,7 +28,7 @@ class MeshScene {
   /// Every scan whose index is not in `indices` goes.
   void keep_scans(const std::vector<int>& indices);
   /// Adds the patch, or shows its new state.
-  void set_patch(int id, std::shared_ptr<const SurfaceShape> shape);
+  void set_patch(int id, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
   /// Every patch whose id is not in `ids` goes.
   void keep_patches(const std::vector<int>& ids);
   /// Patches that are only thought of: plain, with their edges.
@@ -37,14 +38,22 @@ class MeshScene {
   void set_loops(const std::vector<LoopLine>& loops);
   /// Draws a scan elsewhere while its part is being moved, without touching its arrays.
   void place_scan(int index, const Eigen::Matrix4d& placement);
-  /// To be called before drawing: puts into actors what has changed.
-  void update();
+  /// To be called before drawing: puts into actors what has changed, and moves on what is on its way to a new state.
+  /// @returns whether the next picture will be another one.
+  bool update();
+  /// Everything is where it is going; for pictures that are kept.
+  void arrive();
+  /// Fits the camera's depths to what is there. They stay as they are while they do: what stands still is then not
+  /// drawn anew.
+  void fit_depths();
 
   /// Makes the next of the graphics' programs ready that a scene will need: to be drawn once after each call, before
   /// there is much to draw. @returns false when all are.
   bool warm_up_next();
   /// Of all scans.
   std::size_t triangle_count() const;
+  /// How often the scans were kept as a picture, to draw patches over them; for tests.
+  int still_drawn() const;
 
   void set_shading(Shading shading);
   void set_edges(Edges edges);
@@ -61,6 +70,9 @@ class MeshScene {
   /// Where the legend is with LegendPlace::beside: to be given a viewport of its own in the same window.
   vtkRenderer* legend_renderer() const;
   void set_background(Background background);
+  /// Whether the background is drawn at all.
+  enum class Ground { shown, transparent };
+  void set_ground(Ground ground);
   void set_pixel_ratio(double device_pixels_per_logical);
   /// Of the renderer that holds the legend, device pixels.
   void set_size(int width, int height);

@@ -3,11 +3,13 @@
 
 #include "scene/color_map.h"
 #include "scene/shading.h"
+#include "scene/shape_glide.h"
 #include "scene/surface_shape.h"
 
 #include <vtkNew.h>
 
 #include <memory>
+#include <optional>
 
 class vtkActor;
 class vtkFloatArray;
@@ -24,8 +26,13 @@ class SurfaceActor {
   SurfaceActor(Role role, vtkLookupTable* table);
   ~SurfaceActor();
 
+  using Clock = ShapeGlide::Clock;
+
   /// Draws another surface, or another state of the same one.
-  void set_shape(std::shared_ptr<const SurfaceShape> shape);
+  void set_shape(std::shared_ptr<const SurfaceShape> shape) { set_shape(std::move(shape), Arrival::at_once, {}); }
+  void set_shape(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now);
+  /// Moves on towards the shape that was set last. @returns whether it is still on its way.
+  bool advance(Clock::time_point now);
   void set_shading(Shading shading);
   void set_edges(Edges edges);
   /// How many stripes zebra and isophotes have; 3..40.
@@ -34,15 +41,21 @@ class SurfaceActor {
   void recolor();
 
   vtkActor* actor() const;
+  /// Where it is, or is going.
   const SurfaceShape* shape() const { return shape_.get(); }
 
  private:
+  void show(std::shared_ptr<const SurfaceShape> shape);
+  void glide(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now);
+  void choose_program();
   void update_triangles();
   void update_scalars();
 
   Role role_;
   Shading shading_ = Shading::curvature;
-  std::shared_ptr<const SurfaceShape> shape_;
+  std::shared_ptr<const SurfaceShape> shape_, triangles_of_;
+  std::unique_ptr<ShapeGlide> glide_;
+  std::optional<Clock::time_point> last_news_;
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> actor_;

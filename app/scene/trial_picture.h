@@ -2,6 +2,7 @@
 // What the picture shows of something that is being tried out, in place of the scans it would replace.
 #pragma once
 
+#include "scene/shape_glide.h"
 #include "scene/surface_shape.h"
 
 #include <memory>
@@ -13,6 +14,7 @@ struct TrialPicture {
   std::set<int> hidden_scans;                    ///< with their patches
   std::shared_ptr<const SurfaceShape> backdrop;  ///< in their place; may be null
   std::shared_ptr<const SurfaceShape> patch;     ///< that moves; may be null
+  Arrival arrival = Arrival::at_once;            ///< of the patch
 };
 
 }  // namespace loopmend

@@ -22,7 +22,8 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
                            tr("Several flows from this start, side by side, in a window of their own"))),
       cancel_(make_button("trialCancel", tr("Ca&ncel"), tr("Stop at once; the start is shown again (Esc)"))),
       accept_(make_button("trialAccept", tr("Ta&ke over"), tr("The result comes into the document; can be undone"))),
-      discard_(make_button("trialDiscard", tr("&Discard"), tr("Give it up; the document is as it was"))) {
+      discard_(make_button("trialDiscard", tr("&Discard"), tr("Give it up; the document is as it was"))),
+      copy_(make_button("trialCopy", tr("Cop&y command line"), tr("Copy the commands that do the same"))) {
   flow_->setObjectName(QStringLiteral("trialFlow"));
   explain(flow_, tr("Flow"), tr("Which flow works on it"));
   for (FlowKind kind : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf}) {
@@ -42,6 +43,7 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
   grid->addWidget(cancel_, 4, 0, 1, 2);
   grid->addWidget(accept_, 5, 0);
   grid->addWidget(discard_, 5, 1);
+  grid->addWidget(copy_, 6, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
   connect(preview_, &QPushButton::clicked, this, &TrialBox::preview_wanted);
@@ -50,6 +52,7 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
   connect(cancel_, &QPushButton::clicked, this, &TrialBox::cancel_wanted);
   connect(accept_, &QPushButton::clicked, this, &TrialBox::accept_wanted);
   connect(discard_, &QPushButton::clicked, this, &TrialBox::discard_wanted);
+  connect(copy_, &QPushButton::clicked, this, &TrialBox::copy_wanted);
   connect(&trial_, &Trial::stage_changed, this, &TrialBox::update_state);
   update_state();
 }
@@ -69,6 +72,7 @@ void TrialBox::update_state() {
   const bool busy = trial_.busy(), possible = wanting_.isEmpty() && !busy;
   for (QPushButton* button : {preview_, evolve_, compare_}) button->setEnabled(possible);
   flow_->setEnabled(!busy);
+  copy_->setEnabled(wanting_.isEmpty());
   cancel_->setVisible(busy);
   const bool posed = trial_.stage() == Trial::Stage::posed || trial_.stage() == Trial::Stage::solved;
   accept_->setVisible(!busy);

@@ -29,6 +29,7 @@ class TrialBox : public QGroupBox {
   void cancel_wanted();
   void accept_wanted();
   void discard_wanted();
+  void copy_wanted();
 
  private:
   void update_state();
@@ -37,7 +38,7 @@ class TrialBox : public QGroupBox {
   QString wanting_;
   QComboBox* flow_;
   QLabel* words_;
-  QPushButton *preview_, *evolve_, *compare_, *cancel_, *accept_, *discard_;
+  QPushButton *preview_, *evolve_, *compare_, *cancel_, *accept_, *discard_, *copy_;
 };
 
 }  // namespace loopmend

@@ -2,6 +2,7 @@
 
 #include "document/words.h"
 #include "views/mesh_view_impl.h"
+#include "views/picture_pace.h"
 #include "views/turn_style.h"
 
 #include <vtkCommand.h>
@@ -71,15 +72,13 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
   impl_->redraw_timer.setSingleShot(true);
   impl_->redraw_timer.setInterval(0);
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
-    impl_->scene.update();
-    impl_->renderer()->ResetCameraClippingRange();
     QElapsedTimer clock;
     clock.start();
+    const bool moving = impl_->scene.update();
+    impl_->scene.fit_depths();
     impl_->window->Render();
-    // Where drawing is slow, everything else of the window gets its share of the time before the next picture.
-    constexpr qint64 longest_wait_ms = 60;
-    impl_->redraw_timer.setInterval(static_cast<int>(std::min(longest_wait_ms, clock.elapsed() / 2)));
-    warm_up_soon();
+    impl_->redraw_timer.setInterval(wait_after_picture(clock.elapsed()));
+    moving ? redraw() : warm_up_soon();
   });
   impl_->warm_up_timer.setSingleShot(true);
   connect(&impl_->warm_up_timer, &QTimer::timeout, this, [this] {
@@ -255,6 +254,11 @@ void MeshView::on_patches_changed() {
   redraw();
 }
 
+/// A flow at work moves on evenly; what a person asks for is there at once.
+Arrival MeshView::arrival(int patch) const {
+  return impl_->document.is_running(patch) ? Arrival::with_the_next : Arrival::at_once;
+}
+
 /// Scans and patches, or what is tried out in their place.
 void MeshView::show_surfaces() {
   constexpr int trial = -1;
@@ -272,11 +276,11 @@ void MeshView::show_surfaces() {
   for (const OpenPatch& patch : document.patches()) {
     if (impl_->trial.hidden_scans.contains(patch.scan)) continue;
     patches.push_back(patch.id);
-    impl_->scene.set_patch(patch.id, patch.state->shape);
+    impl_->scene.set_patch(patch.id, patch.state->shape, Arrival::soon);
   }
   if (impl_->trial.patch) {
     patches.push_back(trial);
-    impl_->scene.set_patch(trial, impl_->trial.patch);
+    impl_->scene.set_patch(trial, impl_->trial.patch, impl_->trial.arrival);
   }
   impl_->scene.keep_scans(scans);
   impl_->scene.keep_patches(patches);
@@ -295,7 +299,8 @@ void MeshView::place_scan(int scan, const Eigen::Matrix4d& placement) {
 
 void MeshView::on_patch_moved(int id) {
   const OpenPatch* patch = impl_->document.patch(id);
-  if (patch && !impl_->trial.hidden_scans.contains(patch->scan)) impl_->scene.set_patch(id, patch->state->shape);
+  if (patch && !impl_->trial.hidden_scans.contains(patch->scan))
+    impl_->scene.set_patch(id, patch->state->shape, arrival(id));
   redraw();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/look.h"
+#include "scene/shape_glide.h"
 #include "scene/trial_picture.h"
 #include "tools/view_tool.h"
 
@@ -94,6 +95,7 @@ class MeshView : public QWidget {
   void update_legend_words();
   void on_patches_changed();
   void on_patch_moved(int id);
+  Arrival arrival(int patch) const;
   void show_surfaces();
   bool tool_takes(QEvent* event);
   void update_loops();

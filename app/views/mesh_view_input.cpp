@@ -277,11 +277,10 @@ QImage MeshView::picture(const PictureOptions& options) {
   impl_->scene.set_size(options.size.width(), options.size.height());
   impl_->scene.set_legend(options.extras == Extras::none ? LegendPlace::none : LegendPlace::over_the_picture);
   if (see_through) {
-    renderer->GradientBackgroundOff();
-    renderer->SetBackgroundAlpha(0);
+    impl_->scene.set_ground(MeshScene::Ground::transparent);
     window->SetAlphaBitPlanes(1);
   }
-  impl_->scene.update();
+  impl_->scene.arrive();
   renderer->ResetCameraClippingRange();
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -293,10 +292,7 @@ QImage MeshView::picture(const PictureOptions& options) {
     picture = QImage(pixels->GetPointer(0), options.size.width(), options.size.height(), QImage::Format_RGBA8888)
                   .mirrored()
                   .convertToFormat(see_through ? QImage::Format_ARGB32 : QImage::Format_RGB32);
-  if (see_through) {
-    renderer->GradientBackgroundOn();
-    renderer->SetBackgroundAlpha(1);
-  }
+  impl_->scene.set_ground(MeshScene::Ground::shown);
   window->SetSize(old.width(), old.height());
   impl_->scene.set_pixel_ratio(devicePixelRatioF());
   impl_->scene.set_size(old.width(), old.height());

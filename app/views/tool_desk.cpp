@@ -62,6 +62,7 @@ ToolDesk::ToolDesk(Document& document, HoleSelection& selection, Workbench& work
   connect(trial_box_, &TrialBox::cancel_wanted, trial_, &Trial::cancel);
   connect(trial_box_, &TrialBox::accept_wanted, trial_, &Trial::accept);
   connect(trial_box_, &TrialBox::discard_wanted, trial_, &Trial::discard);
+  connect(trial_box_, &TrialBox::copy_wanted, this, &ToolDesk::copy_command);
 }
 
 void ToolDesk::take(Tool tool) { panel_->choose(tool); }
@@ -123,13 +124,24 @@ void ToolDesk::pose(Then then) {
     on_stage();
     return;
   }
-  switch (panel_->tool()) {
-    case Tool::none: return;
-    case Tool::region: trial_->pose(region_wish()); break;
-    case Tool::points: trial_->pose(points_wish()); break;
-    case Tool::blend: trial_->pose(blend_wish()); break;
-  }
+  if (panel_->tool() == Tool::none) return;
+  trial_->pose(wish());
   current_ = true;
+}
+
+TrialWish ToolDesk::wish() const {
+  switch (panel_->tool()) {
+    case Tool::none: break;
+    case Tool::region: return region_wish();
+    case Tool::points: return points_wish();
+    case Tool::blend: return blend_wish();
+  }
+  return {};
+}
+
+void ToolDesk::copy_command() {
+  if (panel_->tool() != Tool::none)
+    Q_EMIT notice(copy_to_clipboard(solving_command(wish().command, trial_box_->options())));
 }
 
 void ToolDesk::on_stage() {
@@ -148,6 +160,7 @@ TrialWish ToolDesk::region_wish() const {
   wish.name = tr("Region of %1").arg(scan);
   wish.made_name = scan;
   wish.scans = {region_->scan()};
+  wish.command = region_words(document_, region_->scan(), region_->vertices());
   wish.pose = [vertices = region_->vertices()](const TrialBase& base, const CancelToken&) {
     return pose_region(base.model, vertices);
   };
@@ -160,6 +173,7 @@ TrialWish ToolDesk::points_wish() const {
   wish.name = tr("Surface through the points of %1").arg(scan);
   wish.made_name = scan;
   wish.scans = {points_->scan()};
+  wish.command = points_words(document_, points_->scan(), points_box_->options());
   wish.pose = [options = points_box_->options()](const TrialBase& base, const CancelToken&) {
     return pose_points(base.model, options);
   };
@@ -186,6 +200,7 @@ TrialWish ToolDesk::blend_wish() const {
   for (int scan : wish.scans) names << document_.scan(scan)->name;
   wish.name = tr("Blend of %1").arg(words::holes(document_, {loops.begin(), loops.end()}));
   wish.made_name = names.join(QStringLiteral(" + "));
+  wish.command = blend_words(document_, loops, blend_box_->density());
   wish.pose = [chosen, density = blend_box_->density()](const TrialBase& base, const CancelToken& cancel) {
     std::vector<BoundaryLoop> ends;
     for (const Chosen& one : chosen) ends.push_back(loop_in_base(base, one.part, *one.scan, one.loop));

@@ -48,6 +48,8 @@ class ToolDesk : public QObject {
   void give_up_trial();
   void update_wanting();
   void show_region();
+  TrialWish wish() const;
+  void copy_command();
   void on_placed(int old_scan, int new_scan);
   TrialWish region_wish() const;
   TrialWish points_wish() const;

@@ -24,6 +24,15 @@ double round_length(double length) {
   return decade;
 }
 
+/// Without points that lie on the same pixel as the last one: wide pens take their time at every corner.
+QPolygonF thinned(const QPolygonF& line) {
+  constexpr double pixel = 1.2;
+  QPolygonF thin;
+  for (const QPointF& point : line)
+    if (thin.isEmpty() || (point - thin.last()).manhattanLength() >= pixel) thin << point;
+  return thin.size() < 3 ? line : thin;
+}
+
 QRectF caption_box(const QPainter& painter, const QPolygonF& loop, const QString& text, const QSize& inside) {
   const QFontMetricsF metrics(painter.font());
   QRectF box(0, 0, metrics.horizontalAdvance(text) + 16, metrics.height() + 8);
@@ -43,15 +52,23 @@ ViewOverlay::ViewOverlay(QWidget* parent) : QWidget(parent) {
 }
 
 void ViewOverlay::set_highlight(const QPolygonF& loop, const QString& caption) {
-  loop_ = loop;
+  clear_highlight();
+  loop_ = thinned(loop);
   caption_ = caption;
-  update();
+  update(around_highlight());
 }
 
 void ViewOverlay::clear_highlight() {
   if (loop_.isEmpty()) return;
+  update(around_highlight());
   loop_.clear();
-  update();
+}
+
+/// Outline and caption: to paint all of a large window takes longer.
+QRect ViewOverlay::around_highlight() const {
+  constexpr int outline = 6, caption = 48;
+  const QRect loop = loop_.boundingRect().toAlignedRect();
+  return {0, loop.top() - outline - caption, width(), loop.height() + 2 * (outline + caption)};
 }
 
 void ViewOverlay::set_probe(const QPointF& at, const QStringList& lines) {

@@ -31,6 +31,7 @@ class ViewOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QRect around_highlight() const;
   void paint_highlight(QPainter& painter) const;
   void paint_probe(QPainter& painter) const;
   void paint_axes(QPainter& painter) const;

@@ -27,6 +27,34 @@
             <source>, vertex %1</source>
             <translation>, Ecke %1</translation>
         </message>
+        <message>
+            <source>%1 has patches: export it by itself as %2 before you use the command.</source>
+            <translation>%1 hat Flicken: vor dem Befehl allein als %2 exportieren.</translation>
+        </message>
+        <message>
+            <source>%1 was made in the window: export it by itself as %2 before you use the command.</source>
+            <translation>%1 ist im Fenster entstanden: vor dem Befehl allein als %2 exportieren.</translation>
+        </message>
+        <message>
+            <source>Its rims have other numbers then: 'loopmend info' tells them.</source>
+            <translation>Die Ränder haben dann andere Nummern: „loopmend info“ nennt sie.</translation>
+        </message>
+        <message>
+            <source>%1 was made in the window: export it as surface.ply, without patches, before you use the command.</source>
+            <translation>%1 ist im Fenster entstanden: vor dem Befehl als surface.ply exportieren, ohne Flicken.</translation>
+        </message>
+        <message>
+            <source>The command compares on all holes of the file, and on nothing else.</source>
+            <translation>Der Befehl vergleicht auf allen Löchern der Datei und auf nichts sonst.</translation>
+        </message>
+        <message>
+            <source>The command runs all four flows.</source>
+            <translation>Der Befehl rechnet alle vier Flüsse.</translation>
+        </message>
+        <message>
+            <source>The command line is in the clipboard.</source>
+            <translation>Die Befehlszeile ist in der Zwischenablage.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -547,6 +575,14 @@
             <source>%1 free vertices</source>
             <translation>%1 freie Ecken</translation>
         </message>
+        <message>
+            <source>Copy co&amp;mmand line</source>
+            <translation>Be&amp;fehlszeile kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the commands that do the same</source>
+            <translation>Die Befehle kopieren, die dasselbe tun</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::DecisionBox</name>
@@ -589,10 +625,6 @@
         <message>
             <source>Copy the commands that fill these holes in just this way, for a terminal or a script</source>
             <translation>Die Befehle kopieren, die diese Löcher genau so füllen, für ein Terminal oder ein Skript</translation>
-        </message>
-        <message>
-            <source>The command line is in the clipboard.</source>
-            <translation>Die Befehlszeile ist in der Zwischenablage.</translation>
         </message>
         <message>
             <source>Recorded states appear here.</source>
@@ -1789,6 +1821,14 @@
             <source>PNG (*.png)</source>
             <translation>PNG (*.png)</translation>
         </message>
+        <message>
+            <source>Headings and legend</source>
+            <translation>Überschriften und Legende</translation>
+        </message>
+        <message>
+            <source>The surfaces alone</source>
+            <translation>Die Flächen allein</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::PlacePart</name>
@@ -2522,6 +2562,14 @@
         <message>
             <source>Which flow works on it</source>
             <translation>Welcher Fluss daran arbeitet</translation>
+        </message>
+        <message>
+            <source>Cop&amp;y command line</source>
+            <translation>Be&amp;fehlszeile kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the commands that do the same</source>
+            <translation>Die Befehle kopieren, die dasselbe tun</translation>
         </message>
     </context>
     <context>

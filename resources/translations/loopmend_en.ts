@@ -27,6 +27,34 @@
             <source>, vertex %1</source>
             <translation>, vertex %1</translation>
         </message>
+        <message>
+            <source>%1 has patches: export it by itself as %2 before you use the command.</source>
+            <translation>%1 has patches: export it by itself as %2 before you use the command.</translation>
+        </message>
+        <message>
+            <source>%1 was made in the window: export it by itself as %2 before you use the command.</source>
+            <translation>%1 was made in the window: export it by itself as %2 before you use the command.</translation>
+        </message>
+        <message>
+            <source>Its rims have other numbers then: 'loopmend info' tells them.</source>
+            <translation>Its rims have other numbers then: 'loopmend info' tells them.</translation>
+        </message>
+        <message>
+            <source>%1 was made in the window: export it as surface.ply, without patches, before you use the command.</source>
+            <translation>%1 was made in the window: export it as surface.ply, without patches, before you use the command.</translation>
+        </message>
+        <message>
+            <source>The command compares on all holes of the file, and on nothing else.</source>
+            <translation>The command compares on all holes of the file, and on nothing else.</translation>
+        </message>
+        <message>
+            <source>The command runs all four flows.</source>
+            <translation>The command runs all four flows.</translation>
+        </message>
+        <message>
+            <source>The command line is in the clipboard.</source>
+            <translation>The command line is in the clipboard.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -547,6 +575,14 @@
             <source>%1 free vertices</source>
             <translation>%1 free vertices</translation>
         </message>
+        <message>
+            <source>Copy co&amp;mmand line</source>
+            <translation>Copy co&amp;mmand line</translation>
+        </message>
+        <message>
+            <source>Copy the commands that do the same</source>
+            <translation>Copy the commands that do the same</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::DecisionBox</name>
@@ -589,10 +625,6 @@
         <message>
             <source>Copy the commands that fill these holes in just this way, for a terminal or a script</source>
             <translation>Copy the commands that fill these holes in just this way, for a terminal or a script</translation>
-        </message>
-        <message>
-            <source>The command line is in the clipboard.</source>
-            <translation>The command line is in the clipboard.</translation>
         </message>
         <message>
             <source>Recorded states appear here.</source>
@@ -1789,6 +1821,14 @@
             <source>PNG (*.png)</source>
             <translation>PNG (*.png)</translation>
         </message>
+        <message>
+            <source>Headings and legend</source>
+            <translation>Headings and legend</translation>
+        </message>
+        <message>
+            <source>The surfaces alone</source>
+            <translation>The surfaces alone</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::PlacePart</name>
@@ -2522,6 +2562,14 @@
         <message>
             <source>Which flow works on it</source>
             <translation>Which flow works on it</translation>
+        </message>
+        <message>
+            <source>Cop&amp;y command line</source>
+            <translation>Cop&amp;y command line</translation>
+        </message>
+        <message>
+            <source>Copy the commands that do the same</source>
+            <translation>Copy the commands that do the same</translation>
         </message>
     </context>
     <context>

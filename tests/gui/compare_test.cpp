@@ -5,6 +5,7 @@
 #include "compare/compare_desk.h"
 #include "compare/flow_canvas.h"
 #include "compare/flow_pane.h"
+#include "dialogs/picture_dialog.h"
 #include "io/write_mesh.h"
 #include "panels/plot.h"
 #include "samples/analytic_surfaces.h"
@@ -12,9 +13,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
+#include <QOpenGLWidget>
 #include <QProcess>
 #include <QPushButton>
 #include <QTableWidget>
@@ -87,11 +92,12 @@ class CompareTest : public QObject {
   void views_are_linked_until_unlinked();
   void the_line_wipes();
   void pictures_of_any_size();
+  void the_command_in_the_clipboard_does_the_same();
+  void pictures_move_between_states_and_end_at_them();
   void the_winner_comes_into_the_document();
   void two_views_and_other_flows();
   void stop_comes_back_at_once();
   void says_why_it_cannot();
-  void how_fast_it_draws();
 
  private:
   QTemporaryDir folder_;
@@ -186,9 +192,93 @@ void CompareTest::pictures_of_any_size() {
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "comparePicture")->isEnabled(); }));
   settle(500);
-  const QImage picture = window->picture(QSize(1600, 1000));
+  const QImage picture = window->picture({QSize(1600, 1000)});
   QCOMPARE(picture.size(), QSize(1600, 1000));
   QVERIFY(count_colors(picture) >= 64);
+  // The same by mouse, without ground and without words.
+  QTest::mouseClick(in<QPushButton>(*window, "comparePicture"), Qt::LeftButton);
+  auto* dialog = window->findChild<PictureDialog*>(QStringLiteral("pictureDialog"));
+  QVERIFY(dialog);
+  dialog->findChild<QComboBox*>(QStringLiteral("pictureGround"))->setCurrentIndex(1);
+  auto* with = dialog->findChild<QComboBox*>(QStringLiteral("pictureExtras"));
+  QCOMPARE(with->count(), 2);
+  const QString path = folder_.filePath(QStringLiteral("panel.png"));
+  QVERIFY(dialog->save(path));
+  const QImage words(path);
+  const auto opaque = [](const QImage& image, const QRect& part) {
+    int count = 0;
+    for (int y = part.top(); y <= part.bottom(); ++y)
+      for (int x = part.left(); x <= part.right(); ++x) count += qAlpha(image.pixel(x, y)) == 255;
+    return count;
+  };
+  const QRect strip(words.width() - 20, words.height() / 3, 20, words.height() / 3),
+      heading(0, 0, words.width() / 2, 16);
+  QCOMPARE(qAlpha(words.pixel(2, words.height() - 8)), 0);
+  QVERIFY(opaque(words, words.rect()) > words.width() * words.height() / 20);
+  QVERIFY(opaque(words, heading) > 0);
+  with->setCurrentIndex(1);
+  QVERIFY(dialog->save(path));
+  const QImage bare(path);
+  QCOMPARE(bare.size(), words.size());
+  QCOMPARE(opaque(bare, QRect(0, 0, 60, 16)), 0);
+  QVERIFY(opaque(bare, strip) >= 0 && opaque(bare, bare.rect()) > bare.width() * bare.height() / 20);
+}
+
+void CompareTest::the_command_in_the_clipboard_does_the_same() {
+  Shown shown({ball_file(folder_)});
+  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  QVERIFY(QTest::qWaitForWindowExposed(window));
+  QVERIFY(run_all(*window));
+  const QString table = folder_.filePath(QStringLiteral("copied.csv"));
+  window->save_numbers(table);
+  QTest::mouseClick(in<QPushButton>(*window, "compareCopy"), Qt::LeftButton);
+  QString command = QGuiApplication::clipboard()->text();
+  const QString folder = QFileInfo(ball_file(folder_)).dir().filePath(QStringLiteral("ball-flows"));
+  QCOMPARE(command, QStringLiteral("loopmend compare %1 -o %2").arg(ball_file(folder_), folder));
+  QProcess shell;
+  shell.start(QStringLiteral("sh"),
+              {QStringLiteral("-c"),
+               command.replace(QStringLiteral("loopmend compare"), QStringLiteral(LOOPMEND_PROGRAM " compare"))});
+  QVERIFY(shell.waitForFinished(240000));
+  QCOMPARE(shell.exitCode(), 0);
+  QCOMPARE(content(table), content(folder + QStringLiteral("/table.csv")));
+  // What the command cannot do is said.
+  in<QComboBox>(*window, "compareMode")->setCurrentIndex(1);
+  in<QComboBox>(*window, "compareCount")->setCurrentIndex(0);
+  QTest::mouseClick(in<QPushButton>(*window, "compareCopy"), Qt::LeftButton);
+  QVERIFY(QGuiApplication::clipboard()->text().endsWith(QStringLiteral(" --mode steps --sigma 10")));
+  QVERIFY(in<QLabel>(*window, "bannerText")->text().contains(QStringLiteral("all four flows")));
+}
+
+/// Between two states more than one picture is drawn, none of them by drawing the surroundings again; the last one is
+/// what a fresh drawing of the last state gives.
+void CompareTest::pictures_move_between_states_and_end_at_them() {
+  Shown shown({ball_file(folder_)});
+  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  QVERIFY(QTest::qWaitForWindowExposed(window));
+  QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
+  settle(600);
+  FlowCanvas& canvas = window->pane(0).canvas();
+  const auto start = window->race().start()->shape;
+  auto other = std::make_shared<SurfaceShape>(*start);
+  for (std::size_t i = 2; i < other->points.size(); i += 3) other->points[i] += 0.3F;
+  const auto seen = [&] { return static_cast<QOpenGLWidget*>(canvas.canvas())->grabFramebuffer(); };
+  const QImage before = seen();
+  canvas.show_patch(0, other, Arrival::with_the_next);
+  const int frames = canvas.frames();
+  QVERIFY(wait_until([&] { return canvas.frames() >= frames + 2; }, 10));
+  QVERIFY(canvas.is_moving());
+  QVERIFY(wait_until([&] { return !canvas.is_moving(); }, 10));
+  settle(200);
+  QVERIFY(canvas.surroundings_drawn() > 0);
+  const QImage after = seen();
+  QVERIFY(share_apart(before, after) > 0.01);
+  canvas.show_patch(0, start);
+  settle(400);
+  QVERIFY(share_apart(seen(), before) < 1e-4);
+  canvas.show_patch(0, std::make_shared<SurfaceShape>(*other));  // at once, everything drawn
+  settle(400);
+  QVERIFY(share_apart(seen(), after) < 1e-4);
 }
 
 void CompareTest::the_winner_comes_into_the_document() {
@@ -257,57 +347,6 @@ void CompareTest::says_why_it_cannot() {
   key(shown.window, Qt::Key_C);
   QVERIFY(compare_window(shown.window) == nullptr);
   QVERIFY(part<QLabel>(shown.window, "bannerText")->text().contains(QStringLiteral("no hole")));
-}
-
-/// Told, not asserted; only when it is asked for, since it keeps a machine busy for a minute.
-void CompareTest::how_fast_it_draws() {
-  if (!qEnvironmentVariableIsSet("LOOPMEND_MEASURE")) QSKIP("set LOOPMEND_MEASURE to measure");
-  const QString large = folder_.filePath(QStringLiteral("large.ply"));
-  write_mesh(large.toStdString(), cut(make_icosphere(6), [](const Vec3& p) { return p.z() > 0.5; }));
-  Shown shown({large});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
-  QVERIFY(QTest::qWaitForWindowExposed(window));
-  auto* run = in<QPushButton>(*window, "compareRun");
-  QVERIFY(wait_until([&] { return run->isEnabled(); }, 240));
-  settle(1000);
-  std::printf("%s\n", qPrintable(in<QLabel>(*window, "compareWait")->text()));
-  const auto frames = [&](int k) { return window->pane(k).canvas().frames(); };
-  const auto turn = [&](const char* what) {
-    double worst = 0, sum = 0;
-    constexpr int moves = 10;
-    for (int move = 0; move < moves; ++move) {
-      CameraPose pose = window->pane(0).canvas().pose();
-      pose.position += 0.05 * (pose.position - pose.focus).norm() * pose.up;
-      const int before[4] = {frames(0), frames(1), frames(2), frames(3)};
-      QElapsedTimer clock;
-      clock.start();
-      for (int k = 0; k < 4; ++k) window->pane(k).canvas().set_pose(pose);
-      wait_until([&] {
-        for (int k = 0; k < 4; ++k)
-          if (frames(k) == before[k]) return false;
-        return true;
-      });
-      const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
-      worst = std::max(worst, ms);
-      sum += ms;
-    }
-    std::printf("%s: a move of the camera in all four views takes %.0f ms, at worst %.0f\n", what, sum / moves, worst);
-  };
-  turn("at rest");
-  GapMeter gaps;
-  const int first[4] = {frames(0), frames(1), frames(2), frames(3)};
-  QElapsedTimer clock;
-  clock.start();
-  QTest::mouseClick(run, Qt::LeftButton);
-  wait_until([&] { return clock.elapsed() > 4000; }, 10);
-  turn("while the flows run");
-  QVERIFY(wait_until([&] { return run->isEnabled(); }, 400));
-  const double seconds = 1e-3 * static_cast<double>(clock.elapsed());
-  for (int k = 0; k < 4; ++k)
-    std::printf("view %d: %d frames in %.1f s: %.1f per second; %s\n", k, frames(k) - first[k], seconds,
-                (frames(k) - first[k]) / seconds,
-                qPrintable(in<QLabel>(*window, qPrintable(QStringLiteral("paneFigures%1").arg(k)))->text()));
-  gaps.report("four flows on a 20k patch");
 }
 
 int main(int argc, char** argv) {

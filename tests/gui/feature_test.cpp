@@ -40,6 +40,7 @@ class FeatureTest : public QObject {
 
  private Q_SLOTS:
   void every_look_draws_another_picture();
+  void a_kept_picture_is_the_whole_picture();
   void a_point_tells_its_values();
   void pictures_of_any_size();
   void filter_and_groups();
@@ -99,6 +100,33 @@ void FeatureTest::every_look_draws_another_picture() {
   for (int i = 0; i < pictures.size(); ++i)
     for (int k = i + 1; k < pictures.size(); ++k)
       QVERIFY2(share_changed(pictures[i], pictures[k]) > 0.001, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
+}
+
+/// While a flow runs only the patch is drawn anew, over what was kept; rims and the rest must not get lost.
+void FeatureTest::a_kept_picture_is_the_whole_picture() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const int hole = first_hole(window.document());
+  window.view().fly_to(hole);
+  settle(1200);
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  window.selection().select({hole});
+  press(window, "run");
+  QVERIFY(wait_until([&] { return window.document().patch_of(hole)->state->steps >= 3; }));
+  settle(300);
+  key(window, Qt::Key_Escape);
+  QVERIFY(wait_idle(window));
+  QImage kept;
+  QVERIFY(wait_until([&] {  // it has come to where it was going
+    settle(400);
+    const QImage last = std::exchange(kept, window.view().picture());
+    return share_changed(last, kept) == 0;
+  }));
+  key(window, Qt::Key_3);
+  QVERIFY(picture_changes(window, kept, 0.01));
+  key(window, Qt::Key_1);
+  QVERIFY(picture_returns(window, kept));
 }
 
 void FeatureTest::a_point_tells_its_values() {

@@ -1,13 +1,20 @@
-// Figures that issue after issue asks of the window, on this machine: measure_window DRAGON
-// Opening and hovering on a large scan; a flow on a patch of 18 000 triangles in a scan of a million, in pictures a second;
-// memory before, while and after. Run by hand: none of it is a test.
+// Figures that issue after issue asks of the window, on this machine: measure_window DRAGON [BUNNY] [WHAT...]
+// WHAT: opening (and hovering), gaps (on BUNNY), memory, flow (18 000 triangles in a scan of a million), compare (four flows on a patch of
+// 20 000); all of them without it. Run by hand: none of it is a test.
 #include "driver.h"
 
+#include "compare/compare_desk.h"
+#include "compare/flow_canvas.h"
+#include "compare/flow_pane.h"
 #include "document/undo_history.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 
 #include <QApplication>
+#include <QEventLoop>
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,8 +22,11 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 
 using namespace loopmend;
@@ -32,7 +42,40 @@ long megabytes() {
   return resident * sysconf(_SC_PAGESIZE) >> 20;
 }
 
+/// What this thread has worked, ms: does not depend on how busy the machine is.
+double own_work() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
 double seconds(const QElapsedTimer& clock) { return static_cast<double>(clock.elapsed()) / 1000; }
+
+/// Across the picture, twice: the first move after a picture reads depths, later ones do not.
+void measure_hover(MainWindow& window) {
+  QWidget* canvas = window.view().canvas();
+  double sum = 0;
+  int count = 0;
+  std::vector<std::array<double, 4>> moves;  // ms; ms of own work; loop before, after
+  for (int row : {canvas->height() / 2, canvas->height() / 3})
+    for (int x = 40; x + 40 < canvas->width(); x += 7, ++count) {
+      const int before = window.selection().hovered();
+      QElapsedTimer clock;
+      clock.start();
+      const double cpu = own_work();
+      QTest::mouseMove(canvas, QPoint(x, row));
+      QCoreApplication::processEvents();
+      const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+      sum += ms;
+      moves.push_back(
+          {ms, own_work() - cpu, static_cast<double>(before), static_cast<double>(window.selection().hovered())});
+    }
+  std::sort(moves.rbegin(), moves.rend());
+  std::printf("hover: %.1f ms in the mean of %d moves; the slowest:\n", sum / count, count);
+  for (std::size_t k = 0; k < 5; ++k)
+    std::printf("  %.1f ms, of these %.1f ms own work, from loop %.0f to %.0f\n", moves[k][0], moves[k][1], moves[k][2],
+                moves[k][3]);
+}
 
 void measure_opening(const QString& path) {
   Shown shown;
@@ -51,18 +94,35 @@ void measure_opening(const QString& path) {
   window.view().fly_to(0);
   settle(1500);
   gaps.report("flying");
-  double sum = 0, worst = 0;
-  int count = 0;
-  QWidget* canvas = window.view().canvas();
-  for (int x = 40; x + 40 < canvas->width(); x += 7, ++count) {
-    clock.start();
-    QTest::mouseMove(canvas, QPoint(x, canvas->height() / 2));
-    QCoreApplication::processEvents();
-    const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
-    sum += ms;
-    worst = std::max(worst, ms);
+  measure_hover(window);
+}
+
+/// Everything at once, on a window that has just appeared: no waiting for its graphics to be ready.
+void measure_gaps(const QString& path) {
+  GapMeter gaps;
+  Shown shown;
+  MainWindow& window = shown.window;
+  gaps.report("the window appears");
+  window.open(path);
+  wait_until([&] { return window.document().has_scan() && !window.workbench().busy(); });
+  gaps.report("bunny opened at once");
+  press(window, "fill");
+  wait_idle(window);
+  gaps.report("filled at once");
+  press(window, "steady");
+  wait_idle(window, 300);
+  gaps.report("to steady state");
+  for (Qt::Key digit : {Qt::Key_4, Qt::Key_2, Qt::Key_3, Qt::Key_5, Qt::Key_1}) {
+    key(window, digit);
+    settle(300);
+    gaps.report("shading");
   }
-  std::printf("hover: %.1f ms in the mean, %.1f ms at most, of %d moves\n", sum / count, worst, count);
+  key(window, Qt::Key_W);
+  settle(300);
+  gaps.report("wireframe");
+  for (int k = 0; k < 2; ++k) key(window, Qt::Key_Z, Qt::ControlModifier);
+  settle(200);
+  gaps.report("undo");
 }
 
 void measure_frame_rate(const QTemporaryDir& folder) {
@@ -103,6 +163,133 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   std::printf("its states as fast as they can be drawn: %.1f pictures a second\n", pictures / seconds(clock));
 }
 
+/// Of all threads of the program, the drawing ones among them.
+double process_cpu_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+constexpr int views = 4;
+using Frames = std::array<int, views>;
+
+Frames frames_of(CompareWindow& window) {
+  Frames frames{};
+  for (int k = 0; k < views; ++k) frames[static_cast<std::size_t>(k)] = window.pane(k).canvas().frames();
+  return frames;
+}
+
+void move_cameras(CompareWindow& window, const char* what) {
+  double worst = 0, sum = 0;
+  constexpr int moves = 10;
+  for (int move = 0; move < moves; ++move) {
+    CameraPose pose = window.pane(0).canvas().pose();
+    pose.position += (move % 2 ? -0.05 : 0.05) * (pose.position - pose.focus).norm() * pose.up;
+    const Frames before = frames_of(window);
+    QElapsedTimer clock;
+    clock.start();
+    for (int k = 0; k < views; ++k) window.pane(k).canvas().set_pose(pose);
+    wait_until([&] {
+      const Frames now = frames_of(window);
+      return std::equal(now.begin(), now.end(), before.begin(), std::greater<>());
+    });
+    const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    worst = std::max(worst, ms);
+    sum += ms;
+  }
+  std::printf("%s: a move of the camera in all four views takes %.0f ms, at worst %.0f\n", what, sum / moves, worst);
+}
+
+/// Were there no flows to be computed: two states, to and fro.
+void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const SurfaceShape>, 2>& states) {
+  const Frames before = frames_of(window);
+  QElapsedTimer clock;
+  clock.start();
+  const double cpu = process_cpu_ms();
+  std::size_t turn = 0;
+  QTimer news;
+  const auto show = [&] {
+    for (int k = 0; k < views; ++k) window.pane(k).canvas().show_patch(0, states[turn % 2], Arrival::with_the_next);
+    ++turn;
+  };
+  QObject::connect(&news, &QTimer::timeout, show);
+  show();
+  news.start(500);
+  QEventLoop loop;
+  QTimer::singleShot(5000, &loop, &QEventLoop::quit);
+  loop.exec();
+  int all = 0;
+  const Frames now = frames_of(window);
+  for (std::size_t k = 0; k < views; ++k) all += now[k] - before[k];
+  std::printf(
+      "drawing alone: %.1f pictures a second in each view, %.1f ms of processor time each, surroundings in %d of %d\n",
+      all / seconds(clock) / views, (process_cpu_ms() - cpu) / all, window.pane(0).canvas().surroundings_drawn(),
+      now[0]);
+}
+
+/// The state, swollen a little.
+std::shared_ptr<const SurfaceShape> swollen(const SurfaceShape& shape) {
+  auto other = std::make_shared<SurfaceShape>(shape);
+  for (float& x : other->points) x *= 1.03F;
+  return other;
+}
+
+enum class Part { all, drawing };
+
+void measure_compare(const QTemporaryDir& folder, Part part_of_it) {
+  const QString large = folder.filePath(QStringLiteral("large.ply"));
+  write_mesh(large.toStdString(), cut(make_icosphere(6), [](const Vec3& p) { return p.z() > 0.5; }));
+  Shown shown({large});
+  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  if (!QTest::qWaitForWindowExposed(window)) return;
+  auto* run = window->findChild<QPushButton*>(QStringLiteral("compareRun"));
+  wait_until([&] { return run->isEnabled(); }, 240);
+  if (const int width = qEnvironmentVariableIntValue("LOOPMEND_WIDTH")) window->resize(width, width * 2 / 3);
+  settle(1500);
+  const QSize size = window->pane(0).canvas().size();
+  std::printf("four views of %d x %d pixels; %s\n", size.width(), size.height(),
+              qPrintable(window->findChild<QLabel*>(QStringLiteral("compareWait"))->text()));
+  move_cameras(*window, "at rest");
+  const auto start = window->race().start()->shape;
+  draw_alone(*window, {start, swollen(*start)});
+  for (int k = 0; k < views; ++k) window->pane(k).canvas().show_patch(0, start);
+  if (part_of_it == Part::drawing) return;
+  const auto moving = [&](int k) { return window->race().lane(k)->stage == LaneState::Stage::moving; };
+  GapMeter gaps;
+  const Frames first = frames_of(*window);
+  Frames last = first;
+  std::array<double, views> time{};
+  std::array<bool, views> seen{};
+  QElapsedTimer clock;
+  clock.start();
+  QTest::mouseClick(run, Qt::LeftButton);
+  bool turned = false;
+  wait_until(
+      [&] {
+        if (!turned && clock.elapsed() > 4000) {
+          turned = true;
+          move_cameras(*window, "while the flows run");
+        }
+        for (std::size_t k = 0; k < views; ++k) {
+          const bool moves = moving(static_cast<int>(k));
+          if (moves || !seen[k]) {
+            last[k] = frames_of(*window)[k];
+            time[k] = seconds(clock);
+          }
+          seen[k] = seen[k] || moves;
+        }
+        return run->isEnabled();
+      },
+      400);
+  for (int k = 0; k < views; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    std::printf("view %d: %d pictures in the %.1f s that its flow ran: %.1f a second; %s\n", k, last[at] - first[at],
+                time[at], (last[at] - first[at]) / time[at],
+                qPrintable(window->findChild<QLabel*>(QStringLiteral("paneFigures%1").arg(k))->text()));
+  }
+  gaps.report("four flows on a 20k patch");
+}
+
 void measure_memory(const QTemporaryDir& folder) {
   Shown shown({sample_file(folder)});
   MainWindow& window = shown.window;
@@ -137,8 +324,8 @@ void measure_memory(const QTemporaryDir& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fputs("usage: measure_window DRAGON\n", stderr);
+  if (argc < 2) {
+    std::fputs("usage: measure_window DRAGON [BUNNY] [opening|gaps|memory|flow|compare|drawing ...]\n", stderr);
     return 2;
   }
   const QTemporaryDir home, folder;
@@ -146,8 +333,17 @@ int main(int argc, char** argv) {
   prepare_application();
   QApplication application(argc, argv);
   settle_application();
-  measure_opening(QString::fromLocal8Bit(argv[1]));
-  measure_memory(folder);
-  measure_frame_rate(folder);
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  const QStringList words = application.arguments().mid(2);
+  const auto wanted = [&](const char* what) {
+    const auto names = words.filter(QRegularExpression(QStringLiteral("^[a-z]+$")));
+    return names.isEmpty() || names.contains(QLatin1String(what));
+  };
+  if (wanted("opening")) measure_opening(QString::fromLocal8Bit(argv[1]));
+  if (wanted("gaps") && argc > 2) measure_gaps(QString::fromLocal8Bit(argv[2]));
+  if (wanted("memory")) measure_memory(folder);
+  if (wanted("flow")) measure_frame_rate(folder);
+  if (wanted("compare")) measure_compare(folder, Part::all);
+  if (words.contains(QStringLiteral("drawing"))) measure_compare(folder, Part::drawing);
   return 0;
 }

@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -70,6 +71,18 @@ const TriangleSoup& made(const MainWindow& window) {
   return window.document().scan(window.document().scans().back())->model->soup;
 }
 
+/// Runs what "Copy command line" leaves in the clipboard. @returns whether it succeeds.
+bool run_copied(MainWindow& window) {
+  press(window, "trialCopy");
+  QString command = QGuiApplication::clipboard()->text();
+  for (const char* verb : {"evolve", "interpolate", "blend"})
+    command.replace(QStringLiteral("loopmend ") + QLatin1String(verb),
+                    QStringLiteral(LOOPMEND_PROGRAM " ") + QLatin1String(verb));
+  QProcess shell;
+  shell.start(QStringLiteral("sh"), {QStringLiteral("-c"), command});
+  return shell.waitForFinished(240000) && shell.exitCode() == 0;
+}
+
 QString banner_text(MainWindow& window) { return part<QLabel>(window, "bannerText")->text(); }
 
 }  // namespace
@@ -118,9 +131,11 @@ void ToolsTest::a_painted_region_is_that_of_the_command_line() {
   press(window, "trialEvolve");
   QVERIFY(reach(window, Trial::Stage::solved));
   QVERIFY(document.scan(0) != nullptr);  // nothing has come into the document yet
+  QVERIFY(run_copied(window));
   press(window, "trialAccept");
   QCOMPARE(document.scans(), std::vector<int>{1});
   QCOMPARE(window.isWindowModified(), true);
+  QVERIFY(same(made(window), soup_of(folder_.filePath(QStringLiteral("bumps-fair.ply")))));
 
   const QString numbers = folder_.filePath(QStringLiteral("region.txt")),
                 out = folder_.filePath(QStringLiteral("fair.ply"));
@@ -200,7 +215,9 @@ void ToolsTest::points_of_a_polyhedron() {
   QCOMPARE(window.tools().trial().free_vertices(), 1134);
   press(window, "trialEvolve");
   QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(run_copied(window));
   press(window, "trialAccept");
+  QVERIFY(same(made(window), soup_of(folder_.filePath(QStringLiteral("dodecahedron-smooth.ply")))));
   const QString out = folder_.filePath(QStringLiteral("ball_out.ply"));
   QVERIFY(run_program({QStringLiteral("interpolate"), path, QStringLiteral("-o"), out}));
   QVERIFY(same(made(window), soup_of(out)));
@@ -248,8 +265,10 @@ void ToolsTest::rims_of_three_parts_are_joined() {
   QVERIFY(reach(window, Trial::Stage::posed));
   press(window, "trialEvolve");
   QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(run_copied(window));
   press(window, "trialAccept");
   QCOMPARE(window.document().scans(), std::vector<int>{3});
+  QVERIFY(same(made(window), soup_of(folder_.filePath(QStringLiteral("tube1-joined.ply")))));
   const QString out = folder_.filePath(QStringLiteral("joined.ply"));
   QVERIFY(run_program(QStringList{QStringLiteral("blend")} << files << QStringLiteral("-o") << out));
   QCOMPARE(made(window).triangles, soup_of(out).triangles);

@@ -43,11 +43,25 @@ PosedProblem hole_problem(const CompareCommand& command) {
   return pose_holes(model, holes, options_of(command.words).filler, CancelToken());
 }
 
+PosedProblem points_problem(const CompareCommand& command) {
+  if (command.inputs.size() != 1) throw UsageError("--subdivide takes one polyhedron");
+  SubdivisionOptions options;
+  options.subdivisions = command.subdivide;
+  options.rim = command.rim;
+  if (!command.fixed.empty()) options.fixed = read_vertex_numbers(command.fixed);
+  return pose_points(std::make_shared<const SurfaceModel>(open_model(command.inputs[0]).model), options);
+}
+
 PosedProblem problem_of(const CompareCommand& command) {
+  const bool points = command.subdivide > 0;
+  if (!points && (!command.fixed.empty() || command.rim == PolyhedronRim::keep))
+    throw UsageError("--fixed and --open belong to --subdivide");
   const bool region = !command.region.empty() || !command.where.empty();
   if (region && !command.loops.empty()) throw UsageError("--loops and a region exclude each other");
   if (!command.region.empty() && !command.where.empty())
     throw UsageError("a region is given by --region FILE or by --where CONDITION: one of the two");
+  if (points && (region || !command.loops.empty())) throw UsageError("--subdivide excludes --loops and regions");
+  if (points) return points_problem(command);
   if (region) return region_problem(command);
   return command.inputs.size() > 1 || !command.loops.empty() ? blend_problem(command) : hole_problem(command);
 }

@@ -75,6 +75,13 @@ void add_compare(CLI::App& app, CompareCommand& command) {
   compare->add_option("--region", command.region, "Compare in a region: file of vertex numbers")->type_name("FILE");
   compare->add_option("--where", command.where, "Compare in a region: condition, such as z>0.725")
       ->type_name("CONDITION");
+  compare
+      ->add_option("--subdivide", command.subdivide, "Compare through the vertices of a polyhedron, as 'interpolate'")
+      ->type_name("K")
+      ->check(CLI::Range(1, 8));
+  compare->add_option("--fixed", command.fixed, "With --subdivide: go through these vertices alone")->type_name("FILE");
+  compare->add_flag_callback(
+      "--open", [&command] { command.rim = PolyhedronRim::keep; }, "With --subdivide: take an open polyhedron");
   add_flow_options(*compare, command.words, DensityOption::offer);
   compare->remove_option(compare->get_option("--flow"));
   compare->remove_option(compare->get_option("--ascii"));
@@ -86,7 +93,8 @@ void add_compare(CLI::App& app, CompareCommand& command) {
       "Examples:\n"
       "  loopmend compare scan.ply -o flows\n"
       "  loopmend compare a.ply b.ply c.ply -o flows\n"
-      "  loopmend compare graph.ply -o flows --where 'z>0.725'");
+      "  loopmend compare graph.ply -o flows --where 'z>0.725'\n"
+      "  loopmend compare dodecahedron.off -o flows --subdivide 3");
 }
 
 void add_reproduce(CLI::App& app, ReproduceCommand& command) {

@@ -43,6 +43,9 @@ struct CompareCommand {
   std::string loops;             ///< as in BlendCommand
   std::filesystem::path region;  ///< as in EvolveCommand
   std::string where;
+  int subdivide = 0;            ///< as in InterpolateCommand; 0: no polyhedron is meant
+  std::filesystem::path fixed;  ///< likewise
+  PolyhedronRim rim = PolyhedronRim::refuse;
   FlowWords words;
   std::string command_line;
 };

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/shell_words.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace loopmend::shell {
+
+QString exact(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
+
+QString quoted(const QString& path) {
+  static const QString plain = QStringLiteral("_-./,:=+@%");
+  const bool simple = !path.isEmpty() && std::all_of(path.begin(), path.end(), [](QChar c) {
+    return (c.unicode() < 128 && c.isLetterOrNumber()) || plain.contains(c);
+  });
+  if (simple) return path;
+  QString inside = path;
+  return QLatin1Char('\'') + inside.replace(QLatin1Char('\''), QStringLiteral("'\\''")) + QLatin1Char('\'');
+}
+
+QString word(FlowKind flow) {
+  switch (flow) {
+    case FlowKind::mcf: return QStringLiteral("mcf");
+    case FlowKind::sdf: return QStringLiteral("sdf");
+    case FlowKind::wf: return QStringLiteral("wf");
+    case FlowKind::mmcvf: return QStringLiteral("mmcvf");
+  }
+  return {};
+}
+
+QString file_of(const OpenedScan& scan, const QString& made) {
+  if (scan.from == ScanOrigin::sample) return QStringLiteral("sample.ply");
+  return scan.from == ScanOrigin::made ? made : QDir::toNativeSeparators(scan.path);
+}
+
+QString beside(const QString& file, const QString& ending) {
+  const QFileInfo info(file);
+  const QString base = info.path() == QStringLiteral(".") ? QString() : info.path() + QLatin1Char('/');
+  return base + info.completeBaseName() + ending;
+}
+
+}  // namespace loopmend::shell

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words of a command line, for a POSIX shell.
+#pragma once
+
+#include "document/opened_scan.h"
+#include "evolution/evolution.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace loopmend::shell {
+
+/// The shortest decimal that reads back as the same double.
+QString exact(double value);
+/// A path, in quotes where the shell needs them.
+QString quoted(const QString& path);
+/// As --flow takes it.
+QString word(FlowKind flow);
+/// Where a scan's file is; a name to be written to first where it has none.
+QString file_of(const OpenedScan& scan, const QString& made = QStringLiteral("surface.ply"));
+/// In the same folder, under the same name with something appended: "scan.ply", "-filled.ply" make "scan-filled.ply".
+QString beside(const QString& file, const QString& ending);
+
+}  // namespace loopmend::shell

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/still_renderer.h"
+
+#include <vtkCamera.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkProp.h>
+#include <vtk_glew.h>
+
+#include <algorithm>
+
+namespace loopmend {
+
+vtkStandardNewMacro(StillRenderer);
+
+StillRenderer::StillRenderer() = default;
+StillRenderer::~StillRenderer() = default;
+
+void StillRenderer::add_still(vtkProp* prop) {
+  still_.insert(prop);
+  still_changed();
+}
+
+void StillRenderer::remove_still(vtkProp* prop) {
+  still_.erase(prop);
+  still_changed();
+}
+
+/// All that the kept picture depends on.
+StillRenderer::Key StillRenderer::key() {
+  int width = 0, height = 0, left = 0, bottom = 0;
+  GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  const auto whole = [](int n) { return static_cast<vtkMTimeType>(n); };
+  return {GetActiveCamera()->GetMTime(),
+          whole(width),
+          whole(height),
+          whole(left),
+          whole(bottom),
+          version_,
+          whole(GetRenderWindow()->GetSize()[0]) << 16 | whole(GetRenderWindow()->GetSize()[1])};
+}
+
+/// Between the picture that is being made and the store. @returns whether the graphics could.
+bool StillRenderer::copy(Way way) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(GetRenderWindow());
+  if (!window || !works_) return false;
+  const int* size = window->GetSize();
+  vtkOpenGLState* state = window->GetState();
+  GLint drawn = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  state->PushFramebufferBindings();
+  if (!store_->GetFBOIndex() || store_->GetLastSize()[0] != size[0] || store_->GetLastSize()[1] != size[1]) {
+    // Depths can be copied only between buffers of one format.
+    GLint bits = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+                                          GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &bits);
+    store_->SetContext(window);
+    store_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, bits, 0,
+                                window->GetStencilCapable() != 0);
+  }
+  const auto stored = static_cast<GLuint>(store_->GetFBOIndex());
+  const bool storing = way == Way::into_store;
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, storing ? static_cast<GLuint>(drawn) : stored);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, storing ? stored : static_cast<GLuint>(drawn));
+  int width = 0, height = 0, left = 0, bottom = 0;
+  GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  const bool scissor = state->GetEnumState(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(left, bottom, left + width, bottom + height, left, bottom, left + width, bottom + height,
+                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  works_ = glGetError() == GL_NO_ERROR;
+  if (scissor) state->vtkglEnable(GL_SCISSOR_TEST);
+  state->PopFramebufferBindings();
+  return works_;
+}
+
+void StillRenderer::Clear() {
+  restored_ = false;
+  if (in_store_ && stored_ == key()) restored_ = copy(Way::out_of_store);
+  if (!restored_) Superclass::Clear();
+}
+
+void StillRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {
+  if (GetSelector() || (use_ == Use::draw_all && !restored_)) {
+    Superclass::DeviceRenderOpaqueGeometry(fbo);
+    return;
+  }
+  vtkProp** const all = PropArray;
+  const int count = PropArrayCount;
+  vtkProp** const moving =
+      std::stable_partition(all, all + count, [this](vtkProp* prop) { return still_.contains(prop); });
+  if (!restored_) {
+    PropArrayCount = static_cast<int>(moving - all);
+    Superclass::DeviceRenderOpaqueGeometry(fbo);
+    ++still_drawn_;
+    in_store_ = copy(Way::into_store);
+    stored_ = key();
+  }
+  PropArray = moving;
+  PropArrayCount = count - static_cast<int>(moving - all);
+  Superclass::DeviceRenderOpaqueGeometry(fbo);
+  PropArray = all;
+  PropArrayCount = count;
+}
+
+void StillRenderer::ReleaseGraphicsResources(vtkWindow* window) {
+  in_store_ = false;
+  store_->ReleaseGraphicsResources(window);
+  Superclass::ReleaseGraphicsResources(window);
+}
+
+}  // namespace loopmend
