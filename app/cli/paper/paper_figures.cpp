@@ -19,6 +19,8 @@ namespace loopmend {
 
 namespace {
 
+const Vec3 from_a_corner(1, 0.8, 1.3);  ///< onto six tubes
+
 constexpr double paper_sigma = 10;  ///< "fairly large time step-size": the slowest mode shrinks to a tenth in each step
 
 std::string text(const char* pattern, double value) {
@@ -189,11 +191,13 @@ FigureRun run_fig52a() {
 
 FigureRun run_fig52d() {
   FigureRun run = run_blend(six_tubes(), {4410, 1.0, 0.17, 2.75, 50});
+  run.eye = from_a_corner;
   return run;
 }
 
 FigureRun run_fig52g() {
   FigureRun run = run_blend(tee_tubes(), {2400, 0.01, 0.09, 1.43, 10});
+  run.eye = Vec3(0.25, -1, 0.35);  // onto the T's plane
   return run;
 }
 
@@ -217,6 +221,7 @@ FigureRun run_fig53() {
 FigureRun run_fig54() {
   FigureRun run;
   run.claim = "A fair surface that interpolates the vertices of the dodecahedron.";
+  run.look = FigureRun::Look::polyhedron;
   run.before = make_surface_model(make_dodecahedron());
   const Interpolation result = interpolate_points(run.before, {}, EvolutionOptions{}, {});
   run.initial = make_surface_model(result.initial);
@@ -245,6 +250,7 @@ bool most_continuous_is_mmcvf(const FlowComparison& comparison) {
 
 FigureRun run_fig55() {
   FigureRun run;
+  run.eye = from_a_corner;
   run.claim =
       "The surface of MMCVF is mean-curvature continuous at the blending boundaries; those of SDF and WF are not.";
   std::map<FlowKind, std::vector<double>> jumps;
@@ -273,13 +279,25 @@ FigureRun run_fig55() {
   return run;
 }
 
+/// For a picture of what a region leaves.
+TriangleSoup without(TriangleSoup soup, const std::vector<int>& triangles) {
+  std::vector<char> gone(soup.triangles.size(), 0);
+  for (int f : triangles) gone[f] = 1;
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < gone.size(); ++f)
+    if (!gone[f]) soup.triangles[kept++] = soup.triangles[f];
+  soup.triangles.resize(kept);
+  return soup;
+}
+
 FigureRun run_fig56() {
   FigureRun run;
   run.claim = "Flows of second and fourth order are not curvature continuous at the boundaries of the evolved patch.";
   run.before = make_surface_model(make_bumps());
   const auto region = std::make_shared<const Region>(make_region(run.before, bumps_region(run.before.soup)));
   run.start = region->patch;
-  run.initial = run.before;
+  run.initial = make_surface_model(without(run.before.soup, region->own_triangle));
+  run.initial_caption = "What is held; the rest evolves";
   run.comparison = compare_flows(run.start, {}, nullptr, {});
   const auto model = std::make_shared<const SurfaceModel>(run.before);
   run.surface = [model, region](const Patch& patch) { return with_region(*model, *region, patch); };
