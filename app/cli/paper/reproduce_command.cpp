@@ -164,6 +164,9 @@ std::string markdown(const std::vector<Entry>& entries) {
   for (const Entry& e : entries) {
     md += "\n## " + e.run.id + ": " + e.run.title + "\n\n> " + e.run.claim + "\n\n**" + to_string(e.run.verdict) +
           "**. " + e.run.why + "\n\n![" + e.run.title + "](" + e.run.id + ".png)\n\n";
+    if (e.run.comparison)
+      md += "![Four flows](" + e.run.id + "/compare.png)\n\n![H across the seam](" + e.run.id + "/profile.svg)\n\n" +
+            profile_note + "\n\nEnergies and seam figures: [table.md](" + e.run.id + "/table.md)\n\n";
     for (const auto& [name, value] : e.run.numbers) md += "- " + name + ": " + value + "\n";
   }
   return plain(md);
