@@ -82,7 +82,7 @@ std::string table_html(const std::vector<Entry>& entries) {
 const std::string profile_note =
     "Jumps in the pictures are those of wide fits. In the section, the steep parts of MCF, SDF and WF behind the seam "
     "are "
-    "two triangles wide on every mesh: the discrete curvatures reach across the seam by two rings, and smear a jump "
+    "one or two triangles wide, whatever their size: the discrete curvatures reach across the seam, and smear a jump "
     "over "
     "them. What is left of MMCVF's own jump shrinks with the edges.";
 
