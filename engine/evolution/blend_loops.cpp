@@ -33,6 +33,7 @@ constexpr double against_necks = 5;
 Evolved evolve_bridge(const FillSite& site, const Patch& start, const EvolutionOptions& options,
                       const Evolution::OnStep& on_step, const CancelToken& cancel) {
   Evolved pure = evolve_filler(site, start, options, on_step, cancel);
+  if (pure.message.empty() && pure.bending > 0 && !options.bending) pure.message = "bending energy was blended in";
   const bool may_bend = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending;
   if (pure.status != LoopStatus::step_limit || !may_bend || cancel.cancelled()) return pure;
   EvolutionOptions stiffer = options;
