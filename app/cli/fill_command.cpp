@@ -86,6 +86,17 @@ std::vector<HoleWithIslands> places_to_bridge(const SurfaceModel& model, const s
   return places;
 }
 
+/// Pieces of surface that are covered because nobody asked for anything else.
+std::size_t covered_islands(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                            const std::vector<LoopChoice>& choices, const FillCommand& command) {
+  constexpr std::size_t most_loops = 500;  // a remark is not worth a search among thousands
+  if (command.islands == FillCommand::Islands::bridge || loops.size() > most_loops) return 0;
+  std::size_t count = 0;
+  for (const HoleWithIslands& place : find_islands(model, loops))
+    if (choices[place.hole].fill) count += place.islands.size();
+  return count;
+}
+
 /// The selected loops are worked on; the others get a result that says they were left.
 std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                       const std::vector<LoopChoice>& choices, const FillCommand& command) {
@@ -211,6 +222,7 @@ int run_fill(const FillCommand& command) {
   std::vector<LoopChoice> choices = choose_loops(model, loops, command);
   const RimWork rims = trim_chosen(opened, loops, choices, command.trim_rounds);
 
+  const std::size_t covered = covered_islands(model, loops, choices, command);
   const std::vector<LoopResult> results = fill_selected(model, loops, choices, command);
   const bool unchanged = starts_with(model.soup, opened.as_read, model.repairs.reoriented_faces);
   if (!unchanged) throw std::logic_error("the surroundings of a patch were changed: nothing was written");
@@ -233,6 +245,9 @@ int run_fill(const FillCommand& command) {
       std::fprintf(out, "%zu bad triangles were removed at the rims.\n", rims.removed.size());
     else if (!rims.bad.empty())
       std::fprintf(out, "%zu bad triangles at the rims; --trim-rim 3 would remove them.\n", rims.bad.size());
+    if (covered > 0)
+      std::fprintf(out, "%zu %s of surface within holes; --bridge-islands would join %s.\n", covered,
+                   covered == 1 ? "piece" : "pieces", covered == 1 ? "it" : "them");
     if (loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else

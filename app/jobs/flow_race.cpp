@@ -136,8 +136,7 @@ class FlowRace::Lane {
       post_->runs[at_] = std::move(run);
       if (++post_->ended < post_->runs.size()) return;
     }
-    post_->comparison.start = start_->energies;
-    post_->comparison.start_seams = start_->seams;
+    describe_start(start_->patch, post_->comparison);
     post_->comparison.runs = std::move(post_->runs);
     add_profiles(post_->comparison);
     job_->tell([race = race_, post = post_] { race->end(post); });

@@ -12,7 +12,9 @@ namespace loopmend {
 
 namespace {
 
+/// Empty for what is not known.
 std::string format(const char* pattern, double value) {
+  if (!std::isfinite(value)) return {};
   char text[64];
   std::snprintf(text, sizeof text, pattern, value);
   return text;
@@ -49,9 +51,9 @@ SeamFigures seam_figures(const std::vector<SeamReport>& seams) {
 }
 
 const std::vector<std::string>& comparison_heads() {
-  static const std::vector<std::string> heads{"surface",         "status",     "steps",           "int |grad H|^2",
-                                              "int H^2",         "area",       "jump of H, wide", "jump of H",
-                                              "jump x diameter", "angle, deg", "folds",           "self-intersections"};
+  static const std::vector<std::string> heads{
+      "surface",        "status",    "steps",           "int |grad H|^2",   "int H^2", "area",
+      "wide jump of H", "jump of H", "jump x diameter", "angle in degrees", "folds",   "self-intersections"};
   return heads;
 }
 
@@ -75,7 +77,8 @@ std::vector<std::string> comparison_row(const std::string& name, const std::stri
 
 std::vector<std::vector<std::string>> comparison_rows(const FlowComparison& comparison) {
   std::vector<std::vector<std::string>> rows;
-  rows.push_back(comparison_row("start", "", 0, comparison.start, comparison.start_seams, std::nan(""), {}));
+  rows.push_back(comparison_row("start", "", 0, comparison.start, comparison.start_seams, comparison.start_wide_jump,
+                                comparison.start_quality));
   for (const FlowRun& run : comparison.runs)
     rows.push_back(comparison_row(upper_name(run.flow), to_string(run.evolved.status), run.evolved.steps, run.energies,
                                   run.seams, run.wide_jump, run.evolved.quality));
@@ -95,6 +98,9 @@ std::string comparison_table(const FlowComparison& comparison) {
   std::string text = joined_row(heads, "| ", " | ", " |\n");
   text += joined_row(std::vector<std::string>(heads.size(), "---"), "| ", " | ", " |\n");
   for (const auto& row : comparison_rows(comparison)) text += joined_row(row, "| ", " | ", " |\n");
+  for (const FlowRun& run : comparison.runs)
+    if (!run.evolved.message.empty())
+      text.append("\n").append(upper_name(run.flow)).append(": ").append(run.evolved.message).append(".\n");
   return text;
 }
 
@@ -102,7 +108,8 @@ std::string profile_csv(const FlowComparison& comparison) {
   std::string text = "flow,distance,H\n";
   for (std::size_t k = 0; k < comparison.profiles.size(); ++k)
     for (const ProfilePoint& p : comparison.profiles[k])
-      text += upper_name(comparison.runs[k].flow) + format(",%.17g", p.distance) + format(",%.17g", p.H) + "\n";
+      text += joined_row({upper_name(comparison.runs[k].flow), format("%.17g", p.distance), format("%.17g", p.H)}, "",
+                         ",", "\n");
   return text;
 }
 

@@ -32,7 +32,7 @@ std::vector<std::string> comparison_row(const std::string& name, const std::stri
 std::string comparison_csv(const FlowComparison& comparison);
 /// The same from rows that were made elsewhere.
 std::string csv_of(const std::vector<std::vector<std::string>>& rows);
-/// Markdown, for people.
+/// Markdown, for people: the rows, then why flows stopped early.
 std::string comparison_table(const FlowComparison& comparison);
 /// flow, distance, H: 17 digits.
 std::string profile_csv(const FlowComparison& comparison);

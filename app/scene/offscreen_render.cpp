@@ -37,6 +37,7 @@ void check(const RenderOptions& options) {
       throw InvalidArgument("picture size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
                             " is out of range. Give a width and a height between 64 and 8192 pixels.");
   if (options.h_range && !(*options.h_range > 0)) throw InvalidArgument("the colour range must be larger than 0.");
+  if (options.eye && !(options.eye->norm() > 0)) throw InvalidArgument("the eye must not stand in the middle.");
 }
 
 /// Line widths and letters are drawn for a picture about 1000 pixels wide.
@@ -66,12 +67,14 @@ void fill_scene(Picture& picture, const SurfaceModel& model, const RenderOptions
   picture.scene.set_loops(lines_of(model, find_boundary_loops(model), origin));
 }
 
-void aim(MeshScene& scene, const SurfaceShape& shape, const SurfaceModel& model, double aspect) {
+void aim(MeshScene& scene, const SurfaceShape& shape, const SurfaceModel& model, const RenderOptions& options,
+         double aspect) {
   const auto b = scene.bounds();
   Stand stand;
   stand.focus = 0.5 * Vec3(b[0] + b[1], b[2] + b[3], b[4] + b[5]);
   const Vec3 extents(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-  stand.direction = view_direction(model, find_boundary_loops(model), guessed_up(extents));
+  stand.direction =
+      options.eye ? options.eye->normalized() : view_direction(model, find_boundary_loops(model), guessed_up(extents));
   stand.up = view_up(stand.direction, guessed_up(extents));
   stand.radius = 0.5 * extents.norm();
   stand.aspect = aspect;
@@ -160,7 +163,7 @@ void render_to_png(const SurfaceModel& model, const RenderOptions& options, cons
   const int strip = is_colored(options.shading) ? give_legend_room(picture.scene, window, ratio, width, height) : 0;
   const int room = width - strip;
   picture.scene.renderer()->SetViewport(0, 0, static_cast<double>(room) / width, 1);
-  aim(picture.scene, *picture.shape, model, static_cast<double>(room) / height);
+  aim(picture.scene, *picture.shape, model, options, static_cast<double>(room) / height);
   picture.scene.renderer()->ResetCameraClippingRange();
   write_png(window, options, path);
   window->Finalize();
@@ -184,7 +187,7 @@ void render_before_after(const SurfaceModel& before, const SurfaceModel& after, 
   left.scene.set_legend(LegendPlace::none);
   const int strip = is_colored(options.shading) ? give_legend_room(right.scene, window, ratio, width, height) : 0;
   const int room = (width - strip) / 2;
-  aim(left.scene, *left.shape, before, static_cast<double>(room) / height);
+  aim(left.scene, *left.shape, before, options, static_cast<double>(room) / height);
   right.scene.renderer()->SetActiveCamera(left.scene.renderer()->GetActiveCamera());
   const double share = static_cast<double>(room) / width;
   left.scene.renderer()->SetViewport(0, 0, share, 1);
@@ -219,7 +222,7 @@ void render_panels(const std::vector<Panel>& panels, int columns, const RenderOp
   const int strip =
       is_colored(options.shading) ? give_legend_room(pictures.back()->scene, window, ratio, width, height) : 0;
   const int panel_width = (width - strip) / columns, panel_height = height / rows;
-  aim(pictures.front()->scene, *pictures.front()->shape, *panels.front().model,
+  aim(pictures.front()->scene, *pictures.front()->shape, *panels.front().model, options,
       static_cast<double>(panel_width) / panel_height);
   const double room = static_cast<double>(width - strip) / width / columns;
   for (std::size_t k = 0; k < panels.size(); ++k) {
@@ -228,6 +231,8 @@ void render_panels(const std::vector<Panel>& panels, int columns, const RenderOp
     scene.renderer()->SetViewport(column * room, 1 - (row + 1) / rows, (column + 1) * room, 1 - row / rows);
     scene.renderer()->SetActiveCamera(pictures.front()->scene.renderer()->GetActiveCamera());
     scene.set_range(options.h_range.value_or(symmetric_range(all_H)));
+    scene.set_shading(panels[k].shading.value_or(options.shading));
+    scene.set_edges(panels[k].edges);
     add_caption(scene.renderer(), panels[k].caption.c_str(), ratio, panel_height);
   }
   pictures.front()->scene.renderer()->ResetCameraClippingRange();

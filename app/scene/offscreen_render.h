@@ -17,9 +17,10 @@ struct RenderOptions {
   int height = 1200;  ///< likewise
   std::optional<double>
       h_range;  ///< colours over [−h_range, h_range], 1/length; empty: 98th percentile of the (first) surface
+  std::optional<Vec3> eye;  ///< from the middle towards the eye, any length; empty: towards the largest holes
 };
 
-/// One picture: surface, loops as lines, legend when coloured by H. Looks towards the largest holes.
+/// One picture: surface, loops as lines, legend when coloured by H.
 /// @throws InvalidArgument if a size is out of range; Error if this machine cannot draw; WriteError.
 void render_to_png(const SurfaceModel& model, const RenderOptions& options, const std::filesystem::path& path);
 
@@ -32,6 +33,8 @@ void render_before_after(const SurfaceModel& before, const SurfaceModel& after, 
 struct Panel {
   const SurfaceModel* model = nullptr;
   std::string caption;
+  std::optional<Shading> shading = std::nullopt;  ///< empty: that of the options
+  Edges edges = Edges::hidden;
 };
 
 /// Surfaces in a grid: one camera (that of the first), one colour range (over all of them), one legend.

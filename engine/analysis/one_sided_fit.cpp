@@ -7,6 +7,22 @@
 
 namespace loopmend {
 
+namespace {
+
+/// Normal and H at the origin of r(u, v), from its derivatives r_u, r_v, r_uu, r_uv, r_vv in the columns.
+std::optional<OneSidedFit> at_origin(const Eigen::Matrix<double, 3, 5>& r, const Vec3& reference_normal) {
+  const Vec3 square = r.col(0).cross(r.col(1));
+  if (!(square.dot(reference_normal) > 0)) return std::nullopt;
+  OneSidedFit fit;
+  fit.normal = square.normalized();
+  const double g11 = r.col(0).squaredNorm(), g12 = r.col(0).dot(r.col(1)), g22 = r.col(1).squaredNorm();
+  const Eigen::RowVector3d second = fit.normal.transpose() * r.rightCols<3>();
+  fit.H = (g22 * second[0] - 2 * g12 * second[1] + g11 * second[2]) / (2 * square.squaredNorm());
+  return std::isfinite(fit.H) ? std::optional(fit) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& side, int i,
                                          const Vec3& reference_normal, std::vector<char>& mark) {
   if (reference_normal.isZero()) return std::nullopt;
@@ -21,25 +37,25 @@ std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& s
   for (int j : neighbors) mean += (points[j] - points[i]).norm() / static_cast<double>(m);
   if (!(mean > 0)) return std::nullopt;
   Eigen::MatrixXd A(m, columns);
-  Eigen::VectorXd height(m);
+  Eigen::MatrixX3d place(m, 3);
   for (Eigen::Index k = 0; k < m; ++k) {
     const Vec3 d = (points[neighbors[k]] - points[i]) / mean;
-    const double u = d.dot(e1), v = d.dot(e2), weight = 1 / (0.1 + d.norm());
+    const double length = d.norm(), flat = std::hypot(d.dot(e1), d.dot(e2));
+    if (!(flat > 1e-12 * length)) return std::nullopt;  // a neighbour straight above, or in the same place
+    // At its true distance, not the projected one: then a sphere is quadratic, and the error on others a fraction.
+    const double u = d.dot(e1) * length / flat, v = d.dot(e2) * length / flat, weight = 1 / (0.1 + length);
     A.row(k).head<5>() << u, v, u * u / 2, u * v, v * v / 2;
     if (columns == 9) A.row(k).tail<4>() << u * u * u, u * u * v, u * v * v, v * v * v;
     A.row(k) *= weight;
-    height[k] = weight * d.dot(reference_normal);
+    place.row(k) = weight * d.transpose();
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
   qr.setThreshold(1e-6);
   if (qr.rank() < columns) return std::nullopt;
-  const Eigen::VectorXd c = qr.solve(height);
-  const double fu = c[0], fv = c[1], fuu = c[2], fuv = c[3], fvv = c[4];
-  const double w2 = 1 + fu * fu + fv * fv;
-  OneSidedFit fit;
-  fit.normal = (reference_normal - fu * e1 - fv * e2).normalized();
-  fit.H = ((1 + fv * fv) * fuu - 2 * fu * fv * fuv + (1 + fu * fu) * fvv) / (2 * w2 * std::sqrt(w2)) / mean;
-  return std::isfinite(fit.H) ? std::optional(fit) : std::nullopt;
+  const Eigen::MatrixX3d derivatives = qr.solve(place);
+  std::optional<OneSidedFit> fit = at_origin(derivatives.topRows<5>().transpose(), reference_normal);
+  if (fit) fit->H /= mean;
+  return fit;
 }
 
 }  // namespace loopmend

@@ -12,9 +12,9 @@ struct OneSidedFit {
   double H;     ///< mean curvature, 1/length
 };
 
-/// Fits a height field of third degree (second where there are fewer than 14 neighbours) over the plane of
-/// `reference_normal` through vertex i, to the nearest rings of `side` that hold at least 18 vertices (at most five
-/// rings). Empty when the side is too small or does not determine the fit.
+/// Fits r(u, v) of third degree (second where there are fewer than 14 neighbours) to the nearest rings of `side` that
+/// hold at least 18 vertices (at most five rings). Coordinates as in fit_quadratic: neighbours in the plane of
+/// `reference_normal`, at their true distance. Empty when the side is too small or does not determine the fit.
 std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& side, int i,
                                          const Vec3& reference_normal, std::vector<char>& mark);
 

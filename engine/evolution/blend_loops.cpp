@@ -26,6 +26,24 @@ void take_evolved(Evolved evolved, BlendResult& result) {
   result.seconds.solve = evolved.solve;
 }
 
+/// ∫‖∇H‖² prefers two bubbles with a neck that grows ever thinner where tubes bend sharply: there it has no minimum, and the
+/// flow does not come to rest. The least share of bending energy that keeps the neck open.
+constexpr double against_necks = 5;
+
+Evolved evolve_bridge(const FillSite& site, const Patch& start, const EvolutionOptions& options,
+                      const Evolution::OnStep& on_step, const CancelToken& cancel) {
+  Evolved pure = evolve_filler(site, start, options, on_step, cancel);
+  if (pure.message.empty() && pure.bending > 0 && !options.bending) pure.message = "bending energy was blended in";
+  const bool may_bend = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending;
+  if (pure.status != LoopStatus::step_limit || !may_bend || cancel.cancelled()) return pure;
+  EvolutionOptions stiffer = options;
+  stiffer.bending = against_necks;
+  Evolved bent = evolve_filler(site, start, stiffer, on_step, cancel);
+  if (bent.status != LoopStatus::converged || bent.verdict.folds > 0 || bent.verdict.total() > 0) return pure;
+  bent.message = "the pure flow would pinch a neck: bending energy was blended in";
+  return bent;
+}
+
 /// The last look before the paste.
 void take_verdict(const FillSite& site, BlendResult& result) {
   const Patch& patch = *result.patch;
@@ -58,7 +76,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (!result.bridge || cancel.cancelled()) return result;
   const FillSite site(agreed);
   if (options.evolution && result.bridge->start.free_count > 0) {
-    take_evolved(evolve_filler(site, result.bridge->start, *options.evolution, on_step, cancel), result);
+    take_evolved(evolve_bridge(site, result.bridge->start, *options.evolution, on_step, cancel), result);
   } else {
     result.patch = result.bridge->membrane;
     result.status = LoopStatus::filled;

@@ -71,6 +71,13 @@ std::vector<ProfilePoint> profile_across(const Patch& patch, int edge) {
   return seam_profile(patch, 0, edge, profile_reach(patch));
 }
 
+void describe_start(const Patch& start, FlowComparison& comparison) {
+  comparison.start = patch_energies(start);
+  comparison.start_seams = seam_reports(start);
+  comparison.start_wide_jump = wide_curvature_jump(start);
+  comparison.start_quality = patch_quality(start);
+}
+
 void add_profiles(FlowComparison& comparison) {
   if (comparison.runs.empty() || comparison.runs.front().evolved.patch.loops.empty()) return;
   comparison.profile_edge = widest_jump(comparison.runs);
@@ -82,8 +89,7 @@ void add_profiles(FlowComparison& comparison) {
 FlowComparison compare_flows(const Patch& start, const EvolutionOptions& base,
                              const std::function<void(FlowKind)>& progress, const CancelToken& cancel) {
   FlowComparison comparison;
-  comparison.start = patch_energies(start);
-  comparison.start_seams = seam_reports(start);
+  describe_start(start, comparison);
   for (FlowKind flow : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
     if (cancel.cancelled()) return comparison;
     if (progress) progress(flow);

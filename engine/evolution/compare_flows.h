@@ -4,6 +4,7 @@
 #include "analysis/seam_profile.h"
 #include "analysis/seam_report.h"
 #include "evolution/evolve_patch.h"
+#include "filling/patch_quality.h"
 
 #include <functional>
 #include <vector>
@@ -29,6 +30,8 @@ struct FlowRun {
 struct FlowComparison {
   PatchEnergies start;
   std::vector<SeamReport> start_seams;
+  double start_wide_jump = 0;  ///< wide_curvature_jump, 1/length
+  FillerQuality start_quality;
   std::vector<FlowRun> runs;  ///< MCF, SDF, WF, MMCVF
   int profile_edge = 0;       ///< of loop 0: where the jump of H, summed over the flows, is widest
   std::vector<std::vector<ProfilePoint>> profiles;  ///< of each run, across that edge
@@ -44,6 +47,9 @@ FlowRun run_compared(const Patch& start, FlowKind flow, const EvolutionOptions& 
 
 /// H across one edge of loop 0, as far as a comparison shows it. @param edge  0-based, along the loop.
 std::vector<ProfilePoint> profile_across(const Patch& patch, int edge);
+
+/// Fills in what is known of the start.
+void describe_start(const Patch& start, FlowComparison& comparison);
 
 /// Fills in profile_edge and profiles, once all runs are there; nothing for patches without a loop.
 void add_profiles(FlowComparison& comparison);

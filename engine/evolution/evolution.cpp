@@ -112,7 +112,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   small_moves = 0;
-  creeping_steps = 0;
+  creeping_from.clear();
   last_bold_move = 0;
   fairings_left = history.empty() && options.start != SteadyStart::as_given ? most_fairings : 0;
   coarse_start_left = history.empty() && newton && options.start == SteadyStart::faired &&

@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <utility>
 
@@ -60,10 +61,10 @@ struct Evolution::Impl {
   bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
   int fairings_left = 0;           ///< linear fairing steps that may still be tried before Gauss-Newton
   double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
-  int creeping_steps = 0;     ///< Gauss-Newton steps in a row that neither move nor gain anything to speak of
-  int small_moves = 0;        ///< Gauss-Newton steps in a row that moved nothing to speak of
-  double start_measure = 0;   ///< at the last set_options
-  double lowest_measure = 0;  ///< since then
+  std::deque<double> creeping_from;  ///< measures before the last Gauss-Newton steps, all of which hardly moved
+  int small_moves = 0;               ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double start_measure = 0;          ///< at the last set_options
+  double lowest_measure = 0;         ///< since then
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
 
@@ -81,6 +82,7 @@ struct Evolution::Impl {
   double decay();
   bool near_the_end() const { return last_bold_move > 0 && last_bold_move < near_the_end_move; }
   bool go_over_to_cubic_fits();
+  bool only_creeps(double move, double energy_before);
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
   bool solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s);

@@ -15,8 +15,8 @@ constexpr double near_move = 1;       ///< in mean edge lengths
 constexpr double newton_tolerance = 1 + 1e-9;
 constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it
 constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to no fall of the energy:
-constexpr double creeping_fall = 1e-4;  ///< relative; the frozen fits lead no further down
-constexpr int most_creeping_steps = 8;  ///< in a row
+constexpr double creeping_fall = 1e-4;  ///< relative, on average; the frozen fits lead no further down
+constexpr std::size_t most_creeping_steps = 8;  ///< in a row
 constexpr int largest_factored =
     300000;  ///< free vertices: beyond, the factors of the step's matrix take many gigabytes
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
@@ -40,7 +40,7 @@ bool Evolution::Impl::go_over_to_cubic_fits() {
   stencil = Stencil::two_ring_cubic;
   state = std::move(cubic);
   small_moves = 0;
-  creeping_steps = 0;
+  creeping_from.clear();
   initial_energy = shown_energy(options.flow, cubic_start);
   history.back().energy = shown_energy(options.flow, state);
   return true;
@@ -66,6 +66,19 @@ bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Eigen:
   };
   linear.nearby = [&]() { return near_gauss_newton(state.patch, energy_of(objective), mu); };
   return conjugate_gradients(linear, -system.half_gradient, s).solved;
+}
+
+/// Every so many steps one gains a little more than the others: the fall of several together counts.
+bool Evolution::Impl::only_creeps(double move, double energy_before) {
+  if (!(move < creeping_move)) {
+    creeping_from.clear();
+    return false;
+  }
+  creeping_from.push_back(energy_before);
+  if (creeping_from.size() < most_creeping_steps) return false;
+  const double fall = 1 - state.measure / creeping_from.front();
+  creeping_from.pop_front();
+  return fall < creeping_fall * static_cast<double>(most_creeping_steps);
 }
 
 /// One trial with the present mu: the whole step, a half, a quarter.
@@ -118,9 +131,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
       small_moves = small ? small_moves + 1 : 0;
       const bool bold = mu <= decay();
       mu = std::max(0.2 * mu, 1e-8 * decay());
-      const bool creeping = move < creeping_move && energy_before - state.measure < creeping_fall * energy_before;
-      creeping_steps = creeping ? creeping_steps + 1 : 0;
-      if ((small && (bold || small_moves >= 3)) || creeping_steps >= most_creeping_steps) return finish();
+      if ((small && (bold || small_moves >= 3)) || only_creeps(move, energy_before)) return finish();
       if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
       return care_for_mesh(std::min(1.2 * state.measure, energy_before));
     }

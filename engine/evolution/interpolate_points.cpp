@@ -1,7 +1,8 @@
 #include "evolution/interpolate_points.h"
 
-#include <algorithm>
 #include "filling/patch_quality.h"
+
+#include <algorithm>
 
 namespace loopmend {
 
@@ -13,7 +14,6 @@ void add_effort(const EvolvedPatch& before, EvolvedPatch& after) {
   after.steps += before.steps;
   after.seconds.assemble += before.seconds.assemble;
   after.seconds.solve += before.seconds.solve;
-  after.energy.initial = before.energy.initial;
   after.history.insert(after.history.begin(), before.history.begin(), before.history.end());
 }
 
@@ -44,6 +44,9 @@ Interpolation interpolate_points(const SurfaceModel& polyhedron, const Subdivisi
     add_effort(result.evolved, finer);
     result.evolved = std::move(finer);
   }
+  // On the way the fits became finer: the start is measured by those of the end.
+  if (subdivision.subdivisions > coarse.subdivisions && !cancel.cancelled())
+    result.evolved.energy.initial = Evolution(finest.patch, options).energy();
   result.surface = polyhedron_surface(level, result.evolved.patch);
   result.fixed_count = static_cast<int>(level.fixed.size());
   return result;

@@ -3,9 +3,8 @@
 #include "evolution/blend_loops.h"
 #include "evolution/evolve_patch.h"
 #include "flows/flow_terms.h"
-#include "known_surfaces.h"
 #include "mesh/quality.h"
-#include "samples/analytic_surfaces.h"
+#include "ring_gaps.h"
 #include "table.h"
 #include "tube_sets.h"
 
@@ -135,41 +134,6 @@ void run_refinement(std::uint64_t first, int count) {
   std::printf("%s\n", table.markdown().c_str());
 }
 
-/// A ring missing from a tube whose every point is known.
-void run_rings() {
-  Table table({"surface", "mesh", "around", "status", "free", "steps", "rms, 1e-3 D", "jump x D",
-               "jump x D of the exact surface"});
-  const auto ring = [&](const KnownSurface& surface, const char* mesh, int around, double middle, double half) {
-    SurfaceModel model =
-        make_surface_model(cut(surface.mesh, [&](const Vec3& p) { return std::abs(p.z() - middle) < half; }));
-    std::vector<BoundaryLoop> gap;
-    for (const BoundaryLoop& loop : find_boundary_loops(model))
-      if (std::abs(loop.center.z() - middle) < 1.6 * half) gap.push_back(loop);
-    const double diameter = std::max(gap.front().diameter, gap.back().diameter);
-    const BlendResult result = blend_loops(model, gap, {}, {});
-    if (!result.patch) throw std::runtime_error(result.message);
-    double square = 0;
-    const int free = result.patch->free_count;
-    for (int i = 0; i < free; ++i)
-      square += std::pow(surface.distance(result.patch->to_mesh(result.patch->positions[i])), 2) / free;
-    Patch exact = *result.patch;
-    for (int i = 0; i < free; ++i) {
-      Vec3& p = exact.positions[static_cast<std::size_t>(i)];
-      p = exact.to_frame(surface.project(exact.to_mesh(p)));
-    }
-    table.add({surface.name, mesh, number(around), to_string(result.status), number(free), number(result.steps),
-               number(1e3 * std::sqrt(square) / diameter), number(worst_jump(result.seams_after)),
-               number(worst_jump(seam_reports(exact)))});
-  };
-  for (int around : {24, 40, 60, 96})
-    for (MeshKind kind : {MeshKind::regular, MeshKind::jittered, MeshKind::irregular}) {
-      ring(with_mesh(known_cylinder(6, around), kind, 5), to_string(kind), around, 0, 0.7);
-      ring(with_mesh(known_unduloid(0.3, 3, around), kind, 5), to_string(kind), around, 0, 0.7);
-      std::fprintf(stderr, "rings %d %s\n", around, to_string(kind));
-    }
-  std::printf("%s\n", table.markdown().c_str());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -190,7 +154,7 @@ int main(int argc, char** argv) try {
   }
   if (count > 0) run_sets(seed, count);
   if (refine > 0) run_refinement(seed, refine);
-  if (rings) run_rings();
+  if (rings) std::printf("%s\n", run_ring_gaps().markdown().c_str());
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "loopmend_blends: %s\n", error.what());

@@ -143,6 +143,8 @@ TEST_F(Cli, IslandsAreBridgedOnRequest) {
   // Without it they are left as they are: rims of sheets.
   const json left = json::parse(loopmend_program("fill " + in_out() + "--report - --flow none").out);
   EXPECT_EQ(left["loops"][3]["status"], "skipped");
+  EXPECT_THAT(loopmend_program("fill " + in_out() + "--flow none").out,
+              HasSubstr("2 pieces of surface within holes; --bridge-islands would join them"));
 }
 
 TEST_F(Cli, EveryFlowModeAndSolverRuns) {

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <sstream>
+
 namespace loopmend {
 namespace {
 
@@ -15,6 +18,7 @@ using nlohmann::json;
 using test::loopmend_program;
 using test::Outcome;
 using testing::HasSubstr;
+using testing::Not;
 
 class CliCompare : public test::ProgramTest {
  protected:
@@ -39,6 +43,13 @@ TEST_F(CliCompare, WritesMeshesPictureProfileAndTables) {
   EXPECT_LT(report["flows"][3]["h_jump_wide"], 0.1 * report["flows"][0]["h_jump_wide"].get<double>());
   EXPECT_THAT(test::text_of(work / "flows" / "table.md"), HasSubstr("MMCVF | converged"));
   EXPECT_THAT(test::text_of(work / "flows" / "profile.svg"), HasSubstr("<svg"));
+  // As many cells in each row as heads, and every one a number or a word.
+  std::istringstream table(test::text_of(work / "flows" / "table.csv"));
+  std::string row;
+  for (int k = 0; std::getline(table, row); ++k) {
+    EXPECT_EQ(std::count(row.begin(), row.end(), ','), 11) << row;
+    EXPECT_THAT(row, Not(HasSubstr("nan")));
+  }
 }
 
 TEST_F(CliCompare, RefusesASurfaceWithoutHoles) {

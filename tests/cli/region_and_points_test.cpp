@@ -77,6 +77,14 @@ TEST_F(CliPaper, EvolveByConditionAndByFile) {
   EXPECT_EQ(run("evolve", "bumps.ply", region.append(path("region.txt"))).code, 0);
 }
 
+TEST_F(CliPaper, ARegionUpToTheSurfacesEndHasNothingBeyondToBeComparedWith) {
+  write_mesh(work / "bumps.ply", make_bumps());
+  const Outcome outcome = run("evolve", "bumps.ply", "--where 'z>-9' --steps 2");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("nothing beyond to compare with"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("nan")));
+}
+
 TEST_F(CliPaper, EvolveRefusesRegionsThatAreNone) {
   write_mesh(work / "bumps.ply", make_bumps());
   std::ofstream(work / "words.txt") << "one two\n";

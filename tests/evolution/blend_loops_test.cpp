@@ -43,6 +43,23 @@ TEST(BlendLoops, TubesAtOddAnglesConverge) {
   }
 }
 
+/// Between these tubes ∫‖∇H‖² has no minimum: it falls while a neck grows ever thinner (random sets 12 and 142).
+TEST(BlendLoops, ComesToRestWhereAPureFlowWouldPinchANeck) {
+  const auto tube = [](const Vec3& start, double radius, int around) {
+    return TubeShape{start, start.normalized(), radius, 2, around};
+  };
+  for (const std::vector<TubeShape>& tubes : std::vector<std::vector<TubeShape>>{
+           {tube({1.24423, -0.894402, 1.44239}, 0.641074, 19), tube({0.792144, 0.680567, 0.992102}, 0.52344, 28)},
+           {tube({-1.03357, -0.125675, 0.599922}, 0.476552, 37), tube({1.2977, -0.636319, 0.24795}, 0.518127, 35),
+            tube({1.04764, -0.885301, -1.57802}, 0.649545, 18),
+            tube({-0.0524648, -1.45332, 0.374658}, 0.473592, 22)}}) {
+    SurfaceModel model = test::tubes_model(tubes);
+    const BlendResult result = blend_loops(model, test::inner_rims(model, tubes), {}, {});
+    expect_good(result);
+    EXPECT_EQ(result.message.empty(), result.bending == 0) << "bending energy must be told of";
+  }
+}
+
 /// Radius of the unduloid with H = −1/2 · 2/(0.7 + 1.3) between its neck 0.7 at z = 0 and its belly 1.3, by the midpoint
 /// rule for r″ from r/√(1 + r′²) = (r² + 0.7 · 1.3)/(0.7 + 1.3).
 double unduloid_radius(double z) {

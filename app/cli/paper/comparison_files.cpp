@@ -67,7 +67,7 @@ nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
 }
 
 void write_comparison(const Problem& problem, const FlowComparison& comparison, const std::string& title,
-                      const std::filesystem::path& folder) {
+                      const std::filesystem::path& folder, const std::optional<Vec3>& eye) {
   write_mesh(folder / "start.ply", problem.surface(problem.start));
   std::vector<SurfaceModel> models;
   for (const FlowRun& run : comparison.runs) {
@@ -78,10 +78,10 @@ void write_comparison(const Problem& problem, const FlowComparison& comparison, 
   std::vector<Panel> panels;
   for (std::size_t k = 0; k < models.size(); ++k) {
     const FlowRun& run = comparison.runs[k];
-    panels.push_back({&models[k], upper_name(run.flow) + format(": jump of H %.3g", seam_figures(run.seams).jump) +
-                                      format(" (wide fits %.3g)", run.wide_jump)});
+    panels.push_back({&models[k], upper_name(run.flow) + format(": jump of H %.2g", run.wide_jump)});
   }
   RenderOptions options;
+  options.eye = eye;
   // The colours are those that suit MMCVF: MCF's extremes would leave the others pale.
   const auto field = curvature_field(models.back().mesh).H;
   std::vector<float> H(field.begin(), field.end());

@@ -7,14 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace loopmend {
 
 /// start.ply, one mesh for each flow, compare.png, profile.csv, profile.svg, table.csv, table.md.
-/// @param title  of picture and plot. @throws WriteError
+/// @param title  of the plot.
+/// @param eye    as in RenderOptions. @throws WriteError
 void write_comparison(const Problem& problem, const FlowComparison& comparison, const std::string& title,
-                      const std::filesystem::path& folder);
+                      const std::filesystem::path& folder, const std::optional<Vec3>& eye = std::nullopt);
 
 nlohmann::ordered_json comparison_json(const FlowComparison& comparison);
 

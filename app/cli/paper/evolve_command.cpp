@@ -10,6 +10,7 @@
 #include "problems/problem.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 namespace loopmend {
@@ -25,9 +26,13 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
                  region.patch.free_count);
   const std::vector<SeamReport> before = seam_reports(region.patch), after = seam_reports(evolved.patch);
   std::fprintf(out, "%5s  %21s  %21s\n", "rim", "angle at seam, deg", "jump of H x diameter");
-  for (std::size_t k = 0; k < after.size() && k < 40; ++k)
-    std::fprintf(out, "%5zu  %9.4f -> %8.4f  %9.4f -> %8.4f\n", k + 1, before[k].g1_rms_deg, after[k].g1_rms_deg,
-                 before[k].h_jump_rms_times_diameter, after[k].h_jump_rms_times_diameter);
+  for (std::size_t k = 0; k < after.size() && k < 40; ++k) {
+    if (std::isfinite(after[k].g1_rms_deg))
+      std::fprintf(out, "%5zu  %9.4f -> %8.4f  %9.4f -> %8.4f\n", k + 1, before[k].g1_rms_deg, after[k].g1_rms_deg,
+                   before[k].h_jump_rms_times_diameter, after[k].h_jump_rms_times_diameter);
+    else
+      std::fprintf(out, "%5zu  the surface's own boundary: nothing beyond to compare with\n", k + 1);
+  }
   std::fprintf(out, "%d vertices: %s after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
                evolved.patch.free_count, to_string(evolved.status), evolved.steps, evolved.energy.initial,
                evolved.energy.final, evolved.message.empty() ? "" : ", ", evolved.message.c_str(),

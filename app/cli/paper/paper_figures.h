@@ -28,6 +28,9 @@ struct FigureRun {
   Verdict verdict = Verdict::not_reproduced;
   std::string why;  ///< the figures that decide, and what was assumed
   SurfaceModel before, initial, after;
+  std::string initial_caption = "Initial surface";
+  enum class Look { curvature, polyhedron } look = Look::curvature;  ///< of the first picture
+  std::optional<Vec3> eye;  ///< where the pictures are taken from, see RenderOptions
   std::optional<TableRow> paper, ours;
   double sigma = 0;  ///< our time step without unit; 0 where there were none
   std::vector<std::pair<std::string, std::string>> numbers;

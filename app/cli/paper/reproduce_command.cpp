@@ -44,11 +44,17 @@ void write_figure(FigureRun& run, const std::filesystem::path& folder) {
   options.width = 1800;
   options.height = 620;
   options.h_range = color_range(run.after);
-  render_panels({{&run.before, "Input"}, {&run.initial, "Initial surface"}, {&run.after, "Result"}}, 3, options,
+  options.eye = run.eye;
+  Panel input{&run.before, "Input"};
+  if (run.look == FigureRun::Look::polyhedron) {
+    input.shading = Shading::plain;
+    input.edges = Edges::shown;
+  }
+  render_panels({input, {&run.initial, run.initial_caption}, {&run.after, "Result"}}, 3, options,
                 folder / (run.id + ".png"));
   if (run.comparison) {
     std::filesystem::create_directories(folder / run.id);
-    write_comparison({run.start, run.surface}, *run.comparison, run.id + ": " + run.title, folder / run.id);
+    write_comparison({run.start, run.surface}, *run.comparison, run.id + ": " + run.title, folder / run.id, run.eye);
   }
   run.before = run.initial = run.after = {};
 }
@@ -73,17 +79,24 @@ std::string table_html(const std::vector<Entry>& entries) {
   return html + "</table>\n";
 }
 
+const std::string profile_note =
+    "Jumps in the pictures are those of wide fits. In the section, the steep parts of MCF, SDF and WF behind the seam "
+    "are "
+    "one or two triangles wide, whatever their size: the discrete curvatures reach across the seam, and smear a jump "
+    "over "
+    "them. What is left of MMCVF's own jump shrinks with the edges.";
+
 std::string figure_html(const Entry& entry) {
   const FigureRun& run = entry.run;
   const char* mark = run.verdict == Verdict::reproduced ? "yes" : run.verdict == Verdict::partly ? "partly" : "no";
   std::string html = "<h2 id='" + run.id + "'>" + run.id + ": " + run.title + "</h2>\n<p>The paper: <q>" + run.claim +
                      "</q></p>\n<p><b class='" + mark + "'>" + to_string(run.verdict) + "</b>. " + run.why +
-                     "</p>\n<img src='" + run.id + ".png' alt='" + run.title + ": input, initial surface, result'>\n";
+                     "</p>\n<img src='" + run.id + ".png' alt='" + run.title + ": input, start, result'>\n";
   if (run.comparison)
     html += "<img src='" + run.id + "/compare.png' alt='Four flows'>\n<img src='" + run.id +
-            "/profile.svg' alt='H across the seam'>\n<p>Energies and seam figures: <a href='" + run.id +
-            "/table.md'>table.md</a>, <a href='" + run.id + "/table.csv'>table.csv</a>, <a href='" + run.id +
-            "/profile.csv'>profile.csv</a></p>\n";
+            "/profile.svg' alt='H across the seam'>\n<p>" + profile_note +
+            "</p>\n<p>Energies and seam figures: <a href='" + run.id + "/table.md'>table.md</a>, <a href='" + run.id +
+            "/table.csv'>table.csv</a>, <a href='" + run.id + "/profile.csv'>profile.csv</a></p>\n";
   html += "<table>\n";
   for (const auto& [name, value] : run.numbers) html += "<tr><td>" + name + "</td><td>" + value + "</td></tr>\n";
   return html + "<tr><td>seconds for all of this figure</td><td>" + text("%.1f", entry.seconds) +
@@ -151,6 +164,9 @@ std::string markdown(const std::vector<Entry>& entries) {
   for (const Entry& e : entries) {
     md += "\n## " + e.run.id + ": " + e.run.title + "\n\n> " + e.run.claim + "\n\n**" + to_string(e.run.verdict) +
           "**. " + e.run.why + "\n\n![" + e.run.title + "](" + e.run.id + ".png)\n\n";
+    if (e.run.comparison)
+      md += "![Four flows](" + e.run.id + "/compare.png)\n\n![H across the seam](" + e.run.id + "/profile.svg)\n\n" +
+            profile_note + "\n\nEnergies and seam figures: [table.md](" + e.run.id + "/table.md)\n\n";
     for (const auto& [name, value] : e.run.numbers) md += "- " + name + ": " + value + "\n";
   }
   return plain(md);
