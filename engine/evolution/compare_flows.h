@@ -6,6 +6,7 @@
 #include "evolution/evolve_patch.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace loopmend {
@@ -43,7 +44,8 @@ FlowRun run_compared(const Patch& start, FlowKind flow, const EvolutionOptions& 
                      const CancelToken& cancel);
 
 /// H across one edge of loop 0, as far as a comparison shows it. @param edge  0-based, along the loop.
-std::vector<ProfilePoint> profile_across(const Patch& patch, int edge);
+/// @param H_sigma  as of seam_profile().
+std::vector<ProfilePoint> profile_across(const Patch& patch, int edge, std::span<const float> H_sigma = {});
 
 /// Fills in profile_edge and profiles, once all runs are there; nothing for patches without a loop.
 void add_profiles(FlowComparison& comparison);
