@@ -55,6 +55,8 @@ namespace {
 Json rim_json(const LoopResult& result) {
   const RimSummary& rim = result.rim;
   return {{"surroundings", to_string(rim.roughness.kind)},
+          {"rough_share", number(rim.roughness.rough_share)},
+          {"noise_share", number(rim.roughness.noise_share)},
           {"noise", number(rim.noise)},
           {"noise_per_edge", number(rim.noise_per_edge)},
           {"unevenness", number(rim.roughness.unevenness)},

@@ -5,13 +5,15 @@
 
 #include <QColor>
 
+#include <algorithm>
+
 namespace loopmend {
 
 HoleTable::HoleTable(const Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
   connect(&document, &Document::opened, this, &HoleTable::follow_rows);
   connect(&document, &Document::scans_changed, this, &HoleTable::follow_rows);
   connect(&document, &Document::holes_changed, this, [this] {
-    if (rows_ > 0) Q_EMIT dataChanged(index(0, state), index(rows_ - 1, state));
+    if (rows_ > 0) Q_EMIT dataChanged(index(0, rim), index(rows_ - 1, state));
   });
 }
 
@@ -52,6 +54,10 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
       case planarity: return tr("How far the rim leaves its best plane: rms distance divided by the diameter");
       case kind: return tr("Hole, outer rim of a sheet, crack, ...");
       case scan: return tr("The file that the loop belongs to");
+      case rim:
+        return tr(
+            "How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough, "
+            "and the scatter of its vertices in percent of an edge");
       case state: return tr("What has been done about it");
       default: return {};
     }
@@ -66,6 +72,7 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
     case planarity: return tr("Planarity");
     case kind: return tr("Kind");
     case scan: return tr("Scan");
+    case rim: return tr("Rim");
     case state: return tr("State");
     default: return {};
   }
@@ -82,6 +89,7 @@ QVariant HoleTable::text(int loop, int column) const {
     case planarity: return words::number(l.planarity);
     case kind: return words::kind(l.kind);
     case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
+    case rim: return rim_of(loop) ? words::rim(*rim_of(loop)) : QString();
     case state: return words::state(document_.state(loop));
     default: return {};
   }
@@ -98,13 +106,24 @@ QVariant HoleTable::sort_key(int loop, int column) const {
     case planarity: return l.planarity;
     case kind: return static_cast<int>(l.kind);
     case scan: return document_.scan_of(loop);
+    case rim: return rim_of(loop) ? rim_of(loop)->noise_per_edge : -1;
     case state: return static_cast<int>(document_.state(loop));
     default: return {};
   }
 }
 
+/// Null where the hole is not filled yet.
+const RimSummary* HoleTable::rim_of(int loop) const {
+  const OpenPatch* patch = document_.patch_of(loop);
+  if (!patch || !patch->state->rim) return nullptr;
+  const auto at = std::find(patch->loops.begin(), patch->loops.end(), loop);
+  const auto k = static_cast<std::size_t>(at - patch->loops.begin());
+  return k < patch->state->rim->loops.size() ? &patch->state->rim->loops[k] : nullptr;
+}
+
 QVariant HoleTable::tool_tip(int loop, int column) const {
   if (column == kind) return words::kind_help(document_.loop(loop).kind);
+  if (column == rim) return rim_of(loop) ? words::rim_help(*rim_of(loop)) : QString();
   if (column != state) return {};
   const QString more = document_.message(loop);
   const QString help = words::state_help(document_.state(loop));

@@ -6,12 +6,13 @@
 namespace loopmend {
 
 class Document;
+struct RimSummary;
 
 class HoleTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { number, edges, diameter, perimeter, area, planarity, kind, scan, state, column_count };
+  enum Column { number, edges, diameter, perimeter, area, planarity, kind, scan, rim, state, column_count };
   /// For sorting: the bare number behind a cell.
   static constexpr int sort_role = Qt::UserRole + 1;
 
@@ -27,6 +28,7 @@ class HoleTable : public QAbstractTableModel {
   QVariant text(int loop, int column) const;
   QVariant sort_key(int loop, int column) const;
   QVariant tool_tip(int loop, int column) const;
+  const RimSummary* rim_of(int loop) const;
 
   const Document& document_;
   int rows_ = 0;

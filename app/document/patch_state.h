@@ -5,6 +5,7 @@
 #include "analysis/seam_report.h"
 #include "evolution/evolution.h"
 #include "mesh/patch.h"
+#include "rim/rim_fits.h"
 #include "scene/surface_shape.h"
 
 #include <memory>
@@ -40,6 +41,12 @@ struct PatchRecipe {
   std::vector<RunRecipe> runs;
 };
 
+/// What the surroundings know of themselves.
+struct RimKnowledge {
+  std::vector<RimSummary> loops;             ///< one per loop
+  std::vector<float> curvature_uncertainty;  ///< of H, one for each fixed vertex (rim_fits.h)
+};
+
 struct PatchState {
   Patch patch;
   std::shared_ptr<const SurfaceShape> shape;
@@ -47,12 +54,13 @@ struct PatchState {
   std::string message;  ///< the engine's words about this state; may be empty
   PatchRecipe recipe;
   FlowKind flow = FlowKind::mmcvf;
-  int steps = 0;                        ///< since the filler
-  StepRecord last_step;                 ///< meaningful when steps > 0
-  double initial_energy = 0;            ///< of the run that led here
-  double seconds = 0;                   ///< of that run
-  std::vector<SeamReport> seam_before;  ///< of the filler, one per loop
-  std::vector<SeamReport> seam;         ///< of this state, one per loop
+  int steps = 0;                            ///< since the filler
+  StepRecord last_step;                     ///< meaningful when steps > 0
+  double initial_energy = 0;                ///< of the run that led here
+  double seconds = 0;                       ///< of that run
+  std::vector<SeamReport> seam_before;      ///< of the filler, one per loop
+  std::vector<SeamReport> seam;             ///< of this state, one per loop
+  std::shared_ptr<const RimKnowledge> rim;  ///< the same for all states of a patch; null where nobody asked
 };
 using PatchStatePtr = std::shared_ptr<const PatchState>;
 

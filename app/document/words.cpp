@@ -147,6 +147,26 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStag
   return sentence;
 }
 
+QString rim(const RimSummary& rim) {
+  QString kind;
+  switch (rim.roughness.kind) {
+    case Surroundings::smooth: kind = tr("smooth"); break;
+    case Surroundings::noisy: kind = tr("noisy"); break;
+    case Surroundings::rough: kind = tr("rough"); break;
+  }
+  return tr("%1, %2 %").arg(kind, QString::number(100 * rim.noise_per_edge, 'g', 2));
+}
+
+QString rim_help(const RimSummary& rim) {
+  return tr("What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits "
+            "tell the "
+            "normal at the rim to %3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the section "
+            "shows "
+            "it.")
+      .arg(number(rim.noise), QString::number(100 * rim.noise_per_edge, 'g', 2), number(rim.normal_sigma_deg),
+           number(rim.H_sigma), number(rim.H));
+}
+
 QString hole_name(const Document& document, int loop) {
   const QString number = QString::number(document.loop(loop).number);
   if (document.scans().size() < 2) return number;

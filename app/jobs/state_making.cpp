@@ -4,11 +4,21 @@
 
 namespace loopmend {
 
+std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch) {
+  auto rim = std::make_shared<RimKnowledge>();
+  const RimRoughness roughness = rim_roughness(patch);
+  for (std::size_t l = 0; l < patch.loops.size(); ++l)
+    rim->loops.push_back(rim_summary(patch, static_cast<int>(l), roughness));
+  rim->curvature_uncertainty = curvature_uncertainty(patch);
+  return rim;
+}
+
 PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin) {
   auto state = std::make_shared<PatchState>();
   state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
   state->seam = seam_reports(patch);
   state->seam_before = state->seam;
+  state->rim = rim_knowledge(patch);
   state->message = message;
   state->recipe.density = density;
   state->patch = std::move(patch);

@@ -6,6 +6,9 @@
 
 namespace loopmend {
 
+/// How far the surroundings of a patch can be trusted.
+std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch);
+
 /// The state of a filler.
 PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin);
 

@@ -154,6 +154,7 @@ Workbench::Restored Workbench::restore(const QString& path, const JobPtr& job) c
     }
     auto state = std::make_shared<PatchState>(*saved.state);
     state->shape = std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), *origin));
+    state->rim = rim_knowledge(state->patch);
     patch.state = state;
     patch.timeline = start_timeline(patch.state);
     patch.acceptance = saved.acceptance;

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr int blue = 0, orange = 1, grey = 2;
 enum EnergyGraph { energy_graph, residual_graph };
-enum SectionGraph { around_now, patch_now, patch_before };
+enum SectionGraph { around_now, patch_now, patch_before, band_low, band_high };
 
 QString energy_unit(FlowKind flow) {
   switch (flow) {
@@ -92,6 +93,9 @@ SectionView::SectionView(QWidget* parent)
   plot_->add_graph(Plot::Side::left, tr("H of scan"), Plot::Line::solid, grey);
   plot_->add_graph(Plot::Side::left, tr("patch"), Plot::Line::solid, orange);
   plot_->add_graph(Plot::Side::left, tr("filler"), Plot::Line::dotted, blue);
+  plot_->add_graph(Plot::Side::left, tr("\u00b1\u03c3"), Plot::Line::solid, grey);
+  plot_->add_graph(Plot::Side::left, QString(), Plot::Line::solid, grey);
+  plot_->make_band(band_low, band_high);
   angle_->setObjectName(QStringLiteral("sectionAngle"));
   angle_->setRange(0, 179);
   explain(angle_, tr("Direction of the section"),
@@ -138,13 +142,33 @@ void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
   if (graph_out >= 0) plot_->set_data(graph_out, arc, outside);
 }
 
+/// How far the surroundings know their own H, around its line.
+void SectionView::draw_band(const PatchState& state) {
+  if (!state.rim) return;
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float>& known = state.rim->curvature_uncertainty;
+  std::vector<float> low(state.patch.vertex_count(), none), high = low;
+  if (known.size() + state.patch.free_count != low.size()) return;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const std::size_t i = k + state.patch.free_count;
+    low[i] = state.shape->H[i] - known[k];
+    high[i] = state.shape->H[i] + known[k];
+  }
+  for (const auto& [graph, values] : {std::pair{band_low, &low}, std::pair{band_high, &high}}) {
+    const SectionProfile profile = section_profile(state.patch, loop_, angle_->value() * degree, *values);
+    plot_->set_data(graph, QVector<double>(profile.arc.begin(), profile.arc.end()),
+                    QVector<double>(profile.value.begin(), profile.value.end()));
+  }
+}
+
 void SectionView::update_plot() {
   angle_value_->setText(tr("%1\u00b0").arg(angle_->value()));
   angle_->setEnabled(now_ != nullptr);
-  for (int graph : {around_now, patch_now, patch_before}) plot_->set_data(graph, {}, {});
+  for (int graph : {around_now, patch_now, patch_before, band_low, band_high}) plot_->set_data(graph, {}, {});
   plot_->show_words(now_ ? QString() : tr("Fill a hole, and H across its seam is drawn here."));
   if (before_) draw(*before_, patch_before, -1);
   if (now_) draw(*now_, patch_now, around_now);
+  if (now_) draw_band(*now_);
   plot_->redraw();
 }
 

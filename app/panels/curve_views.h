@@ -42,6 +42,7 @@ class SectionView : public QWidget {
  private:
   void update_plot();
   void draw(const PatchState& state, int graph_in, int graph_out);
+  void draw_band(const PatchState& state);
 
   Plot* plot_;
   QSlider* angle_;

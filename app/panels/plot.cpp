@@ -80,6 +80,15 @@ int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
   return plot_->graphCount() - 1;
 }
 
+void Plot::make_band(int low, int high) {
+  plot_->graph(low)->setChannelFillGraph(plot_->graph(high));
+  plot_->graph(high)->removeFromLegend();
+  for (int graph : {low, high}) inks_[graph].line = Line::band;
+  leave_out_of_fit(low);
+  leave_out_of_fit(high);
+  take_colors();
+}
+
 void Plot::drop_legend() {
   key_ = Key::dropped;
   plot_->legend->setVisible(false);
@@ -194,6 +203,12 @@ void Plot::take_colors() {
   for (int g = 0; g < inks_.size(); ++g) {
     QColor color = plot_ink(inks_[g].ink, dark ? PlotGround::dark : PlotGround::light);
     if (inks_[g].line == Line::faint) color.setAlpha(110);
+    if (inks_[g].line == Line::band) {
+      color.setAlpha(60);
+      plot_->graph(g)->setBrush(plot_->graph(g)->channelFillGraph() ? QBrush(color) : QBrush(Qt::NoBrush));
+      plot_->graph(g)->setPen(Qt::NoPen);
+      continue;
+    }
     plot_->graph(g)->setPen(QPen(color, 2, inks_[g].line == Line::dotted ? Qt::DotLine : Qt::SolidLine));
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);

@@ -24,12 +24,15 @@ class Plot : public QWidget {
 
   enum class Scale { linear, logarithmic };
   enum class Side { left, right };
-  enum class Line { solid, faint, dotted };
+  enum class Line { solid, faint, dotted, band };
 
   void set_axis(Side side, Scale scale);
   void set_axis_name(Side side, const QString& name);
   /// @param ink  see plot_ink(). @returns the graph's index.
   int add_graph(Side side, const QString& name, Line line, int ink);
+  /// Tints what lies between two graphs, in the colour of the first; they leave the legend's lines and the fit of the axis
+  /// alone.
+  void make_band(int low, int high);
   void set_name(int graph, const QString& name);
   /// Something else says which line is which.
   void drop_legend();

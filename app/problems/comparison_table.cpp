@@ -105,11 +105,12 @@ std::string comparison_table(const FlowComparison& comparison) {
 }
 
 std::string profile_csv(const FlowComparison& comparison) {
-  std::string text = "flow,distance,H\n";
+  std::string text = "flow,distance,H,H_sigma\n";
   for (std::size_t k = 0; k < comparison.profiles.size(); ++k)
     for (const ProfilePoint& p : comparison.profiles[k])
-      text += joined_row({upper_name(comparison.runs[k].flow), format("%.17g", p.distance), format("%.17g", p.H)}, "",
-                         ",", "\n");
+      text += joined_row({upper_name(comparison.runs[k].flow), format("%.17g", p.distance), format("%.17g", p.H),
+                          p.H_sigma >= 0 ? format("%.17g", p.H_sigma) : ""},
+                         "", ",", "\n");
   return text;
 }
 

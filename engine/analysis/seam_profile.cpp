@@ -20,8 +20,10 @@ namespace {
 /// One side of all seams: its triangles by directed edge, and H at its vertices when asked for.
 class Side {
  public:
-  Side(const Patch& patch, const Triangles& triangles)
+  /// @param H_sigma  at each fixed vertex; may be empty.
+  Side(const Patch& patch, const Triangles& triangles, std::span<const float> H_sigma = {})
       : patch_(patch),
+        H_sigma_(H_sigma),
         triangles_(triangles),
         topology_(patch.vertex_count(), triangles),
         normals_(angle_weighted_normals(patch.positions, triangles)),
@@ -39,12 +41,17 @@ class Side {
     return entry->second;
   }
 
+  double sigma(int v) const {
+    if (H_sigma_.empty() || v < patch_.free_count) return std::numeric_limits<double>::quiet_NaN();
+    return H_sigma_[static_cast<std::size_t>(v - patch_.free_count)];
+  }
+
   /// From the middle of the edge (a, b), which one triangle of this side has, along the plane square to it.
   std::vector<ProfilePoint> walk(int a, int b, double reach) {
     const Vec3 middle = (patch_.positions[a] + patch_.positions[b]) / 2;
     const Vec3 square = (patch_.positions[b] - patch_.positions[a]).normalized();
     const auto height = [&](int v) { return square.dot(patch_.positions[v] - middle); };
-    std::vector<ProfilePoint> points{{0, (H(a) + H(b)) / 2}};
+    std::vector<ProfilePoint> points{{0, (H(a) + H(b)) / 2, (sigma(a) + sigma(b)) / 2}};
     Vec3 last = middle;
     int below = a, above = b;  // of the edge just crossed, by the plane's side
     auto face = face_.count({a, b}) ? face_.at({a, b}) : face_.count({b, a}) ? face_.at({b, a}) : -1;
@@ -56,7 +63,8 @@ class Side {
       const Vec3 here = (1 - share) * patch_.positions[below] + share * patch_.positions[above];
       const double distance = points.back().distance + (here - last).norm() * patch_.scale;
       if (distance > reach) break;
-      points.push_back({distance, (1 - share) * H(below) + share * H(above)});
+      points.push_back(
+          {distance, (1 - share) * H(below) + share * H(above), (1 - share) * sigma(below) + share * sigma(above)});
       last = here;
       const auto one = face_.find({below, above}), other = face_.find({above, below});
       const int next = one != face_.end() && one->second != face       ? one->second
@@ -69,6 +77,7 @@ class Side {
 
  private:
   const Patch& patch_;
+  std::span<const float> H_sigma_;
   Triangles triangles_;
   Topology topology_;
   Points normals_;
@@ -115,12 +124,15 @@ double quadratic_H(const Points& points, const Topology& side, int i, const Vec3
 
 }  // namespace
 
-std::vector<ProfilePoint> seam_profile(const Patch& patch, int loop, int edge, double reach) {
+std::vector<ProfilePoint> seam_profile(const Patch& patch, int loop, int edge, double reach,
+                                       std::span<const float> H_sigma) {
+  if (!H_sigma.empty() && H_sigma.size() != static_cast<std::size_t>(patch.vertex_count() - patch.free_count))
+    throw InvalidArgument("the standard deviation of H must be given at each fixed vertex");
   const std::vector<int>& rim = loop_of(patch, loop);
   const int count = static_cast<int>(rim.size());
   if (edge < 0 || edge >= count) throw InvalidArgument("the loop has no edge " + std::to_string(edge));
   const int a = rim[edge], b = rim[(edge + 1) % count];
-  std::vector<ProfilePoint> profile = Side(patch, triangles_around(patch)).walk(a, b, reach);
+  std::vector<ProfilePoint> profile = Side(patch, triangles_around(patch), H_sigma).walk(a, b, reach);
   for (ProfilePoint& p : profile) p.distance = 0 - p.distance;  // no −0
   std::reverse(profile.begin(), profile.end());
   const std::vector<ProfilePoint> inside = Side(patch, own_triangles(patch)).walk(a, b, reach);

@@ -2,6 +2,7 @@
 
 #include "energy/curvature_energy.h"
 #include "operators/operator_set.h"
+#include "rim/rim_fits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,8 +68,8 @@ FlowRun run_compared(const Patch& start, FlowKind flow, const EvolutionOptions& 
   return run;
 }
 
-std::vector<ProfilePoint> profile_across(const Patch& patch, int edge) {
-  return seam_profile(patch, 0, edge, profile_reach(patch));
+std::vector<ProfilePoint> profile_across(const Patch& patch, int edge, std::span<const float> H_sigma) {
+  return seam_profile(patch, 0, edge, profile_reach(patch), H_sigma);
 }
 
 void describe_start(const Patch& start, FlowComparison& comparison) {
@@ -82,8 +83,10 @@ void add_profiles(FlowComparison& comparison) {
   if (comparison.runs.empty() || comparison.runs.front().evolved.patch.loops.empty()) return;
   comparison.profile_edge = widest_jump(comparison.runs);
   comparison.profiles.clear();
+  // The same surroundings for all, whose fixed vertices keep their order.
+  const std::vector<float> H_sigma = curvature_uncertainty(comparison.runs.front().evolved.patch);
   for (const FlowRun& run : comparison.runs)
-    comparison.profiles.push_back(profile_across(run.evolved.patch, comparison.profile_edge));
+    comparison.profiles.push_back(profile_across(run.evolved.patch, comparison.profile_edge, H_sigma));
 }
 
 FlowComparison compare_flows(const Patch& start, const EvolutionOptions& base,

@@ -7,6 +7,7 @@
 #include "filling/patch_quality.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace loopmend {
@@ -46,7 +47,8 @@ FlowRun run_compared(const Patch& start, FlowKind flow, const EvolutionOptions& 
                      const CancelToken& cancel);
 
 /// H across one edge of loop 0, as far as a comparison shows it. @param edge  0-based, along the loop.
-std::vector<ProfilePoint> profile_across(const Patch& patch, int edge);
+/// @param H_sigma  as of seam_profile().
+std::vector<ProfilePoint> profile_across(const Patch& patch, int edge, std::span<const float> H_sigma = {});
 
 /// Fills in what is known of the start.
 void describe_start(const Patch& start, FlowComparison& comparison);

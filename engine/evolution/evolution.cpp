@@ -91,6 +91,7 @@ Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   const bool rough = automatic && !new_options.bending && rim->kind == Surroundings::rough;
   if (rough || new_options.rim == RimTrust::smooth) {
     blends_left = rough_passes;
+    rim_data_trust = data_trust(state.patch, rim->radius);
     blend = rough_bending;
     return {new_options.flow, blend / scale};
   }

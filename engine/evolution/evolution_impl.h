@@ -54,6 +54,7 @@ struct Evolution::Impl {
   bool smooth_surroundings = false;  ///< fits of all widths agree on the curvature: it can be trusted to high order
   double blend = 0;                  ///< αR² of the order blend in force
   std::optional<RimRoughness> rim;   ///< of the surroundings; MMCVF to the steady state only
+  Eigen::VectorXd rim_data_trust;    ///< data_trust of the surroundings, while blends are to come
   int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
   double decay_rate = 0;  ///< patch frame
   double sigma = 0;       ///< of the next semi-implicit step; falls on rejection, recovers

@@ -93,9 +93,9 @@ void Evolution::Impl::blend_step() {
   const bool first = judged && blends_left == rough_passes;
   const double R = rim->radius;
   Patch patch = state.patch;
-  const bool solved = first
-                          ? blend_once(patch, SeamContinuity::tangent, {}, R)
-                          : blend_once(patch, options.continuity, judged ? rim_trust(patch, R) : Eigen::VectorXd(), R);
+  const bool solved = first ? blend_once(patch, SeamContinuity::tangent, {}, R)
+                            : blend_once(patch, options.continuity,
+                                         judged ? rim_trust(patch, R, rim_data_trust) : Eigen::VectorXd(), R);
   if (!solved) return stop(EvolutionStatus::failed, "stopped early: the patch is too degenerate to be faired");
   StepRecord record;
   record.step = static_cast<int>(history.size()) + 1;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <numeric>
 #include <unordered_map>
 
@@ -41,6 +42,16 @@ std::vector<int> intersections_of(const FillSite& site, const PatchGeometry& pat
   return count;
 }
 
+/// True if the way from p to q runs through the triangle (Möller and Trumbore).
+bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 way = q - p, ab = b - a, ac = c - a, across = way.cross(ac);
+  const double determinant = ab.dot(across);
+  if (determinant == 0) return false;
+  const Vec3 from = p - a, beside = from.cross(ab);
+  const double u = from.dot(across) / determinant, v = way.dot(beside) / determinant, t = ac.dot(beside) / determinant;
+  return u > 0 && v > 0 && u + v < 1 && t > 0 && t < 1;
+}
+
 }  // namespace
 
 FillSite::FillSite(const SurfaceModel& surface)
@@ -74,6 +85,21 @@ PatchVerdict judge(const FillSite& site, const Patch& patch) {
   const std::vector<int> loop = loop_of_triangles(patch), count = intersections_of(site, patch_geometry(patch));
   for (int f = 0; f < patch.patch_triangles; ++f) verdict.intersections[loop[f]] += count[f];
   return verdict;
+}
+
+int pierced_edges(const FillSite& site, const BoundaryLoop& loop) {
+  int count = 0;
+  for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+    const int a = loop.vertices[k], b = loop.vertices[(k + 1) % loop.vertices.size()];
+    const Vec3 &p = site.points[a], &q = site.points[b];
+    const std::vector<int> near = site.index.near(p.cwiseMin(q), p.cwiseMax(q));
+    count += std::any_of(near.begin(), near.end(), [&](int f) {
+      const Triangle& t = site.triangles[f];
+      const bool beside = std::any_of(t.begin(), t.end(), [&](int v) { return v == a || v == b; });
+      return !beside && pierces(p, q, site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+    });
+  }
+  return count;
 }
 
 bool no_worse(const PatchVerdict& a, const PatchVerdict& b) { return a.folds <= b.folds && a.total() <= b.total(); }

@@ -1,6 +1,7 @@
 // Is a patch fit to be pasted? Folds, and cuts with itself or with any part of the model.
 #pragma once
 
+#include "mesh/boundary_loops.h"
 #include "mesh/patch.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_model.h"
@@ -25,6 +26,9 @@ struct PatchVerdict {
 };
 
 PatchVerdict judge(const FillSite& site, const Patch& patch);
+
+/// Edges of a loop that run through other triangles of the model: no patch whatever can avoid to cut the surface there.
+int pierced_edges(const FillSite& site, const BoundaryLoop& loop);
 
 /// True if a has no more folds and no more cuts than b.
 bool no_worse(const PatchVerdict& a, const PatchVerdict& b);

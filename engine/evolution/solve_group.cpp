@@ -1,7 +1,9 @@
 #include "evolution/solve_group.h"
 
 #include "evolution/best_start.h"
+#include "evolution/state.h"
 #include "mesh/quality.h"
+#include "rim/rim_blend.h"
 #include "rim/white_noise.h"
 
 #include <algorithm>
@@ -38,25 +40,28 @@ void take_figures(const Evolution& evolution, Evolved& result) {
   result.final_energy = evolution.energy();
 }
 
-/// True if the flow should meet the surroundings without their noise.
-bool sees_noise(const Patch& filler, const EvolutionOptions& options) {
+/// What the surroundings are worth to the sixth order, as far as it may be judged: else all shares are 0.
+RimRoughness judged_rim(const Patch& filler, const EvolutionOptions& options) {
   const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
                       options.rim == RimTrust::automatic && !options.bending &&
                       options.continuity == SeamContinuity::curvature;
-  if (!judged) return false;
-  constexpr double least_noise = 2e-3;  // in mean edges: below, fits err by more than the noise
-  const RimRoughness rim = rim_roughness(filler);
-  return rim.kind == Surroundings::noisy &&
-         rim.noise > least_noise * mean_edge_length(filler.positions, filler.triangles, filler.patch_triangles);
+  return judged ? rim_roughness(filler) : RimRoughness{};
 }
 
+/// What all runs for one filler have in common.
+struct Run {
+  const FillSite& site;
+  const Patch& filler;
+  double noise_share;  ///< of the surroundings' noise that the flow does not meet
+  const Evolution::OnStep& on_step;
+  const CancelToken& cancel;
+};
+
 /// One run of the flow. @returns true if its result may be kept: if it is no worse than the filler.
-bool evolve_once(const FillSite& site, const Patch& filler, const Patch& start, const EvolutionOptions& options,
-                 const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
-  const bool noisy = sees_noise(filler, options);
-  EvolutionOptions in_force = options;
-  if (noisy) in_force.bending = 0;  // what is left without the noise is smooth
-  Evolution evolution(noisy ? without_noise(start, site.model) : start, in_force);
+bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& options, Evolved& result) {
+  const auto& [site, filler, noise_share, on_step, cancel] = run;
+  const bool noisy = noise_share > 0;
+  Evolution evolution(noisy ? without_noise(start, site.model, noise_share) : start, options);
   const EvolutionStatus status = evolution.run(on_step, cancel);
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
@@ -85,18 +90,82 @@ RunRating rate(const Evolved& evolved) {
 }
 
 /// @returns true if a result may be kept.
-bool from_the_best_start(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
-                         const Evolution::OnStep& on_step, const CancelToken& cancel, Evolved& result) {
+bool from_the_best_start(const Run& run, const EvolutionOptions& options, Evolved& result) {
   result = best_of_starts(
-      filler, options, cancel,
+      run.filler, options, run.cancel,
       [&](const Patch& start, const EvolutionOptions& from) {
         Evolved evolved;
-        evolved.patch = filler;
-        evolve_once(site, filler, start, from, on_step, cancel, evolved);
+        evolved.patch = run.filler;
+        evolve_once(run, start, from, evolved);
         return evolved;
       },
       rate);
   return result.status != LoopStatus::filled;
+}
+
+/// Half, a quarter, an eighth of the way from the filler to the robust patch, where the whole way would fold or cut.
+/// @returns false if none of these may be kept, or there is no such way.
+bool go_part_of_the_way(const Run& run, const EvolutionOptions& options, Evolved& result) {
+  EvolutionOptions robust = options;
+  robust.rim = RimTrust::smooth;
+  robust.triangles = PatchTriangles::kept;
+  Evolution evolution(run.filler, robust);
+  if (evolution.run(run.on_step, run.cancel) != EvolutionStatus::converged) return false;
+  if (evolution.patch().free_count != run.filler.free_count) return false;
+  const PatchVerdict before = judge(run.site, run.filler);
+  for (double share : {0.5, 0.25, 0.125}) {
+    Patch patch = run.filler;
+    for (int i = 0; i < patch.free_count; ++i)
+      patch.positions[i] += share * (evolution.patch().positions[i] - patch.positions[i]);
+    PatchVerdict verdict = judge(run.site, patch);
+    if (!no_worse(verdict, before)) continue;
+    take_figures(evolution, result);
+    result.patch = std::move(patch);
+    result.verdict = std::move(verdict);
+    result.status = LoopStatus::step_limit;
+    result.bending = evolution.bending();
+    result.message =
+        "went only part of the way to the fair shape, since all of it would fold the patch or cut the surface";
+    return true;
+  }
+  return false;
+}
+
+/// The share of the robust patch, raised where the literal one strays from it: sixth order that goes far from what the
+/// surroundings allow has been led astray by their roughness.
+double share_between(const Patch& literal, const Patch& robust, const RimRoughness& rim) {
+  constexpr double near = 0.1, astray = 0.3;  // of the patch's radius
+  double way = 0;
+  for (int i = 0; i < literal.free_count; ++i) way = std::max(way, (literal.positions[i] - robust.positions[i]).norm());
+  const double trust = std::clamp((astray - way / rim.radius) / (astray - near), 0.0, 1.0);
+  return 1 - (1 - rim.rough_share) * trust;
+}
+
+/// Between smooth and rough surroundings: both patches on the filler's vertices, and the way from one to the other.
+/// @returns false if there is no such passage, since one of them does not exist or the mesh had to be changed.
+bool evolve_between(const Run& run, const EvolutionOptions& options, const RimRoughness& rim, Evolved& result) {
+  EvolutionOptions robust_options = options, literal_options = options;
+  robust_options.rim = RimTrust::smooth;
+  literal_options.bending = (1 - run.noise_share) * rim.bending;
+  literal_options.triangles = PatchTriangles::kept;
+  Evolved literal;
+  if (!evolve_once({run.site, run.filler, 0, run.on_step, run.cancel}, run.filler, robust_options, result))
+    return false;
+  if (!evolve_once(run, run.filler, literal_options, literal)) return true;
+  if (literal.patch.free_count != result.patch.free_count) return true;
+  const Eigen::VectorXd trust = rim_trust(result.patch, rim.radius, data_trust(result.patch, rim.radius));
+  const double share = share_between(literal.patch, result.patch, rim);
+  Patch patch = passage_between(literal.patch, result.patch, share, trust);
+  PatchVerdict verdict = judge(run.site, patch);
+  if (!no_worse(verdict, result.verdict)) return true;
+  result.patch = std::move(patch);
+  result.verdict = std::move(verdict);
+  result.steps += literal.steps;
+  result.assemble += literal.assemble;
+  result.solve += literal.solve;
+  result.bending = share * result.bending + (1 - share) * literal.bending;
+  result.final_energy = shown_energy(options.flow, make_state(result.patch, {options.flow, 0}, Stencil::two_ring));
+  return true;
 }
 
 /// What to try where the flow spoils the patch: bending energy blended in, and lower orders, which bulge less. On rough
@@ -122,10 +191,19 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
     result.verdict = judge(site, filler);
     return result;
   }
-  if (from_the_best_start(site, filler, options, on_step, cancel, result) || cancel.cancelled()) return result;
+  const RimRoughness rim = judged_rim(filler, options);
+  const Run run{site, filler, rim.noise_share, on_step, cancel}, plain{site, filler, 0, on_step, cancel};
+  if (rim.rough_share > 0 && rim.rough_share < 1) {
+    if (evolve_between(run, options, rim, result) || cancel.cancelled()) return result;
+  } else {
+    EvolutionOptions first = options;
+    if (rim.noise_share > 0) first.bending = (1 - rim.noise_share) * rim.bending;
+    if (from_the_best_start(run, first, result) || cancel.cancelled()) return result;
+  }
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
     for (const EvolutionOptions& gentler : gentler_options(filler, options))
-      if (evolve_once(site, filler, filler, gentler, on_step, cancel, result) || cancel.cancelled()) return result;
+      if (evolve_once(plain, filler, gentler, result) || cancel.cancelled()) return result;
+    if (go_part_of_the_way(plain, options, result) || cancel.cancelled()) return result;
   }
   result.verdict = judge(site, filler);
   result.final_energy = result.initial_energy;
@@ -148,6 +226,14 @@ void take_result(const Evolved& evolved, LoopResult& result) {
   result.energy = {evolved.initial_energy, evolved.final_energy};
   result.seconds.assemble = evolved.assemble;
   result.seconds.solve = evolved.solve;
+}
+
+std::string why_left_open(const FillSite& site, const BoundaryLoop& loop, int cuts) {
+  if (const int pierced = pierced_edges(site, loop))
+    return "its rim itself runs through the surface, with " + std::to_string(pierced) +
+           " edges, so that every patch would cut the surface: left open; remove the triangles that cross there";
+  return "every patch that was found would cut the surface or itself, in " + std::to_string(cuts) +
+         " places: left open";
 }
 
 GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
@@ -186,8 +272,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
     if (verdict.total() == 0)
       take_result(evolved, result);
     else
-      result.message = "every patch that was found would cut the surface or itself, in " +
-                       std::to_string(verdict.intersections[p]) + " places: left open";
+      result.message = why_left_open(site, result.loop, verdict.intersections[p]);
     result.seconds.total = seconds_since(start);
     finished.loops.push_back(static_cast<int>(found - outcome.results.begin()));
   }

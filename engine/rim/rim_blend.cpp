@@ -2,6 +2,8 @@
 
 #include "filling/fairing.h"
 #include "operators/operator_set.h"
+#include "operators/topology.h"
+#include "rim/rim_fits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,7 @@ namespace loopmend {
 namespace {
 
 constexpr double trust_in_median = 8, trust_in_radius = 8;
+constexpr double known_well_enough = 2;  ///< σ_H R from which a curvature counts half
 constexpr int data_rings = 2;  ///< rings 1 and 2: from their Laplacians tangent and curvature run into the patch
 
 SparseMatrix stiffness(const Patch& patch) {
@@ -44,7 +47,30 @@ SparseMatrix trusted_stiffness(const Patch& patch, const Eigen::VectorXd& trust)
 
 }  // namespace
 
-Eigen::VectorXd rim_trust(const Patch& patch, double radius) {
+Eigen::VectorXd data_trust(const Patch& patch, double radius) {
+  Eigen::VectorXd all = Eigen::VectorXd::Ones(patch.vertex_count());
+  for (std::size_t l = 0; l < patch.loops.size(); ++l) {
+    const std::vector<RimFit> fits = rim_fits(patch, static_cast<int>(l));
+    for (std::size_t k = 0; k < fits.size(); ++k) {
+      const double doubt = fits[k].H_sigma * radius / known_well_enough;
+      if (fits[k].valid) all[patch.loops[l][k]] = 1 / (1 + doubt * doubt);
+    }
+  }
+  const Topology topology(patch.vertex_count(), patch.triangles);
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
+    if (patch.ring[i] != 2) continue;
+    double sum = 0, count = 0;
+    for (int j : topology.neighbors(i))
+      if (patch.ring[j] == 1) {
+        sum += all[j];
+        ++count;
+      }
+    if (count > 0) all[i] = sum / count;
+  }
+  return all.tail(patch.vertex_count() - patch.free_count);
+}
+
+Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::VectorXd& data) {
   Eigen::MatrixX3d x(patch.vertex_count(), 3);
   for (int i = 0; i < patch.vertex_count(); ++i) x.row(i) = patch.positions[i].transpose();
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
@@ -55,14 +81,30 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius) {
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (on_rim(i)) rim.push_back(bend[i]);
   Eigen::VectorXd trust = Eigen::VectorXd::Ones(patch.vertex_count());
+  trust.tail(data.size()) = data;
   if (rim.empty()) return trust;
   const auto middle = rim.begin() + static_cast<long>(rim.size() / 2);
   std::nth_element(rim.begin(), middle, rim.end());
   if (!(*middle > 0)) return trust;
   const double limit = 1 / (1 / (trust_in_median * *middle) + radius / trust_in_radius);
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
-    if (on_rim(i) && bend[i] > limit) trust[i] = (limit / bend[i]) * (limit / bend[i]);
+    if (on_rim(i) && bend[i] > limit) trust[i] = std::min(trust[i], (limit / bend[i]) * (limit / bend[i]));
   return trust;
+}
+
+Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust) {
+  Points way(literal.vertex_count(), Vec3::Zero());  // the share at each vertex, in x
+  for (int i = literal.free_count; i < literal.vertex_count(); ++i)
+    way[i].x() = share / (share + (1 - share) * trust[i]);
+  for (int i = 0; i < literal.free_count; ++i) way[i].x() = share;
+  std::vector<int> own(literal.patch_triangles);
+  std::iota(own.begin(), own.end(), 0);
+  minimise_quadratic_form(clamped_cotan_stiffness(literal.positions, literal.triangles, own, robust_clamp), way, 0,
+                          literal.free_count);
+  Patch result = literal;
+  for (int i = 0; i < literal.free_count; ++i)
+    result.positions[i] += way[i].x() * (robust.positions[i] - literal.positions[i]);
+  return result;
 }
 
 bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius) {

@@ -14,10 +14,22 @@ enum class SeamContinuity {
   curvature,  ///< and its curvature: the order blend
 };
 
-/// Trust in each vertex, 0..1, #V: 1 everywhere but on rings 1 and 2, where it is min(1, (T / |Δr|)²) with
-/// 1/T = 1/(8 m) + R/8, m the median of |Δr| over the two rings, R the patch's radius: what is bent much more than its
-/// neighbours, or than anything that could run through the hole, counts little.
-Eigen::VectorXd rim_trust(const Patch& patch, double radius);
+/// How well the surroundings know their own curvature, 0..1, one value for each fixed vertex, in their order: 1 everywhere
+/// but on ring 1, where it is 1 / (1 + (σ_H R / 2)²) with σ_H of the vertex's RimFit, and on ring 2, which takes the mean of
+/// its neighbours of ring 1: a curvature that is known no better than to that of a ball as wide as the hole counts half.
+Eigen::VectorXd data_trust(const Patch& patch, double radius);
+
+/// Trust in each vertex, 0..1, #V: 1 everywhere but on rings 1 and 2, where it is the lesser of the vertex's `data` and
+/// min(1, (T / |Δr|)²) with 1/T = 1/(8 m) + R/8, m the median of |Δr| over the two rings, R the patch's radius: what is
+/// bent much more than its neighbours, or than anything that could run through the hole, counts little.
+/// @param data  of data_trust.
+Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::VectorXd& data);
+
+/// The passage from one patch to the other, of the same vertices, as far as `share` says: each free vertex goes s of the
+/// way. On the loops s / (1 − s) = share / (1 − share) / trust, so that the better a rim vertex is trusted, the longer the
+/// literal patch is kept beside it; s runs harmonically into the patch.
+/// @param share  0..1. @param trust  #V, 0..1, as of rim_trust. @returns `literal` with its free vertices moved.
+Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust);
 
 /// αR² of the order blend on rough surroundings. Measured: 0, 10 and 30 differ by 2 %.
 inline constexpr double rough_bending = 10;

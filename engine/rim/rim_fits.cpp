@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace loopmend {
@@ -50,9 +51,8 @@ double median_residual(const std::vector<std::optional<CubicFit>>& fits) {
   return *middle;
 }
 
-}  // namespace
-
-std::vector<RimFit> rim_fits(const Patch& patch, int loop) {
+/// At the given fixed vertices, all of one width.
+std::vector<RimFit> fits_at(const Patch& patch, const std::vector<int>& vertices) {
   const Triangles around(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
   const Topology topology(patch.vertex_count(), around);
   const Points normals = angle_weighted_normals(patch.positions, around);
@@ -61,7 +61,7 @@ std::vector<RimFit> rim_fits(const Patch& patch, int loop) {
   double smallest = 0;
   for (int rings = narrowest; rings <= widest; ++rings) {
     std::vector<std::optional<CubicFit>> fits;
-    for (int v : patch.loops[loop])
+    for (int v : vertices)
       fits.push_back(normals[v].isZero()
                          ? std::nullopt
                          : fit_cubic(patch.positions, topology, v, normals[v], rings, Outliers::weighted_down, mark));
@@ -73,6 +73,22 @@ std::vector<RimFit> rim_fits(const Patch& patch, int loop) {
   std::vector<RimFit> result;
   for (const auto& fit : chosen) result.push_back(fit ? at_origin(*fit) : RimFit{});
   return result;
+}
+
+}  // namespace
+
+std::vector<RimFit> rim_fits(const Patch& patch, int loop) { return fits_at(patch, patch.loops[loop]); }
+
+std::vector<float> curvature_uncertainty(const Patch& patch) {
+  constexpr int farthest = 4;
+  std::vector<int> near;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
+    if (patch.ring[i] <= farthest) near.push_back(i);
+  const std::vector<RimFit> fits = fits_at(patch, near);
+  std::vector<float> sigma(patch.vertex_count() - patch.free_count, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t k = 0; k < fits.size(); ++k)
+    if (fits[k].valid) sigma[near[k] - patch.free_count] = static_cast<float>(fits[k].H_sigma / patch.scale);
+  return sigma;
 }
 
 RimSummary rim_summary(const Patch& patch, int loop, const RimRoughness& roughness) {

@@ -21,6 +21,10 @@ struct RimFit {
 /// that leaves over no more than white noise does: at most 1.5 times the smallest residual of the narrower ones.
 std::vector<RimFit> rim_fits(const Patch& patch, int loop);
 
+/// Standard deviation of H, 1/length in mesh units, at each fixed vertex of rings 1 to 4, from the same fits; NaN farther out
+/// and where there is no fit. One value for each fixed vertex, in their order.
+std::vector<float> curvature_uncertainty(const Patch& patch);
+
 /// What a person wants to know of one rim. Mesh units.
 struct RimSummary {
   RimRoughness roughness;                   ///< of the whole problem; patch frame

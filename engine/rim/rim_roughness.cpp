@@ -61,22 +61,50 @@ void measure_residuals(const Patch& patch, RimRoughness& rim) {
   const Topology topology(patch.vertex_count(), around);
   const Points normals = angle_weighted_normals(patch.positions, around);
   rim.noise = median_residual(patch, topology, normals, 2);
+  const double middle = median_residual(patch, topology, normals, 3);
   const double wide = median_residual(patch, topology, normals, 4);
-  if (rim.noise > 0 && wide > 0) rim.growth = std::log2(wide / rim.noise);
+  if (!(rim.noise > 0 && middle > 0 && wide > 0)) return;
+  rim.growth = std::log2(wide / rim.noise);
+  const double outer = std::log(wide / middle) / std::log(4.0 / 3);
+  if (outer > 0) rim.evenness = std::max(0.0, std::log(middle / rim.noise) / std::log(1.5) / outer);
 }
 
 // What a cubic leaves over grows with the fourth power of the neighbourhood's width on a smooth surface, not at all under
-// white noise, and about linearly on the scans. Measured: 3.0 to 3.9, 0.04 to 0.19, 0.24 to 2.7.
-constexpr double least_smooth_growth = 2.8, most_white_growth = 0.17;
-constexpr double smooth_correlation = 0.985;  ///< of H from here on, the rim's curvature tells that of the hole
-constexpr double even_curvature = 0.005;      ///< unevenness below, noise does not matter
-constexpr double plain_roughness = 0.3;  ///< unevenness above, growth is that of large features, not of a smooth shape
+// white noise, and about linearly on the scans. Measured: 3.0 to 3.9, 0.0 to 0.26, 0.37 to 2.7 but for two scans of 283.
+// Each test has a band in which the kinds pass into one another. It lies on the side where the rough or the noisy kind
+// begins, so that what is smooth stays so to the last bit; few scans are within.
+struct Band {
+  double off, on;  ///< in that order or the other way round
+};
+constexpr Band not_white_growth{0.27, 0.37};
+constexpr Band not_smooth_growth{2.8, 2.65};
+constexpr Band uneven_curvature{0.005, 0.01};     ///< of unevenness: below, noise does not matter
+constexpr Band plain_roughness{0.3, 0.45};        ///< of unevenness: above, growth is that of large features
+constexpr Band uncorrelated{0.985, 0.97};         ///< C: above, the rim's curvature tells that of the hole,
+constexpr Band even_growth{0.72, 0.85};           ///< but for relief of all scales, smooth as it may be,
+constexpr Band plain_growth{0.8, 1.3};            ///< which shows where the residual grows enough to tell
+constexpr Band noise_that_matters{0.001, 0.003};  ///< in mean edges: below, fits err by more than the noise
 
-Surroundings kind_of(const RimRoughness& rim) {
-  if (rim.growth < most_white_growth) return Surroundings::noisy;
-  if (rim.unevenness < even_curvature || rim.correlation > smooth_correlation) return Surroundings::smooth;
-  return rim.growth > least_smooth_growth && rim.unevenness < plain_roughness ? Surroundings::smooth
-                                                                              : Surroundings::rough;
+/// 0 at band.off and before, 1 at band.on and beyond, smooth in between.
+double passage(double value, const Band& band) {
+  const double t = std::clamp((value - band.off) / (band.on - band.off), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+double rough_share_of(const RimRoughness& rim) {
+  const double plain = std::max(passage(rim.growth, not_smooth_growth), passage(rim.unevenness, plain_roughness));
+  const double relief = passage(rim.evenness, even_growth) * passage(rim.growth, plain_growth);
+  const double unlike = std::max(passage(rim.correlation, uncorrelated), relief);
+  return passage(rim.growth, not_white_growth) * std::min({passage(rim.unevenness, uneven_curvature), unlike, plain});
+}
+
+void judge_kind(RimRoughness& rim, double edge) {
+  rim.rough_share = rough_share_of(rim);
+  rim.noise_share =
+      edge > 0 ? (1 - passage(rim.growth, not_white_growth)) * passage(rim.noise / edge, noise_that_matters) : 0;
+  rim.kind = rim.growth < not_white_growth.off ? Surroundings::noisy
+             : rim.rough_share > 0             ? Surroundings::rough
+                                               : Surroundings::smooth;
 }
 
 /// Correlation of H₄ between vertices at 0.8 to 1.2 of the distance.
@@ -95,8 +123,8 @@ double correlation_at(const Patch& patch, const Exterior& exterior, double dista
 
 /// αR² from a = (R / correlation length)², NUMERICS §12.4.
 double bending_for(double a) {
-  if (a < 0.01) return 0;
-  if (a <= 0.1) return a;
+  if (a <= 0.01) return 0;
+  if (a <= 0.1) return (a - 0.01) / 0.9;
   const double rough = std::clamp(2 * a, 60.0, 300.0);
   if (a >= 1) return rough;
   return 0.1 * std::pow(60 / 0.1, std::log(a / 0.1) / std::log(10.0));
@@ -131,7 +159,7 @@ RimRoughness rim_roughness(const Patch& patch) {
   const double gate = std::clamp(std::log(rim.unevenness / 0.1) / std::log(3.0), 0.0, 1.0);
   rim.bending = bending_for(per_length * per_length * gate);
   measure_residuals(patch, rim);
-  rim.kind = kind_of(rim);
+  judge_kind(rim, edge);
   return rim;
 }
 

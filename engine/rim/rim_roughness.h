@@ -15,13 +15,20 @@ enum class Surroundings {
 const char* to_string(Surroundings surroundings);
 
 /// Sixth order takes the curvature at the rim literally; where that is roughness, the patch blows up (NUMERICS §12).
+/// The kinds run into one another: the two shares say how far, continuously in the surroundings, and the patch follows
+/// them without a jump. Smooth surroundings have both at 0 exactly.
 struct RimRoughness {
   Surroundings kind = Surroundings::smooth;
+  double rough_share = 0;  ///< 0..1: share of the robust fairing in the patch; above 0 where the kind is rough
+  double noise_share = 0;  ///< 0..1: share of the white noise that the flow should not meet
   double unevenness = 0;   ///< q = R · rms(H₂ − H₄): curvature of two-ring against four-ring fits, no unit
   double correlation = 1;  ///< C of H₄ at a quarter of the patch radius, 0.01..1: 1 is smooth
   double noise = 0;  ///< σ: median residual of cubic two-ring fits, patch frame; the standard deviation of white noise
   double growth =
       4;  ///< log₂ of the residual of four-ring over that of two-ring fits: 0 white noise, 3 and more smooth
+  double evenness = 1;  ///< of that growth: from two to three rings over from three to four, each per log of the width.
+      ///< About 1 on scans, whose relief is alike on all scales; less where weak white noise lies on a
+      ///< smooth surface, since then it is all in the wide fits
   double bending = 0;  ///< αR² of the order blend ∫‖∇H‖² + α∫H² that these ask for; 0 on smooth surroundings
   double radius = 0;  ///< R = sqrt(patch area / (π · loops)), patch frame
 };

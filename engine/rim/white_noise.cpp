@@ -13,7 +13,9 @@ namespace loopmend {
 namespace {
 
 constexpr int least_rings = 4, most_rings = 10;
-constexpr double more_than_noise = 1.1;  ///< residual of wider fits over that of the narrowest, where shape shows in it
+/// Residual of wider fits over the least of narrower ones: up to the first figure it is noise alone, from the second on
+/// shape shows in it.
+constexpr double noise_alone = 1.05, more_than_noise = 1.15;
 
 /// The surface around a patch, far enough for the widest fits at its outermost ring. Patch frame.
 struct WideSurroundings {
@@ -72,13 +74,13 @@ void move_fixed(Patch& patch, const Points& places) {
 
 }  // namespace
 
-Patch without_noise(const Patch& patch, const SurfaceModel& model) {
+Patch without_noise(const Patch& patch, const SurfaceModel& model, double share) {
   const WideSurroundings wide = wide_surroundings(patch, model);
   const Topology topology(static_cast<int>(wide.points.size()), wide.triangles);
   const Points normals = angle_weighted_normals(wide.points, wide.triangles);
   std::vector<char> mark(wide.points.size(), 0);
   Points best;
-  double least = 0;
+  double least = 0, weight = 1;  // of this width against the narrower ones
   for (int rings = least_rings; rings <= most_rings; rings += 2) {
     Points places;
     std::vector<double> residuals;
@@ -87,15 +89,21 @@ Patch without_noise(const Patch& patch, const SurfaceModel& model) {
       if (normals[v].isZero()) continue;
       const auto fit = fit_cubic(wide.points, topology, v, normals[v], rings, Outliers::weighted_down, mark);
       if (!fit) continue;
-      places.back() += fit->coefficients[0] * fit->normal;
+      places.back() += share * fit->coefficients[0] * fit->normal;
       residuals.push_back(fit->residual);
     }
     if (residuals.empty()) return patch;
     const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
     std::nth_element(residuals.begin(), middle, residuals.end());
-    if (rings > least_rings && *middle > more_than_noise * least) break;
-    least = rings > least_rings ? std::min(least, *middle) : *middle;
-    best = std::move(places);
+    if (rings == least_rings) {
+      least = *middle;
+      best = std::move(places);
+      continue;
+    }
+    weight *= std::clamp((more_than_noise - *middle / least) / (more_than_noise - noise_alone), 0.0, 1.0);
+    if (!(weight > 0)) break;
+    least = std::min(least, *middle);
+    for (std::size_t k = 0; k < best.size(); ++k) best[k] += weight * (places[k] - best[k]);
   }
   Patch result = patch;
   move_fixed(result, best);

@@ -5,11 +5,12 @@
 
 namespace loopmend {
 
-/// The patch with every fixed vertex put onto a robust cubic fit of its surroundings, and the free ones carried along: the
-/// sixth order then meets the shape instead of the noise. The fits reach over 4, 6, 8 or 10 rings: as far as they leave over
-/// no more than the noise.
+/// The patch with every fixed vertex moved towards a robust cubic fit of its surroundings, and the free ones carried along:
+/// the sixth order then meets the shape instead of the noise. The fits reach over 4 rings, and on over 6, 8 and 10 as far as
+/// they leave over no more than the noise; one width passes into the next without a jump.
 /// @param model  the patch was made of; fits look farther than the patch's own rings.
-Patch without_noise(const Patch& patch, const SurfaceModel& model);
+/// @param share  0..1: how far the vertices go; 1 is onto the fits.
+Patch without_noise(const Patch& patch, const SurfaceModel& model, double share);
 
 /// The free vertices of `solved`, carried along from its loops to those of `original`: their offset runs harmonically into
 /// the patch. Fixed vertices are those of `original`, bit for bit.

@@ -1130,6 +1130,14 @@
     <context>
         <name>loopmend::HoleTable</name>
         <message>
+            <source>Rim</source>
+            <translation>Rand</translation>
+        </message>
+        <message>
+            <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough, and the scatter of its vertices in percent of an edge</source>
+            <translation>Wie weit dem Scan um das Loch zu trauen ist, bekannt sobald es gefüllt ist: glatt, verrauscht oder rau, und die Streuung seiner Ecken in Prozent einer Kante</translation>
+        </message>
+        <message>
             <source>The loop's number within its scan, by falling perimeter</source>
             <translation>Die Nummer innerhalb des Scans, nach fallendem Umfang</translation>
         </message>
@@ -2179,6 +2187,10 @@
     <context>
         <name>loopmend::SectionView</name>
         <message>
+            <source>±σ</source>
+            <translation>±σ</translation>
+        </message>
+        <message>
             <source>Mean curvature along a section across the seam</source>
             <translation>Mittlere Krümmung längs eines Schnitts über die Naht</translation>
         </message>
@@ -3119,6 +3131,26 @@
     </context>
     <context>
         <name>loopmend::words</name>
+        <message>
+            <source>smooth</source>
+            <translation>glatt</translation>
+        </message>
+        <message>
+            <source>noisy</source>
+            <translation>verrauscht</translation>
+        </message>
+        <message>
+            <source>rough</source>
+            <translation>rau</translation>
+        </message>
+        <message>
+            <source>%1, %2 %</source>
+            <translation>%1, %2 %</translation>
+        </message>
+        <message>
+            <source>What smooth fits leave over of the scan&apos;s vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation>Was glatte Näherungen von den Ecken des Scans um das Loch übrig lassen, ist %1 oder %2 % einer Kante. Sie kennen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 genau (sie ist dort %5, quadratisches Mittel); das Band im Schnitt zeigt es.</translation>
+        </message>
         <message>
             <source>hole</source>
             <translation>Loch</translation>

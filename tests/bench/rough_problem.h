@@ -17,7 +17,8 @@ struct RoughProblem {
 };
 
 /// Number k ≥ 0 of a fixed list: the scans in turn; disc, ellipse, star, slit; 5 to 30 % of the object. Even numbers are
-/// for tuning, odd ones are set aside. Empty when no clean cut was found.
+/// for tuning, odd ones are set aside. Cuts whose rim runs through the scan itself are not taken: no patch could do without
+/// cutting it. Empty when no clean cut was found.
 std::optional<RoughProblem> make_rough_problem(std::uint64_t seed, int k);
 
 /// A smooth surface of edge length h whose vertices were moved along the normals by white noise of this share of h, with

@@ -18,7 +18,7 @@ using namespace loopmend;
 using namespace loopmend::bench;
 
 struct Arguments {
-  int count = 48, first = 0, noise_seeds = 3;
+  int count = 48, first = 0, noise_seeds = 3, first_noise_seed = 100;
   std::uint64_t seed = 1;
   std::string set = "both", markdown, csv;
   bool without_noise = false, noise_only = false;
@@ -172,10 +172,10 @@ std::string csv(const std::vector<Row>& rows) {
 }
 
 /// rms over seeds of the distance of the vertices, for each method; the sixth order without any blending last.
-std::vector<double> noisy_distances(NoisySurface surface, double noise, int seeds) {
+std::vector<double> noisy_distances(NoisySurface surface, double noise, int first_seed, int seeds) {
   std::vector<double> squares(methods + 1, 0);
   for (int seed = 0; seed < seeds; ++seed) {
-    const HoleProblem problem = make_noisy_problem(surface, noise, 100 + 2 * static_cast<unsigned>(seed));
+    const HoleProblem problem = make_noisy_problem(surface, noise, static_cast<unsigned>(first_seed + 2 * seed));
     FillOptions raw;
     raw.evolution->bending = 0.0;
     std::vector<Filling> fillings{fill_by_engine(problem)};
@@ -196,7 +196,8 @@ Table noise_table(const Arguments& arguments) {
   for (NoisySurface surface : {NoisySurface::sphere, NoisySurface::torus})
     for (double percent : {0.0, 0.1, 0.3, 1.0, 3.0, 10.0}) {
       std::vector<std::string> row{surface == NoisySurface::sphere ? "sphere" : "torus", number(percent)};
-      for (double d : noisy_distances(surface, percent / 100, arguments.noise_seeds)) row.push_back(number(d));
+      for (double d : noisy_distances(surface, percent / 100, arguments.first_noise_seed, arguments.noise_seeds))
+        row.push_back(number(d));
       for (const std::string& cell : row) std::printf("%s  ", cell.c_str());
       std::printf("\n");
       std::fflush(stdout);
@@ -236,7 +237,8 @@ int run(const Arguments& arguments) {
   }
   if (!arguments.without_noise) {
     text += "White noise along the normals; d of the vertices to the surface without noise, rms over " +
-            number(arguments.noise_seeds) + " seeds:\n\n" + noise_table(arguments).markdown();
+            number(arguments.noise_seeds) + " seeds from " + number(arguments.first_noise_seed) + ":\n\n" +
+            noise_table(arguments).markdown();
   }
   write_text(arguments.markdown, text);
   return 0;
@@ -253,6 +255,7 @@ int main(int argc, char** argv) try {
   app.add_option("--set", arguments.set, "tuning (even numbers), aside (odd numbers) or both")
       ->check(CLI::IsMember({"tuning", "aside", "both"}));
   app.add_option("--noise-seeds", arguments.noise_seeds, "Runs for each level of noise (3)");
+  app.add_option("--first-noise-seed", arguments.first_noise_seed, "The first of these, the others by twos (100)");
   app.add_flag("--no-noise", arguments.without_noise, "Scans alone");
   app.add_flag("--noise-only", arguments.noise_only, "Noise alone");
   app.add_option("--markdown", arguments.markdown, "Write the tables to this file");

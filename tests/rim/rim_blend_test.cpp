@@ -3,6 +3,7 @@
 #include "analysis/seam_report.h"
 #include "evolution/evolution.h"
 #include "rim/rim_roughness.h"
+#include "samples/random.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
@@ -32,19 +33,64 @@ double largest_distance_to_unit_sphere(const Patch& patch) {
   return largest;
 }
 
-TEST(RimBlend, EvenRimIsTrustedWholly) {
+Eigen::VectorXd trust_of(const Patch& patch) {
+  const double radius = rim_roughness(patch).radius;
+  return rim_trust(patch, radius, data_trust(patch, radius));
+}
+
+TEST(RimBlend, EvenRimIsTrusted) {
   const Patch patch = test::exact_sphere_patch(4, 0.8);
-  EXPECT_EQ(rim_trust(patch, rim_roughness(patch).radius).minCoeff(), 1);
+  EXPECT_GT(trust_of(patch).minCoeff(), 0.999);
+}
+
+/// One half of the surroundings is left as it is: there the curvature is known, and on the other it is not.
+TEST(RimBlend, ScatteredDataAreTrustedLessVertexByVertex) {
+  TriangleSoup soup = make_icosphere(5);
+  Random random(4);
+  for (Vec3& p : soup.points)
+    if (p.x() > 0) p *= 1 + 0.02 * random.bell();
+  const Patch patch =
+      test::start_of(make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.85; }))));
+  const Eigen::VectorXd trust = data_trust(patch, rim_roughness(patch).radius);
+  double noisy = 0, clean = 1;
+  for (int v : patch.loops[0]) {
+    const double x = patch.to_mesh(patch.positions[v]).x();
+    if (x > 0.2) noisy = std::max(noisy, trust[v - patch.free_count]);
+    if (x < -0.25) clean = std::min(clean, trust[v - patch.free_count]);
+  }
+  EXPECT_LT(noisy, 0.95);
+  EXPECT_GT(clean, 0.999);
+}
+
+TEST(RimBlend, PassageKeepsTheLiteralPatchLongestWhereTheRimIsTrusted) {
+  const Patch literal = test::exact_sphere_patch(5, 0.8);
+  Patch robust = literal;
+  for (int i = 0; i < robust.free_count; ++i) robust.positions[i] *= 1.01;
+  Eigen::VectorXd trust = Eigen::VectorXd::Ones(literal.vertex_count());
+  const auto share_at = [&](const Patch& patch, int i) {
+    return (patch.positions[i] - literal.positions[i]).norm() / (robust.positions[i] - literal.positions[i]).norm();
+  };
+  for (double share : {0.0, 0.3, 1.0})
+    for (int i = 0; i < literal.free_count; ++i)
+      EXPECT_NEAR(share_at(passage_between(literal, robust, share, trust), i), share, 1e-9);
+  EXPECT_EQ(passage_between(literal, robust, 0, trust).positions, literal.positions);
+  for (int v : literal.loops[0])
+    if (literal.to_mesh(literal.positions[v]).x() > 0) trust[v] = 0.1;
+  const Patch patch = passage_between(literal, robust, 0.3, trust);
+  for (int i = 0; i < patch.free_count; ++i) {
+    EXPECT_GE(share_at(patch, i), 0.3 - 1e-9);
+    EXPECT_LE(share_at(patch, i), 0.3 / (0.3 + 0.07) + 1e-9);
+  }
 }
 
 TEST(RimBlend, OneSpikeAtTheRimLosesItsTrustAndTheRestKeepsIt) {
   Patch patch = test::exact_sphere_patch(5, 0.8);
   const int spike = patch.loops[0][7];
   patch.positions[spike] *= 1.08;
-  const Eigen::VectorXd trust = rim_trust(patch, rim_roughness(patch).radius);
+  const Eigen::VectorXd trust = trust_of(patch);
   EXPECT_LT(trust[spike], 0.1);
   int doubted = 0;
-  for (int i = 0; i < patch.vertex_count(); ++i) doubted += trust[i] < 1;
+  for (int i = 0; i < patch.vertex_count(); ++i) doubted += trust[i] < 0.5;
   EXPECT_LE(doubted, 9);  // the spike and what has an edge to it
 }
 

@@ -23,6 +23,8 @@ TEST(RimRoughness, SmoothSurroundingsAskForThePureFlowRoughOnesForBending) {
     EXPECT_EQ(smooth.bending, 0);
     EXPECT_EQ(smooth.kind, Surroundings::smooth);
     EXPECT_GT(smooth.growth, 3);
+    EXPECT_EQ(smooth.rough_share, 0);
+    EXPECT_EQ(smooth.noise_share, 0);
   }
   TriangleSoup scan = make_icosphere(5);
   for (Vec3& p : scan.points) p *= 1 + 0.02 * std::sin(31 * p.x()) * std::sin(29 * p.y()) * std::cos(33 * p.z());

@@ -48,14 +48,24 @@ double error_of_fill(double share, RimTrust trust) {
 
 TEST(WhiteNoise, IsTakenOffTheSurroundings) {
   const SurfaceModel model = noisy_sphere(0.05, 3);
-  const Patch noisy = test::start_of(model), quiet = without_noise(noisy, model);
+  const Patch noisy = test::start_of(model), quiet = without_noise(noisy, model, 1);
   EXPECT_NEAR(rms_distance_of_fixed(noisy), 0.05 * edge, 0.1 * 0.05 * edge);
   EXPECT_LT(rms_distance_of_fixed(quiet), 0.4 * rms_distance_of_fixed(noisy));
 }
 
+TEST(WhiteNoise, GoesByShares) {
+  const SurfaceModel model = noisy_sphere(0.05, 3);
+  const Patch noisy = test::start_of(model), quiet = without_noise(noisy, model, 1);
+  const Patch half = without_noise(noisy, model, 0.5), none = without_noise(noisy, model, 0);
+  for (int i = noisy.free_count; i < noisy.vertex_count(); ++i) {
+    EXPECT_LT((half.positions[i] - (noisy.positions[i] + quiet.positions[i]) / 2).norm(), 1e-12);
+    EXPECT_EQ(none.positions[i], noisy.positions[i]);
+  }
+}
+
 TEST(WhiteNoise, ComesBackBitForBit) {
   const SurfaceModel model = noisy_sphere(0.05, 3);
-  const Patch noisy = test::start_of(model), back = with_noise_again(without_noise(noisy, model), noisy);
+  const Patch noisy = test::start_of(model), back = with_noise_again(without_noise(noisy, model, 1), noisy);
   for (int i = noisy.free_count; i < noisy.vertex_count(); ++i) EXPECT_EQ(back.positions[i], noisy.positions[i]);
   // The free vertices come back up to the change of the metric on the way.
   for (int i = 0; i < noisy.free_count; ++i) EXPECT_LT((back.positions[i] - noisy.positions[i]).norm(), 0.02);
