@@ -103,34 +103,6 @@ bool from_the_best_start(const Run& run, const EvolutionOptions& options, Evolve
   return result.status != LoopStatus::filled;
 }
 
-/// Half, a quarter, an eighth of the way from the filler to the robust patch, where the whole way would fold or cut.
-/// @returns false if none of these may be kept, or there is no such way.
-bool go_part_of_the_way(const Run& run, const EvolutionOptions& options, Evolved& result) {
-  EvolutionOptions robust = options;
-  robust.rim = RimTrust::smooth;
-  robust.triangles = PatchTriangles::kept;
-  Evolution evolution(run.filler, robust);
-  if (evolution.run(run.on_step, run.cancel) != EvolutionStatus::converged) return false;
-  if (evolution.patch().free_count != run.filler.free_count) return false;
-  const PatchVerdict before = judge(run.site, run.filler);
-  for (double share : {0.5, 0.25, 0.125}) {
-    Patch patch = run.filler;
-    for (int i = 0; i < patch.free_count; ++i)
-      patch.positions[i] += share * (evolution.patch().positions[i] - patch.positions[i]);
-    PatchVerdict verdict = judge(run.site, patch);
-    if (!no_worse(verdict, before)) continue;
-    take_figures(evolution, result);
-    result.patch = std::move(patch);
-    result.verdict = std::move(verdict);
-    result.status = LoopStatus::step_limit;
-    result.bending = evolution.bending();
-    result.message =
-        "went only part of the way to the fair shape, since all of it would fold the patch or cut the surface";
-    return true;
-  }
-  return false;
-}
-
 /// The share of the robust patch, raised where the literal one strays from it: sixth order that goes far from what the
 /// surroundings allow has been led astray by their roughness.
 double share_between(const Patch& literal, const Patch& robust, const RimRoughness& rim) {
@@ -197,13 +169,15 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
     if (evolve_between(run, options, rim, result) || cancel.cancelled()) return result;
   } else {
     EvolutionOptions first = options;
-    if (rim.noise_share > 0) first.bending = (1 - rim.noise_share) * rim.bending;
+    if (rim.noise_share > 0)
+      first.bending = (1 - rim.noise_share) * rim.bending;
+    else if (rim.radius > 0)
+      first.roughness = rim;
     if (from_the_best_start(run, first, result) || cancel.cancelled()) return result;
   }
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
     for (const EvolutionOptions& gentler : gentler_options(filler, options))
       if (evolve_once(plain, filler, gentler, result) || cancel.cancelled()) return result;
-    if (go_part_of_the_way(plain, options, result) || cancel.cancelled()) return result;
   }
   result.verdict = judge(site, filler);
   result.final_energy = result.initial_energy;
