@@ -56,8 +56,7 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
       case scan: return tr("The file that the loop belongs to");
       case rim:
         return tr(
-            "How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough, "
-            "and the scatter of its vertices in percent of an edge");
+            "How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough");
       case state: return tr("What has been done about it");
       default: return {};
     }
@@ -89,7 +88,7 @@ QVariant HoleTable::text(int loop, int column) const {
     case planarity: return words::number(l.planarity);
     case kind: return words::kind(l.kind);
     case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
-    case rim: return rim_of(loop) ? words::rim(*rim_of(loop)) : QString();
+    case rim: return rim_of(loop) ? words::surroundings(rim_of(loop)->roughness.kind) : QString();
     case state: return words::state(document_.state(loop));
     default: return {};
   }

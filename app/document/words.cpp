@@ -147,14 +147,13 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStag
   return sentence;
 }
 
-QString rim(const RimSummary& rim) {
-  QString kind;
-  switch (rim.roughness.kind) {
-    case Surroundings::smooth: kind = tr("smooth"); break;
-    case Surroundings::noisy: kind = tr("noisy"); break;
-    case Surroundings::rough: kind = tr("rough"); break;
+QString surroundings(Surroundings kind) {
+  switch (kind) {
+    case Surroundings::smooth: return tr("smooth");
+    case Surroundings::noisy: return tr("noisy");
+    case Surroundings::rough: return tr("rough");
   }
-  return tr("%1, %2 %").arg(kind, QString::number(100 * rim.noise_per_edge, 'g', 2));
+  return {};
 }
 
 QString rim_help(const RimSummary& rim) {

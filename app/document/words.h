@@ -30,9 +30,9 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStag
 /// "3", or "3 of bunny.ply" when several scans are open.
 QString hole_name(const Document& document, int loop);
 
-/// "rough, 1.2 %": what the surroundings of a hole are, and their scatter in percent of an edge.
-QString rim(const RimSummary& rim);
-/// The same in sentences, with the uncertainty of what the patch takes from them.
+/// "rough": what the surroundings of a hole are.
+QString surroundings(Surroundings kind);
+/// How far they can be trusted, in sentences: their scatter, and the uncertainty of what the patch takes from them.
 QString rim_help(const RimSummary& rim);
 
 /// "hole 3", "holes 1, 2 and 5", "12 holes".

@@ -4,6 +4,7 @@
 #include "document/hole_filter.h"
 #include "document/hole_selection.h"
 #include "document/hole_table.h"
+#include "document/words.h"
 #include "panels/hole_delegate.h"
 #include "panels/parts.h"
 #include "panels/small_holes_box.h"
@@ -183,7 +184,10 @@ void HolesPanel::fit_columns() {
   for (int column = HoleTable::number; column < HoleTable::state; ++column) {
     if (table_->isColumnHidden(column)) continue;
     const int title = letters.horizontalAdvance(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
-    const int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
+    int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
+    if (column == HoleTable::rim)  // its words come when holes are filled
+      for (const Surroundings kind : {Surroundings::smooth, Surroundings::noisy, Surroundings::rough})
+        content = std::max(content, letters.horizontalAdvance(words::surroundings(kind)) + margin);
     table_->setColumnWidth(column,
                            std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
   }

@@ -81,7 +81,11 @@ bool StillRenderer::copy(Way way) {
 void StillRenderer::Clear() {
   restored_ = false;
   if (in_store_ && stored_ == key()) restored_ = copy(Way::out_of_store);
-  if (!restored_) Superclass::Clear();
+  if (!restored_) return Superclass::Clear();
+  // Clear() does this as well: legends and letters of the last picture leave it switched off.
+  vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(GetRenderWindow())->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
 }
 
 void StillRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {

@@ -1134,8 +1134,8 @@
             <translation>Rand</translation>
         </message>
         <message>
-            <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough, and the scatter of its vertices in percent of an edge</source>
-            <translation>Wie weit dem Scan um das Loch zu trauen ist, bekannt sobald es gefüllt ist: glatt, verrauscht oder rau, und die Streuung seiner Ecken in Prozent einer Kante</translation>
+            <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</source>
+            <translation>Wie weit dem Scan um das Loch zu trauen ist, bekannt sobald es gefüllt ist: glatt, verrauscht oder rau</translation>
         </message>
         <message>
             <source>The loop's number within its scan, by falling perimeter</source>
@@ -3142,10 +3142,6 @@
         <message>
             <source>rough</source>
             <translation>rau</translation>
-        </message>
-        <message>
-            <source>%1, %2 %</source>
-            <translation>%1, %2 %</translation>
         </message>
         <message>
             <source>What smooth fits leave over of the scan&apos;s vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>

@@ -93,7 +93,7 @@ void show_story(MainWindow& window, const QString& file) {
   window.selection().select({0});
   part<QSlider>(window, "sigma")->setValue(-10);
   press(window, "run");
-  settle(900);
+  settle(300);
   shoot(window, "running");
   window.workbench().cancel();
   settle(200);
