@@ -26,8 +26,8 @@ void take_evolved(Evolved evolved, BlendResult& result) {
   result.seconds.solve = evolved.solve;
 }
 
-/// ∫‖∇H‖² prefers two bubbles with a neck that grows ever thinner where tubes bend sharply: there it has no minimum, and the
-/// flow does not come to rest. The least share of bending energy that keeps the neck open.
+/// Where tubes bend sharply ∫‖∇H‖² seems to prefer two bubbles with a neck that grows ever thinner: the flow reaches its step
+/// limit. Of the shares that were tried the least that kept the neck open.
 constexpr double against_necks = 5;
 
 Evolved evolve_bridge(const FillSite& site, const Patch& start, const EvolutionOptions& options,
