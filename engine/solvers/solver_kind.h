@@ -4,9 +4,9 @@
 namespace loopmend {
 
 enum class SolverKind {
-  automatic,  ///< by size
+  automatic,  ///< GMRES, and direct where that fails
   direct,     ///< sparse factorisation at every step
-  gmres,      ///< GMRES, preconditioned by a factorisation that is kept over steps
+  gmres,      ///< GMRES, preconditioned by Cholesky factors that are kept over steps
 };
 
 }  // namespace loopmend
