@@ -21,15 +21,7 @@ QString quoted(const QString& path) {
   return QLatin1Char('\'') + inside.replace(QLatin1Char('\''), QStringLiteral("'\\''")) + QLatin1Char('\'');
 }
 
-QString word(FlowKind flow) {
-  switch (flow) {
-    case FlowKind::mcf: return QStringLiteral("mcf");
-    case FlowKind::sdf: return QStringLiteral("sdf");
-    case FlowKind::wf: return QStringLiteral("wf");
-    case FlowKind::mmcvf: return QStringLiteral("mmcvf");
-  }
-  return {};
-}
+QString word(FlowKind flow) { return QLatin1String(to_string(flow)); }
 
 QString file_of(const OpenedScan& scan, const QString& made) {
   if (scan.from == ScanOrigin::sample) return QStringLiteral("sample.ply");

@@ -40,7 +40,7 @@ Evolved evolve_bridge(const FillSite& site, const Patch& start, const EvolutionO
   stiffer.bending = against_necks;
   Evolved bent = evolve_filler(site, start, stiffer, on_step, cancel);
   if (bent.status != LoopStatus::converged || bent.verdict.folds > 0 || bent.verdict.total() > 0) return pure;
-  bent.message = "the pure flow would pinch a neck: bending energy was blended in";
+  bent.message = "the pure flow did not come to rest: bending energy was blended in";
   return bent;
 }
 

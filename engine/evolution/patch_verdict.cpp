@@ -3,6 +3,8 @@
 #include "mesh/mesh_arrays.h"
 #include "mesh/quality.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,6 +14,8 @@
 namespace loopmend {
 
 namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// For each triangle of the patch, how many others it cuts, of the patch or of the model.
 std::vector<int> intersections_of(const FillSite& site, const PatchGeometry& patch) {
@@ -42,15 +46,7 @@ std::vector<int> intersections_of(const FillSite& site, const PatchGeometry& pat
   return count;
 }
 
-/// True if the way from p to q runs through the triangle (Möller and Trumbore).
-bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 way = q - p, ab = b - a, ac = c - a, across = way.cross(ac);
-  const double determinant = ab.dot(across);
-  if (determinant == 0) return false;
-  const Vec3 from = p - a, beside = from.cross(ab);
-  const double u = from.dot(across) / determinant, v = way.dot(beside) / determinant, t = ac.dot(beside) / determinant;
-  return u > 0 && v > 0 && u + v < 1 && t > 0 && t < 1;
-}
+Kernel::Point_3 exact(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
@@ -92,11 +88,13 @@ int pierced_edges(const FillSite& site, const BoundaryLoop& loop) {
   for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
     const int a = loop.vertices[k], b = loop.vertices[(k + 1) % loop.vertices.size()];
     const Vec3 &p = site.points[a], &q = site.points[b];
+    const Kernel::Segment_3 edge(exact(p), exact(q));
     const std::vector<int> near = site.index.near(p.cwiseMin(q), p.cwiseMax(q));
     count += std::any_of(near.begin(), near.end(), [&](int f) {
       const Triangle& t = site.triangles[f];
       const bool beside = std::any_of(t.begin(), t.end(), [&](int v) { return v == a || v == b; });
-      return !beside && pierces(p, q, site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+      return !beside && CGAL::do_intersect(edge, Kernel::Triangle_3(exact(site.points[t[0]]), exact(site.points[t[1]]),
+                                                                    exact(site.points[t[2]])));
     });
   }
   return count;

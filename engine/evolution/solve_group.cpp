@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace loopmend {
 
@@ -40,12 +41,12 @@ void take_figures(const Evolution& evolution, Evolved& result) {
   result.final_energy = evolution.energy();
 }
 
-/// What the surroundings are worth to the sixth order, as far as it may be judged: else all shares are 0.
-RimRoughness judged_rim(const Patch& filler, const EvolutionOptions& options) {
+/// What the surroundings are worth to the sixth order; empty where the options leave nothing to be judged.
+std::optional<RimRoughness> judged_rim(const Patch& filler, const EvolutionOptions& options) {
   const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
                       options.rim == RimTrust::automatic && !options.bending &&
                       options.continuity == SeamContinuity::curvature;
-  return judged ? rim_roughness(filler) : RimRoughness{};
+  return judged ? std::optional(rim_roughness(filler)) : std::nullopt;
 }
 
 /// What all runs for one filler have in common.
@@ -163,15 +164,16 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
     result.verdict = judge(site, filler);
     return result;
   }
-  const RimRoughness rim = judged_rim(filler, options);
-  const Run run{site, filler, rim.noise_share, on_step, cancel}, plain{site, filler, 0, on_step, cancel};
-  if (rim.rough_share > 0 && rim.rough_share < 1) {
-    if (evolve_between(run, options, rim, result) || cancel.cancelled()) return result;
+  const std::optional<RimRoughness> rim = judged_rim(filler, options);
+  const double noise_share = rim ? rim->noise_share : 0;
+  const Run run{site, filler, noise_share, on_step, cancel}, plain{site, filler, 0, on_step, cancel};
+  if (rim && rim->rough_share > 0 && rim->rough_share < 1) {
+    if (evolve_between(run, options, *rim, result) || cancel.cancelled()) return result;
   } else {
     EvolutionOptions first = options;
-    if (rim.noise_share > 0)
-      first.bending = (1 - rim.noise_share) * rim.bending;
-    else if (rim.radius > 0)
+    if (noise_share > 0)
+      first.bending = (1 - noise_share) * rim->bending;
+    else
       first.roughness = rim;
     if (from_the_best_start(run, first, result) || cancel.cancelled()) return result;
   }

@@ -43,8 +43,8 @@ TEST(BlendLoops, TubesAtOddAnglesConverge) {
   }
 }
 
-/// Between these tubes ∫‖∇H‖² has no minimum: it falls while a neck grows ever thinner (random sets 12 and 142).
-TEST(BlendLoops, ComesToRestWhereAPureFlowWouldPinchANeck) {
+/// Between these tubes ∫‖∇H‖² falls on and on while a neck grows ever thinner (random sets 12 and 142).
+TEST(BlendLoops, ComesToRestWhereANeckGrowsThin) {
   const auto tube = [](const Vec3& start, double radius, int around) {
     return TubeShape{start, start.normalized(), radius, 2, around};
   };

@@ -24,8 +24,8 @@ SurfaceModel rough_open_sphere(double relief, double noise) {
   return make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.85; })));
 }
 
-/// Of the filled surface's new vertices, weighted evenly over the directions: mean, rms and largest distance from the
-/// unit sphere, and the share of roughness that was seen.
+/// Of the filled surface's new vertices: mean and rms distance from the unit sphere, and the largest outwards; and what the
+/// rim was taken for. The largest inwards still jumps from smooth to rough: by 0.0021, 5.6 % of an edge.
 struct Shape {
   std::array<double, 3> figures{};
   RimRoughness rim;
