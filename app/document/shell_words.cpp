@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/shell_words.h"
 
+#include "flows/flow_terms.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
