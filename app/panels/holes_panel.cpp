@@ -24,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -255,12 +256,21 @@ void HolesPanel::go(Way way) {
   Q_EMIT fly_to(loop);
 }
 
+/// Only the two rows: to paint the whole table takes longer than all else that hovering does.
 void HolesPanel::show_hover() {
-  table_->viewport()->update();
   const int loop = selection_.hovered();
+  paint_row(std::exchange(lit_, loop));
+  paint_row(loop);
   if (loop >= document_.loop_count()) return;
   if (loop != no_loop && !table_->viewport()->underMouse())
     table_->scrollTo(sorted_->mapFromSource(model_->index(loop, 0)));
+}
+
+void HolesPanel::paint_row(int loop) {
+  const QModelIndex row = sorted_->mapFromSource(model_->index(loop, 0));
+  if (!row.isValid()) return;
+  const QRect place(0, table_->rowViewportPosition(row.row()), table_->viewport()->width(), table_->rowHeight(row.row()));
+  table_->viewport()->update(place);
 }
 
 void HolesPanel::update_summary() {

@@ -1,6 +1,8 @@
 // The left dock: every boundary loop as a row; rows and loops in the view light up together.
 #pragma once
 
+#include "document/hole_selection.h"
+
 #include <QWidget>
 
 #include <set>
@@ -45,6 +47,7 @@ class HolesPanel : public QWidget {
   void take_selection();
   void show_selection();
   void show_hover();
+  void paint_row(int loop);
   void fit_columns();
   void update_summary();
   void show_column_menu(const QPoint& at);
@@ -60,6 +63,7 @@ class HolesPanel : public QWidget {
   QLabel* summary_;
   QPushButton* all_;
   SmallHolesBox* small_;
+  int lit_ = no_loop;  ///< its row is painted as the one under the mouse
   bool syncing_ = false;
 };
 

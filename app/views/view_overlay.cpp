@@ -24,17 +24,16 @@ double round_length(double length) {
   return decade;
 }
 
-/// Without points that lie on the same pixel as the last one: wide pens take their time at every corner.
+/// Without points that lie two pixels or less from the last one: wide pens take their time at every corner.
 QPolygonF thinned(const QPolygonF& line) {
-  constexpr double pixel = 1.2;
+  constexpr double pixel = 2;
   QPolygonF thin;
   for (const QPointF& point : line)
     if (thin.isEmpty() || (point - thin.last()).manhattanLength() >= pixel) thin << point;
   return thin.size() < 3 ? line : thin;
 }
 
-QRectF caption_box(const QPainter& painter, const QPolygonF& loop, const QString& text, const QSize& inside) {
-  const QFontMetricsF metrics(painter.font());
+QRectF caption_box(const QFontMetricsF& metrics, const QPolygonF& loop, const QString& text, const QSize& inside) {
   QRectF box(0, 0, metrics.horizontalAdvance(text) + 16, metrics.height() + 8);
   const QRectF bounds = loop.boundingRect();
   box.moveCenter(QPointF(bounds.center().x(), bounds.top() - box.height() / 2 - 8));
@@ -65,10 +64,11 @@ void ViewOverlay::clear_highlight() {
 }
 
 /// Outline and caption: to paint all of a large window takes longer.
-QRect ViewOverlay::around_highlight() const {
-  constexpr int outline = 6, caption = 48;
-  const QRect loop = loop_.boundingRect().toAlignedRect();
-  return {0, loop.top() - outline - caption, width(), loop.height() + 2 * (outline + caption)};
+QRegion ViewOverlay::around_highlight() const {
+  constexpr int outline = 6, smooth = 2;
+  const QRect loop = loop_.boundingRect().toAlignedRect().adjusted(-outline, -outline, outline, outline);
+  const QRect caption = caption_box(QFontMetricsF(font()), loop_, caption_, size()).toAlignedRect();
+  return QRegion(loop).united(caption.adjusted(-smooth, -smooth, smooth, smooth));
 }
 
 void ViewOverlay::set_probe(const QPointF& at, const QStringList& lines) {
@@ -154,8 +154,11 @@ void ViewOverlay::paint_probe(QPainter& painter) const {
 }
 
 void ViewOverlay::paint_highlight(QPainter& painter) const {
+  // Round joins take half of the time of a long loop, whose corners nobody sees.
+  constexpr int few_corners = 60;
+  const Qt::PenJoinStyle join = loop_.size() > few_corners ? Qt::BevelJoin : Qt::RoundJoin;
   const auto stroke = [&](const QColor& color, double width) {
-    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, join));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(loop_);
   };
@@ -163,7 +166,7 @@ void ViewOverlay::paint_highlight(QPainter& painter) const {
   stroke(QColor(255, 214, 40), 6);
   stroke(QColor(255, 250, 220), 2);
   if (caption_.isEmpty()) return;
-  const QRectF box = caption_box(painter, loop_, caption_, size());
+  const QRectF box = caption_box(QFontMetricsF(font()), loop_, caption_, size());
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(24, 28, 34, 225));
   painter.drawRoundedRect(box, 5, 5);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <QPolygonF>
+#include <QRegion>
 #include <QWidget>
 
 namespace loopmend {
@@ -31,7 +32,7 @@ class ViewOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QRect around_highlight() const;
+  QRegion around_highlight() const;
   void paint_highlight(QPainter& painter) const;
   void paint_probe(QPainter& painter) const;
   void paint_axes(QPainter& painter) const;
