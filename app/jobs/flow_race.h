@@ -104,7 +104,7 @@ class FlowRace : public QObject {
   std::vector<std::vector<RacePoint>> curves_;
   std::optional<FlowComparison> comparison_;
   JobPtr job_;
-  TaskRunner tasks_;
+  TaskRunner tasks_{Yielding::as_it_can};
 };
 
 }  // namespace loopmend

@@ -22,9 +22,10 @@ void Job::tell(std::function<void()> act) const {
 namespace {
 
 /// The window's thread goes first when both want the processor: what works for seconds can spare milliseconds.
-void yield_to_window() {
-  constexpr int steps_back = 7;
-  // Linux gives every thread a niceness of its own; where that fails, nothing is lost but smoothness.
+void yield_to_window(Yielding yielding) {
+  const int steps_back = yielding == Yielding::mostly ? 7 : 19;
+  // Linux gives every thread a niceness of its own; where that fails, nothing is lost but smoothness. Beyond the least
+  // priority it stops there.
   const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
   ::setpriority(PRIO_PROCESS, thread, ::getpriority(PRIO_PROCESS, thread) + steps_back);
 }
@@ -38,8 +39,8 @@ TaskRunner::~TaskRunner() {
 void TaskRunner::start(std::function<void()> work) {
   reap();
   auto done = std::make_shared<std::atomic<bool>>(false);
-  std::thread thread([work = std::move(work), done] {
-    yield_to_window();
+  std::thread thread([work = std::move(work), done, yielding = yielding_] {
+    yield_to_window(yielding);
     work();
     done->store(true);
   });

@@ -41,10 +41,15 @@ class Job {
 };
 using JobPtr = std::shared_ptr<Job>;
 
-/// Workers, and the threads that they start, step back behind the window's thread when both want the processor.
+/// How far workers, and the threads that they start, step back behind the window's thread when both want the processor.
+enum class Yielding {
+  mostly,     ///< the window is smooth, and the work goes on beside it
+  as_it_can,  ///< many workers at once, which together would still keep the window waiting
+};
+
 class TaskRunner {
  public:
-  TaskRunner() = default;
+  explicit TaskRunner(Yielding yielding = Yielding::mostly) : yielding_(yielding) {}
   ~TaskRunner();
   TaskRunner(const TaskRunner&) = delete;
   TaskRunner& operator=(const TaskRunner&) = delete;
@@ -60,6 +65,7 @@ class TaskRunner {
   };
   void reap();
 
+  Yielding yielding_;
   std::list<Worker> workers_;
 };
 

@@ -138,7 +138,7 @@ void HolesPanel::build_table() {
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setSectionResizeMode(QHeaderView::Interactive);
-  header->setStretchLastSection(true);
+  header->setSectionResizeMode(HoleTable::state, QHeaderView::Stretch);
   header->setMinimumSectionSize(30);
   header->setResizeContentsPrecision(100);
   header->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -147,7 +147,8 @@ void HolesPanel::build_table() {
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(table_, &QTableView::customContextMenuRequested, this,
           [this](const QPoint& at) { show_column_menu(table_->viewport()->mapToGlobal(at)); });
-  for (int column : {HoleTable::area, HoleTable::planarity, HoleTable::scan}) table_->setColumnHidden(column, true);
+  for (int column : {HoleTable::perimeter, HoleTable::area, HoleTable::planarity, HoleTable::scan})
+    table_->setColumnHidden(column, true);
   fit_columns();
 }
 

@@ -69,11 +69,9 @@ void trigger(MainWindow& window, const char* action) {
 }
 
 void show_story(MainWindow& window, const QString& file) {
-  GapMeter gaps;
   shoot(window, "welcome");
   window.open(file);
   wait_idle(window);
-  gaps.report("open");
   shoot(window, "opened");
   const QPoint at = visible_point(window, 0);
   if (at.x() >= 0) {
@@ -85,11 +83,9 @@ void show_story(MainWindow& window, const QString& file) {
   window.selection().select({});
   press(window, "fill");
   wait_idle(window);
-  gaps.report("fill");
   shoot(window, "filled");
   window.view().fly_to(0);
   settle(800);
-  gaps.report("fly");
   window.selection().select({0});
   part<QSlider>(window, "sigma")->setValue(-10);
   press(window, "run");
@@ -97,13 +93,11 @@ void show_story(MainWindow& window, const QString& file) {
   shoot(window, "running");
   window.workbench().cancel();
   settle(200);
-  gaps.report("run");
   window.selection().select({});
   press(window, "steady");
   wait_idle(window, 300);
   window.selection().select({0});
   settle(200);
-  gaps.report("to steady state");
   shoot(window, "window");
   shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");
   shoot_part(window, part<QDockWidget>(window, "patchDock"), "patch");
