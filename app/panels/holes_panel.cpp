@@ -55,6 +55,8 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
 
   connect(&document, &Document::opened, this, &HolesPanel::update_summary);
   connect(&document, &Document::scans_changed, this, [this] {
+    const bool several = document_.scans().size() > 1;
+    if (several != std::exchange(several_, several)) table_->setColumnHidden(HoleTable::scan, !several);
     fit_columns();
     update_summary();
     show_selection();
@@ -180,7 +182,6 @@ void HolesPanel::show_column_menu(const QPoint& at) {
 
 /// The state column takes what is left; it should be enough for its longest word.
 void HolesPanel::fit_columns() {
-  if (document_.scans().size() > 1) table_->setColumnHidden(HoleTable::scan, false);
   constexpr int margin = 10, arrow = 14;
   const QFontMetrics letters(table_->horizontalHeader()->font());
   for (int column = HoleTable::number; column < HoleTable::state; ++column) {

@@ -105,6 +105,8 @@ void Legend::hide() {
   each_part([](vtkActor2D* part) { part->VisibilityOff(); });
 }
 
+bool Legend::is_shown() const { return title_->GetVisibility() != 0; }
+
 void Legend::set_words(const LegendWords& words) {
   title_->SetInput(words.title.c_str());
   unit_->SetInput(words.unit.c_str());

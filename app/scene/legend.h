@@ -31,6 +31,7 @@ class Legend {
   void add_to(vtkRenderer* renderer);
   void show();
   void hide();
+  bool is_shown() const;
   void set_words(const LegendWords& words);
   void set_pixel_ratio(double ratio);
   /// Text in dark or light, over a pale or dark ground, to suit the background.

@@ -79,12 +79,15 @@ struct MeshScene::Impl {
     return made;
   }
   bool colored() const {
-    return is_colored(shading) && std::any_of(scans.begin(), scans.end(), [](const auto& entry) {
-             return entry.second->shape() && !entry.second->shape()->H.empty();
-           });
+    const auto known = [](const SurfaceShape* shape) { return shape && !shape->H.empty(); };
+    return is_colored(shading) &&
+           (std::any_of(scans.begin(), scans.end(), [&](const auto& scan) { return known(scan.second->shape()); }) ||
+            std::any_of(patch_shapes.begin(), patch_shapes.end(),
+                        [&](const auto& patch) { return known(patch.second.shape.get()); }));
   }
+  bool wants_legend() const { return legend_place != LegendPlace::none && colored(); }
   void update_legend() {
-    if (legend_place != LegendPlace::none && colored()) {
+    if (wants_legend()) {
       legend.lay_out(width, height);
       legend.show();
     } else {
@@ -186,7 +189,10 @@ void MeshScene::keep_patches(const std::vector<int>& ids) {
 bool MeshScene::update() {
   const auto now = SurfaceActor::Clock::now();
   const bool changed = std::exchange(impl_->patches_changed, false);
-  if (changed) impl_->distribute_patches(now);
+  if (changed) {
+    impl_->distribute_patches(now);
+    if (impl_->wants_legend() != impl_->legend.is_shown()) impl_->update_legend();
+  }
   impl_->moving = false;
   for (auto& [id, patch] : impl_->patches) impl_->moving = patch->advance(now) || impl_->moving;
   impl_->renderer->set_use(impl_->moving ? StillRenderer::Use::keep_still : StillRenderer::Use::draw_all);
