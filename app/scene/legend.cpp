@@ -105,6 +105,15 @@ void Legend::hide() {
   each_part([](vtkActor2D* part) { part->VisibilityOff(); });
 }
 
+void Legend::show_only(Kind kind) {
+  hide();
+  switch (kind) {
+    case Kind::areas: ground_->VisibilityOn(); break;
+    case Kind::colored_areas: bar_->VisibilityOn(); break;
+    case Kind::letters: title_->VisibilityOn(); break;
+  }
+}
+
 bool Legend::is_shown() const { return title_->GetVisibility() != 0; }
 
 void Legend::set_words(const LegendWords& words) {

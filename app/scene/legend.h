@@ -31,6 +31,9 @@ class Legend {
   void add_to(vtkRenderer* renderer);
   void show();
   void hide();
+  /// What the graphics have a program of their own for.
+  enum class Kind { areas, colored_areas, letters };
+  void show_only(Kind kind);
   bool is_shown() const;
   void set_words(const LegendWords& words);
   void set_pixel_ratio(double ratio);

@@ -61,7 +61,7 @@ struct MeshScene::Impl {
   bool patches_changed = false, moving = false;
   std::array<double, 6> depths_for{};     ///< the box that the camera's depths were fitted to
   vtkMTimeType depths_seen = 0;           ///< the camera's, then
-  std::size_t warmed_up = 0;              ///< how many programs
+  std::size_t warmed_up = 0;              ///< how many turns of it are done
   std::unique_ptr<SurfaceActor> warming;  ///< drawn for its program's sake
   bool line_for_warmth = false;           ///< among the loops
 
@@ -84,6 +84,29 @@ struct MeshScene::Impl {
            (std::any_of(scans.begin(), scans.end(), [&](const auto& scan) { return known(scan.second->shape()); }) ||
             std::any_of(patch_shapes.begin(), patch_shapes.end(),
                         [&](const auto& patch) { return known(patch.second.shape.get()); }));
+  }
+  /// What the last turn of warming up has drawn goes.
+  void forget_warmth() {
+    if (warming) renderer->RemoveActor(warming->actor());
+    warming.reset();
+    if (std::exchange(line_for_warmth, false)) loops.set_lines({});
+    update_legend();
+  }
+  void warm_up(Shading with, Edges with_edges) {
+    warming = make(SurfaceActor::Role::scan);
+    warming->set_shading(with);
+    warming->set_edges(with_edges);
+    warming->set_shape(speck());
+    warming->actor()->UseBoundsOff();
+  }
+  void warm_up(Legend::Kind kind) {
+    legend.lay_out(width, height);
+    legend.show_only(kind);
+  }
+  void warm_up_lines() {
+    if (!scans.empty()) return;  // their rims have done it
+    loops.set_lines({{speck()->points, LoopStyle::open}, {speck()->points, LoopStyle::selected}});
+    line_for_warmth = true;
   }
   bool wants_legend() const { return legend_place != LegendPlace::none && colored(); }
   void update_legend() {
@@ -246,32 +269,20 @@ void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
 }
 
 bool MeshScene::warm_up_next() {
+  // What the first picture of a scan needs comes first.
+  using Turn = void (*)(Impl&);
+  constexpr Turn turns[] = {[](Impl& i) { i.warm_up(Shading::curvature, Edges::hidden); },
+                            [](Impl& i) { i.warm_up(Legend::Kind::letters); },
+                            [](Impl& i) { i.warm_up(Legend::Kind::areas); },
+                            [](Impl& i) { i.warm_up(Legend::Kind::colored_areas); },
+                            [](Impl& i) { i.warm_up_lines(); },
+                            [](Impl& i) { i.warm_up(Shading::zebra, Edges::hidden); },
+                            [](Impl& i) { i.warm_up(Shading::curvature, Edges::shown); },
+                            [](Impl& i) { i.warm_up(Shading::zebra, Edges::shown); }};
   impl_->renderer->still_changed();
-  constexpr std::pair<Shading, Edges> programs[] = {{Shading::curvature, Edges::hidden},
-                                                    {Shading::zebra, Edges::hidden},
-                                                    {Shading::curvature, Edges::shown},
-                                                    {Shading::zebra, Edges::shown}};
-  if (impl_->warming) impl_->renderer->RemoveActor(impl_->warming->actor());
-  impl_->warming.reset();
-  if (std::exchange(impl_->line_for_warmth, false)) impl_->loops.set_lines({});
-  impl_->update_legend();
-  if (impl_->warmed_up == std::size(programs)) {
-    ++impl_->warmed_up;  // the last: letters and bar
-    impl_->legend.lay_out(impl_->width, impl_->height);
-    impl_->legend.show();
-    return true;
-  }
-  if (impl_->warmed_up > std::size(programs)) return false;
-  const auto [shading, edges] = programs[impl_->warmed_up++];
-  impl_->warming = impl_->make(SurfaceActor::Role::scan);
-  impl_->warming->set_shading(shading);
-  impl_->warming->set_edges(edges);
-  impl_->warming->set_shape(speck());
-  impl_->warming->actor()->UseBoundsOff();
-  if (impl_->warmed_up == 1 && impl_->scans.empty()) {
-    impl_->loops.set_lines({{speck()->points, LoopStyle::open}, {speck()->points, LoopStyle::selected}});
-    impl_->line_for_warmth = true;
-  }
+  impl_->forget_warmth();
+  if (impl_->warmed_up == std::size(turns)) return false;
+  turns[impl_->warmed_up++](*impl_);
   return true;
 }
 
