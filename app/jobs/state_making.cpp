@@ -6,9 +6,7 @@ namespace loopmend {
 
 std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch) {
   auto rim = std::make_shared<RimKnowledge>();
-  const RimRoughness roughness = rim_roughness(patch);
-  for (std::size_t l = 0; l < patch.loops.size(); ++l)
-    rim->loops.push_back(rim_summary(patch, static_cast<int>(l), roughness));
+  rim->loops = rim_summaries(patch, rim_roughness(patch));
   rim->curvature_uncertainty = curvature_uncertainty(patch);
   return rim;
 }

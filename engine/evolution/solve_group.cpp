@@ -234,7 +234,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   const PatchVerdict& verdict = evolved.verdict;
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
   const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
-  const RimRoughness roughness = rim_roughness(*first.patch);
+  const std::vector<RimSummary> rims = rim_summaries(*first.patch, rim_roughness(*first.patch));
   FinishedPatch finished;
   for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
     const auto found = std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {
@@ -244,7 +244,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
     result.seam_before = before[p];
     result.seam_after = after[p];
     result.free_vertices = free[p];
-    result.rim = rim_summary(*first.patch, static_cast<int>(p), roughness);
+    result.rim = rims[p];
     if (verdict.total() == 0)
       take_result(evolved, result);
     else

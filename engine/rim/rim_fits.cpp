@@ -51,56 +51,54 @@ double median_residual(const std::vector<std::optional<CubicFit>>& fits) {
   return *middle;
 }
 
-/// At the given fixed vertices, all of one width.
-std::vector<RimFit> fits_at(const Patch& patch, const std::vector<int>& vertices) {
-  const Triangles around(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
-  const Topology topology(patch.vertex_count(), around);
-  const Points normals = angle_weighted_normals(patch.positions, around);
-  std::vector<char> mark(patch.vertex_count(), 0);
-  std::vector<std::optional<CubicFit>> chosen;
-  double smallest = 0;
-  for (int rings = narrowest; rings <= widest; ++rings) {
-    std::vector<std::optional<CubicFit>> fits;
-    for (int v : vertices)
-      fits.push_back(normals[v].isZero()
-                         ? std::nullopt
-                         : fit_cubic(patch.positions, topology, v, normals[v], rings, Outliers::weighted_down, mark));
-    const double residual = median_residual(fits);
-    if (rings > narrowest && residual > white_growth * smallest) break;
-    smallest = rings > narrowest ? std::min(smallest, residual) : residual;
-    chosen = std::move(fits);
+/// The fixed triangles of a patch: whose fits are asked for loop by loop.
+class Around {
+ public:
+  explicit Around(const Patch& patch)
+      : points_(patch.positions),
+        triangles_(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()),
+        topology_(patch.vertex_count(), triangles_),
+        normals_(angle_weighted_normals(patch.positions, triangles_)),
+        mark_(patch.vertex_count(), 0) {}
+
+  /// At the given fixed vertices, all of one width.
+  std::vector<RimFit> fits_at(const std::vector<int>& vertices) {
+    std::vector<std::optional<CubicFit>> chosen;
+    double smallest = 0;
+    for (int rings = narrowest; rings <= widest; ++rings) {
+      std::vector<std::optional<CubicFit>> fits;
+      for (int v : vertices)
+        fits.push_back(normals_[v].isZero()
+                           ? std::nullopt
+                           : fit_cubic(points_, topology_, v, normals_[v], rings, Outliers::weighted_down, mark_));
+      const double residual = median_residual(fits);
+      if (rings > narrowest && residual > white_growth * smallest) break;
+      smallest = rings > narrowest ? std::min(smallest, residual) : residual;
+      chosen = std::move(fits);
+    }
+    std::vector<RimFit> result;
+    for (const auto& fit : chosen) result.push_back(fit ? at_origin(*fit) : RimFit{});
+    return result;
   }
-  std::vector<RimFit> result;
-  for (const auto& fit : chosen) result.push_back(fit ? at_origin(*fit) : RimFit{});
-  return result;
-}
 
-}  // namespace
+ private:
+  const Points& points_;
+  Triangles triangles_;
+  Topology topology_;
+  Points normals_;
+  std::vector<char> mark_;
+};
 
-std::vector<RimFit> rim_fits(const Patch& patch, int loop) { return fits_at(patch, patch.loops[loop]); }
-
-std::vector<float> curvature_uncertainty(const Patch& patch) {
-  constexpr int farthest = 4;
-  std::vector<int> near;
-  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
-    if (patch.ring[i] <= farthest) near.push_back(i);
-  const std::vector<RimFit> fits = fits_at(patch, near);
-  std::vector<float> sigma(patch.vertex_count() - patch.free_count, std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t k = 0; k < fits.size(); ++k)
-    if (fits[k].valid) sigma[near[k] - patch.free_count] = static_cast<float>(fits[k].H_sigma / patch.scale);
-  return sigma;
-}
-
-RimSummary rim_summary(const Patch& patch, int loop, const RimRoughness& roughness) {
+RimSummary summary_of(const Patch& patch, const std::vector<int>& rim, const std::vector<RimFit>& fits,
+                      const RimRoughness& roughness) {
   RimSummary summary;
   summary.roughness = roughness;
   summary.noise = roughness.noise * patch.scale;
-  const std::vector<int>& rim = patch.loops[loop];
   double edges = 0;
   for (std::size_t k = 0; k < rim.size(); ++k)
     edges += (patch.positions[rim[(k + 1) % rim.size()]] - patch.positions[rim[k]]).norm();
   if (edges > 0) summary.noise_per_edge = roughness.noise * static_cast<double>(rim.size()) / edges;
-  for (const RimFit& fit : rim_fits(patch, loop)) {
+  for (const RimFit& fit : fits) {
     if (!fit.valid) continue;
     ++summary.fitted;
     summary.normal_sigma_deg += fit.normal_sigma * fit.normal_sigma;
@@ -117,6 +115,30 @@ RimSummary rim_summary(const Patch& patch, int loop, const RimRoughness& roughne
   summary.gradient = rms(summary.gradient, patch.scale * patch.scale);
   summary.gradient_sigma = rms(summary.gradient_sigma, patch.scale * patch.scale);
   return summary;
+}
+
+}  // namespace
+
+std::vector<RimFit> rim_fits(const Patch& patch, int loop) { return Around(patch).fits_at(patch.loops[loop]); }
+
+std::vector<float> curvature_uncertainty(const Patch& patch) {
+  constexpr int farthest = 4;
+  std::vector<int> near;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
+    if (patch.ring[i] <= farthest) near.push_back(i);
+  const std::vector<RimFit> fits = Around(patch).fits_at(near);
+  std::vector<float> sigma(patch.vertex_count() - patch.free_count, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t k = 0; k < fits.size(); ++k)
+    if (fits[k].valid) sigma[near[k] - patch.free_count] = static_cast<float>(fits[k].H_sigma / patch.scale);
+  return sigma;
+}
+
+std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness) {
+  Around around(patch);
+  std::vector<RimSummary> summaries;
+  for (const std::vector<int>& rim : patch.loops)
+    summaries.push_back(summary_of(patch, rim, around.fits_at(rim), roughness));
+  return summaries;
 }
 
 }  // namespace loopmend

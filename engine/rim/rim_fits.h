@@ -36,6 +36,7 @@ struct RimSummary {
   int fitted = 0;                           ///< loop vertices with a valid fit
 };
 
-RimSummary rim_summary(const Patch& patch, int loop, const RimRoughness& roughness);
+/// One for each loop, in the order of Patch::loops.
+std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness);
 
 }  // namespace loopmend
