@@ -5,10 +5,16 @@
 #include "mesh/boundary_loops.h"
 #include "samples/sample_scan.h"
 #include "scene/offscreen_render.h"
+#include "scene/shape_glide.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <vector>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -65,6 +71,45 @@ class RenderTest : public QObject {
     options.width = 10;
     QVERIFY_EXCEPTION_THROWN(render_to_png(model_, options, file("x.png")), InvalidArgument);
     QVERIFY(!QFile::exists(path("x.png")));
+  }
+
+  void a_surface_glides_evenly_to_its_next_state() {
+    using namespace std::chrono_literals;
+    const float unknown = std::numeric_limits<float>::quiet_NaN();
+    SurfaceShape from{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1, 0, 0, 1}, {0, 1, 2}, 1, {0, 4, unknown}, {0, 0, 0}};
+    auto to = std::make_shared<SurfaceShape>(from);
+    to->points[2] = 8;
+    to->H = {8, 4, 3};
+    const ShapeGlide::Clock::time_point start{};
+    ShapeGlide glide(from, to, start, 400ms);
+    QCOMPARE(glide.shown().points[2], 0.0F);
+    glide.advance(start + 100ms);
+    QCOMPARE(glide.shown().points[2], 2.0F);
+    QCOMPARE(glide.shown().H, (std::vector<float>{2, 4, 3}));  // what was unknown is known at once
+    QVERIFY(!glide.has_arrived(start + 399ms));
+    // In a hurry it goes on from where it is, evenly, without a leap.
+    glide.hurry(start + 100ms, start + 200ms);
+    QCOMPARE(glide.shown().points[2], 2.0F);
+    glide.advance(start + 150ms);
+    QCOMPARE(glide.shown().points[2], 5.0F);
+    glide.hurry(start + 150ms, start + 900ms);  // no reason to dawdle
+    QVERIFY(glide.has_arrived(start + 200ms));
+    glide.advance(start + 250ms);
+    QCOMPARE(glide.shown().points, to->points);
+    QCOMPARE(glide.goal(), to);
+  }
+
+  void surfaces_of_other_vertices_do_not_glide() {
+    const SurfaceShape from{std::vector<float>(12), std::vector<float>(12), {0, 1, 2, 0, 2, 3, 0, 3, 1}, 3, {}, {}};
+    SurfaceShape to = from;
+    QVERIFY(ShapeGlide::is_possible(from, to));
+    to.triangles = {0, 1, 2, 0, 2, 3, 0, 1, 3};  // one of three turned over
+    QVERIFY(ShapeGlide::is_possible(from, to));
+    to.triangles = {1, 2, 0, 3, 0, 2, 3, 1, 0};
+    QVERIFY(!ShapeGlide::is_possible(from, to));
+    to = from;
+    to.points.resize(9);
+    QVERIFY(!ShapeGlide::is_possible(from, to));
   }
 
   void unwritable_path_is_refused() {
