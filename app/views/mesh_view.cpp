@@ -70,14 +70,14 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
   update_legend_words();
 
   impl_->redraw_timer.setSingleShot(true);
-  impl_->redraw_timer.setInterval(0);
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
     QElapsedTimer clock;
     clock.start();
     const bool moving = impl_->scene.update();
     impl_->scene.fit_depths();
     impl_->window->Render();
-    impl_->redraw_timer.setInterval(wait_after_picture(clock.elapsed()));
+    impl_->pause_ms = wait_after_picture(clock.elapsed());
+    impl_->last_picture.start();
     moving ? redraw() : warm_up_soon();
   });
   impl_->warm_up_timer.setSingleShot(true);
@@ -116,8 +116,12 @@ void MeshView::follow_document() {
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
   connect(&document, &Document::patch_moved, this, &MeshView::on_patch_moved);
-  connect(&document, &Document::holes_changed, this, &MeshView::update_loops);
-  connect(&selection, &HoleSelection::selection_changed, this, &MeshView::update_loops);
+  connect(&document, &Document::holes_changed, this, [this] {
+    if (update_loops()) redraw_at_leisure();
+  });
+  connect(&selection, &HoleSelection::selection_changed, this, [this] {
+    if (update_loops()) redraw();
+  });
   connect(&selection, &HoleSelection::hover_changed, this, &MeshView::update_highlight);
 }
 
@@ -135,7 +139,16 @@ QWidget* MeshView::canvas() const { return impl_->canvas; }
 
 void MeshView::redraw() {
   // Not started anew by each wish: a flow that moves faster than the graphics would never be seen.
-  if (!impl_->redraw_timer.isActive()) impl_->redraw_timer.start();
+  const QTimer& timer = impl_->redraw_timer;
+  if (!timer.isActive() || timer.remainingTime() > impl_->pause_ms) impl_->redraw_timer.start(impl_->pause_ms);
+}
+
+/// What comes in hundreds need not be seen one by one: the pictures would take longer than the work.
+void MeshView::redraw_at_leisure() {
+  constexpr qint64 leisure_ms = 200;
+  const qint64 since = impl_->last_picture.isValid() ? impl_->last_picture.elapsed() : leisure_ms;
+  if (!impl_->redraw_timer.isActive())
+    impl_->redraw_timer.start(std::max(impl_->pause_ms, static_cast<int>(std::max<qint64>(0, leisure_ms - since))));
 }
 
 const Look& MeshView::look() const { return impl_->look; }
@@ -251,7 +264,7 @@ void MeshView::on_scans_changed() {
 
 void MeshView::on_patches_changed() {
   show_surfaces();
-  redraw();
+  redraw_at_leisure();
 }
 
 /// A flow at work moves on evenly; what a person asks for is there at once.
@@ -304,12 +317,12 @@ void MeshView::on_patch_moved(int id) {
   redraw();
 }
 
-void MeshView::update_loops() {
+bool MeshView::update_loops() {
   const Document& document = impl_->document;
   std::vector<LoopStyle> styles;
   for (int loop = 0; loop < document.loop_count(); ++loop)
     styles.push_back(impl_->selection.selected().contains(loop) ? LoopStyle::selected : style_of(document.state(loop)));
-  if (styles == impl_->loop_styles) return;
+  if (styles == impl_->loop_styles) return false;
   impl_->loop_styles = styles;
   std::vector<LoopLine> lines;
   for (int loop = 0; loop < document.loop_count(); ++loop) {
@@ -318,7 +331,7 @@ void MeshView::update_loops() {
     lines.push_back({line_of(*scan->shape, document.loop(loop)), styles[static_cast<std::size_t>(loop)]});
   }
   impl_->scene.set_loops(lines);
-  redraw();
+  return true;
 }
 
 void MeshView::update_highlight() {

@@ -98,7 +98,8 @@ class MeshView : public QWidget {
   Arrival arrival(int patch) const;
   void show_surfaces();
   bool tool_takes(QEvent* event);
-  void update_loops();
+  /// @returns whether they look otherwise now, and are to be drawn.
+  bool update_loops();
   void update_highlight();
   void update_palette();
   void hover(const QPoint& at);
@@ -110,6 +111,7 @@ class MeshView : public QWidget {
   int loop_at(const QPoint& at);
   void face_front();
   void redraw();
+  void redraw_at_leisure();
   void warm_up_soon();
   void after_render();
 

@@ -19,6 +19,7 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include <algorithm>
@@ -40,6 +41,8 @@ struct MeshView::Impl {
   MeshScene scene;
   LoopPicker picker;
   QTimer redraw_timer, warm_up_timer;
+  QElapsedTimer last_picture;
+  int pause_ms = 0;  ///< after a picture, before the next
   vtkNew<vtkFloatArray> depth;
   vtkMTimeType seen_camera = 0;
   QSize seen_size;

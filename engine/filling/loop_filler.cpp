@@ -22,7 +22,7 @@ constexpr int longest_for_cubic = 350;  // FILLING.md, step 1
 constexpr int longest_for_all_methods = 5000;
 constexpr std::size_t from_coarse_to_fine = 200;  // vertices
 constexpr int beyond_the_cache = 5000;            // free vertices on the last coarse level
-constexpr double most_vertices = 2e6;             // some 20 GB of solver memory
+constexpr double most_vertices = 2e6;             // some 13 GB of solver memory
 
 /// Everything the filler needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
 struct LoopSite {
