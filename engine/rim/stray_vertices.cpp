@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/stray_vertices.h"
 
-#include "energy/curvature_energy.h"
 #include "mesh/quality.h"
 #include "operators/local_fit.h"
 #include "rim/cubic_fit.h"

@@ -39,30 +39,35 @@ double edge_of(const Patch& patch) {
   return patch.scale * mean_edge_length(patch.positions, patch.triangles, patch.patch_triangles);
 }
 
-/// Moves `count` vertices of a ring, far from one another, by this many edges along the normal. @returns soup points.
-std::vector<int> add_spikes(Known& known, int ring, int count, double height) {
+struct Spikes {
+  std::vector<int> vertices;  ///< soup points
+  Points feet;                ///< where they stood before
+};
+
+/// Moves `count` vertices of a ring, far from one another, by this many edges along the normal.
+Spikes add_spikes(Known& known, int ring, int count, double height) {
   const SurfaceModel model = make_surface_model(known.open);
   const Patch patch = test::start_of(model);
   std::vector<int> on_ring;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (patch.ring[i] == ring) on_ring.push_back(model.soup_vertex[patch.view_vertex[i]]);
-  std::vector<int> spikes;
+  Spikes spikes;
   for (int k = 0; k < count; ++k) {
-    spikes.push_back(on_ring[k * on_ring.size() / count]);
-    Vec3& p = known.open.points[spikes.back()];
+    spikes.vertices.push_back(on_ring[k * on_ring.size() / count]);
+    Vec3& p = known.open.points[spikes.vertices.back()];
+    spikes.feet.push_back(p);
     p += height * edge_of(patch) * known.normal(p);
   }
   return spikes;
 }
 
-/// Farther than this from a spike, the patch is asked to be as if the spike were not there, mesh units.
 struct Filled {
-  double rms = 0;  ///< of the new vertices that are three edges and more from any spike, in edges
+  double rms = 0;  ///< of the new vertices that are three edges and more from the foot of any spike, in edges
   double max = 0;  ///< of all new vertices, in edges
   bool exterior_unchanged = false;
 };
 
-Filled fill(const Known& known, const std::vector<int>& spikes, RimTrust trust) {
+Filled fill(const Known& known, const Spikes& spikes, RimTrust trust) {
   SurfaceModel model = make_surface_model(known.open);
   const double edge = edge_of(test::start_of(model));
   FillOptions options;
@@ -75,7 +80,8 @@ Filled fill(const Known& known, const std::vector<int>& spikes, RimTrust trust) 
     const Vec3& p = model.soup.points[v];
     const double height = std::abs(known.height(p)) / edge;
     filled.max = std::max(filled.max, height);
-    if (std::any_of(spikes.begin(), spikes.end(), [&](int s) { return (known.open.points[s] - p).norm() < 3 * edge; }))
+    if (std::any_of(spikes.feet.begin(), spikes.feet.end(),
+                    [&](const Vec3& foot) { return (foot - p).norm() < 3 * edge; }))
       continue;
     filled.rms += height * height;
     ++count;
@@ -102,13 +108,14 @@ TEST(StrayVertices, ASpikeIsFoundAndNothingElse) {
     for (int ring : {1, 2})
       for (double height : {0.3, 1.0, 3.0, -0.3, -1.0}) {
         Known known = make();
-        const std::vector<int> spikes = add_spikes(known, ring, 2, height);
+        const Spikes spikes = add_spikes(known, ring, 2, height);
         const SurfaceModel model = make_surface_model(known.open);
         const Patch patch = test::start_of(model);
         const CalmSurroundings calm = without_strays(patch);
         EXPECT_EQ(calm.strays, 2) << known.name << ", ring " << ring << ", " << height;
         for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
-          const bool spike = std::count(spikes.begin(), spikes.end(), model.soup_vertex[patch.view_vertex[i]]) > 0;
+          const bool spike =
+              std::count(spikes.vertices.begin(), spikes.vertices.end(), model.soup_vertex[patch.view_vertex[i]]) > 0;
           if (spike) {
             EXPECT_LT(std::abs(known.height(calm.patch.to_mesh(calm.patch.positions[i]))), 0.02 * edge_of(patch))
                 << known.name << ", ring " << ring << ", " << height;
@@ -123,7 +130,7 @@ TEST(StrayVertices, SmallSpikesCountInPartWithoutAJump) {
   double before = 0;
   for (double height = 0.015; height < 0.09; height += 0.005) {
     Known known = sphere();
-    const int spike = add_spikes(known, 2, 1, height).front();
+    const int spike = add_spikes(known, 2, 1, height).vertices.front();
     const SurfaceModel model = make_surface_model(known.open);
     const Patch patch = test::start_of(model), calm = without_strays(patch).patch;
     double left = 0;  // of the height, in edges
@@ -152,7 +159,7 @@ TEST(StrayVertices, APatchBesideASpikeIsThatOfTheSmoothSurface) {
     for (int ring : {1, 2})
       for (double height : {0.3, 1.0, 3.0}) {
         Known known = make();
-        const std::vector<int> spikes = add_spikes(known, ring, 1, height);
+        const Spikes spikes = add_spikes(known, ring, 1, height);
         const Filled filled = fill(known, spikes, RimTrust::automatic);
         EXPECT_TRUE(filled.exterior_unchanged);
         // The patch must meet a spike on its own rim, so that something of it is left beside; a second ring it need not meet.
@@ -163,7 +170,7 @@ TEST(StrayVertices, APatchBesideASpikeIsThatOfTheSmoothSurface) {
 
 TEST(StrayVertices, AreMetLiterallyWhereThatIsAsked) {
   Known known = sphere();
-  const std::vector<int> spikes = add_spikes(known, 1, 1, 0.3);
+  const Spikes spikes = add_spikes(known, 1, 1, 0.3);
   EXPECT_GT(fill(known, spikes, RimTrust::exact).rms, 50 * fill(known, spikes, RimTrust::automatic).rms);
 }
 
