@@ -4,6 +4,7 @@
 #include "evolution/state.h"
 #include "mesh/quality.h"
 #include "rim/rim_blend.h"
+#include "rim/stray_vertices.h"
 #include "rim/white_noise.h"
 
 #include <algorithm>
@@ -41,36 +42,74 @@ void take_figures(const Evolution& evolution, Evolved& result) {
   result.final_energy = evolution.energy();
 }
 
-/// What the surroundings are worth to the sixth order; empty where the options leave nothing to be judged.
-std::optional<RimRoughness> judged_rim(const Patch& filler, const EvolutionOptions& options) {
+/// What the surroundings are worth to the sixth order.
+struct JudgedRim {
+  RimRoughness roughness;
+  std::optional<CalmSurroundings> calm;  ///< where single vertices stand off surroundings that are smooth without them
+};
+
+/// Empty where the options leave nothing to be judged.
+std::optional<JudgedRim> judged_rim(const Patch& filler, const EvolutionOptions& options) {
   const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
                       options.rim == RimTrust::automatic && !options.bending &&
                       options.continuity == SeamContinuity::curvature;
-  return judged ? std::optional(rim_roughness(filler)) : std::nullopt;
+  if (!judged) return std::nullopt;
+  CalmSurroundings calm = without_strays(filler);
+  if (calm.strays > 0) {
+    const RimRoughness roughness = rim_roughness(calm.patch);
+    // White noise is taken off by robust fits, and the rough patch doubts its rim, each with the strays in it.
+    if (roughness.noise_share == 0 && roughness.rough_share < 1) return JudgedRim{roughness, std::move(calm)};
+  }
+  return JudgedRim{rim_roughness(filler), std::nullopt};
 }
 
 /// What all runs for one filler have in common.
 struct Run {
   const FillSite& site;
   const Patch& filler;
-  double noise_share;  ///< of the surroundings' noise that the flow does not meet
+  double noise_share;            ///< of the surroundings' noise that the flow does not meet
+  const CalmSurroundings* calm;  ///< which the flow meets in place of the filler's; null: these
   const Evolution::OnStep& on_step;
   const CancelToken& cancel;
+
+  /// What the flow sets out from.
+  Patch start_from(const Patch& start) const {
+    if (noise_share > 0) return without_noise(start, site.model, noise_share);
+    return calm != nullptr ? with_noise_again(start, calm->patch, reach_of_strays()) : start;
+  }
+  /// What it came to, between the surroundings as they are.
+  Patch result_from(const Patch& evolved) const {
+    if (noise_share > 0) return with_noise_again(evolved, filler);
+    return calm != nullptr ? with_noise_again(evolved, filler, reach_of_strays()) : evolved;
+  }
+  /// A single vertex off its place is of no account a few edges away.
+  double reach_of_strays() const {
+    return mean_edge_length(filler.positions, filler.triangles, filler.patch_triangles);
+  }
 };
+
+std::string words_on_strays(int strays) {
+  return strays == 1
+             ? "one vertex at the rim stands off the surface round about: the patch meets it, but does not take its "
+               "curvature from it"
+             : std::to_string(strays) +
+                   " vertices at the rim stand off the surface round about: the patch meets them, but does not take "
+                   "its curvature from them";
+}
 
 /// One run of the flow. @returns true if its result may be kept: if it is no worse than the filler.
 bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& options, Evolved& result) {
-  const auto& [site, filler, noise_share, on_step, cancel] = run;
-  const bool noisy = noise_share > 0;
-  Evolution evolution(noisy ? without_noise(start, site.model, noise_share) : start, options);
-  const EvolutionStatus status = evolution.run(on_step, cancel);
+  const FillSite& site = run.site;
+  const Patch& filler = run.filler;
+  Evolution evolution(run.start_from(start), options);
+  const EvolutionStatus status = evolution.run(run.on_step, run.cancel);
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
   if (status == EvolutionStatus::failed && evolution.history().empty()) {
     result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
     return false;
   }
-  Patch patch = noisy ? with_noise_again(evolution.patch(), filler) : evolution.patch();
+  Patch patch = run.result_from(evolution.patch());
   PatchVerdict verdict = judge(site, patch);
   const bool clean = verdict.folds == 0 && verdict.total() == 0;
   if (!clean && !no_worse(verdict, judge(site, filler))) {
@@ -81,6 +120,7 @@ bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& opt
   result.verdict = std::move(verdict);
   result.status = status_after(status);
   result.message = evolution.message();
+  if (result.message.empty() && run.calm != nullptr) result.message = words_on_strays(run.calm->strays);
   result.bending = evolution.bending();
   return true;
 }
@@ -122,7 +162,7 @@ bool evolve_between(const Run& run, const EvolutionOptions& options, const RimRo
   literal_options.bending = (1 - run.noise_share) * rim.bending;
   literal_options.triangles = PatchTriangles::kept;
   Evolved literal;
-  if (!evolve_once({run.site, run.filler, 0, run.on_step, run.cancel}, run.filler, robust_options, result))
+  if (!evolve_once({run.site, run.filler, 0, nullptr, run.on_step, run.cancel}, run.filler, robust_options, result))
     return false;
   if (!evolve_once(run, run.filler, literal_options, literal)) return true;
   if (literal.patch.free_count != result.patch.free_count) return true;
@@ -164,9 +204,11 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
     result.verdict = judge(site, filler);
     return result;
   }
-  const std::optional<RimRoughness> rim = judged_rim(filler, options);
+  const std::optional<JudgedRim> judged = judged_rim(filler, options);
+  const std::optional<RimRoughness> rim = judged ? std::optional(judged->roughness) : std::nullopt;
   const double noise_share = rim ? rim->noise_share : 0;
-  const Run run{site, filler, noise_share, on_step, cancel}, plain{site, filler, 0, on_step, cancel};
+  const CalmSurroundings* calm = judged && judged->calm ? &*judged->calm : nullptr;
+  const Run run{site, filler, noise_share, calm, on_step, cancel}, plain{site, filler, 0, calm, on_step, cancel};
   if (rim && rim->rough_share > 0 && rim->rough_share < 1) {
     if (evolve_between(run, options, *rim, result) || cancel.cancelled()) return result;
   } else {

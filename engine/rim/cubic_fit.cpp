@@ -47,10 +47,11 @@ Square CubicFit::covariance() const {
 }
 
 std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology, int i, const Vec3& reference_normal,
-                                  int rings, Outliers outliers, std::vector<char>& mark) {
+                                  int rings, Outliers outliers, std::vector<char>& mark, FitCentre centre) {
   std::vector<int> near;
   topology.k_ring(i, rings, near, mark);
-  near.push_back(i);
+  const auto others = static_cast<double>(near.size());
+  if (centre == FitCentre::counted) near.push_back(i);
   const Eigen::Index m = static_cast<Eigen::Index>(near.size());
   if (m < least_vertices) return std::nullopt;
   CubicFit fit;
@@ -58,7 +59,7 @@ std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology
   fit.e1 = reference_normal.unitOrthogonal();
   fit.e2 = reference_normal.cross(fit.e1);
   double unit = 0;  // mean distance, so that all columns are of one size
-  for (int v : near) unit += (points[v] - points[i]).norm() / static_cast<double>(m - 1);
+  for (int v : near) unit += (points[v] - points[i]).norm() / others;
   if (!(unit > 0)) return std::nullopt;
   Eigen::Matrix<double, Eigen::Dynamic, terms, Eigen::RowMajor> A(m, terms);
   Eigen::VectorXd height(m);

@@ -25,10 +25,16 @@ enum class Outliers {
   weighted_down  ///< Huber's weights at 1.5 × 1.4826 × median |residual|, four rounds (NUMERICS §12.4)
 };
 
-/// Fits the vertices within `rings` edges of vertex i, itself among them.
+enum class FitCentre {
+  counted,
+  left_out  ///< the fit then tells where the vertex would be if its neighbours were right
+};
+
+/// Fits the vertices within `rings` edges of vertex i, itself among them unless it is left out.
 /// @param reference_normal  unit. @param mark  scratch of Topology::k_ring.
 /// @returns nothing where fewer than 14 vertices are there, or they do not determine a cubic.
 std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology, int i, const Vec3& reference_normal,
-                                  int rings, Outliers outliers, std::vector<char>& mark);
+                                  int rings, Outliers outliers, std::vector<char>& mark,
+                                  FitCentre centre = FitCentre::counted);
 
 }  // namespace loopmend

@@ -5,6 +5,7 @@
 #include "rim/cubic_fit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -59,14 +60,18 @@ WideSurroundings wide_surroundings(const Patch& patch, const SurfaceModel& model
   return wide;
 }
 
-/// Moves the fixed vertices to `places` (of vertex free_count + k) and carries the free ones along.
-void move_fixed(Patch& patch, const Points& places) {
+/// Moves the fixed vertices to `places` (of vertex free_count + k) and carries the free ones along, within `reach`.
+void move_fixed(Patch& patch, const Points& places, double reach) {
   Points offset(patch.vertex_count(), Vec3::Zero());
   for (std::size_t k = 0; k < places.size(); ++k)
     offset[patch.free_count + k] = places[k] - patch.positions[patch.free_count + k];
   std::vector<int> own(patch.patch_triangles);
   std::iota(own.begin(), own.end(), 0);
-  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, own, robust_clamp);
+  SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, own, robust_clamp);
+  if (std::isfinite(reach)) {
+    const Eigen::VectorXd fading = barycentric_areas(patch.positions, patch.triangles) / (reach * reach);
+    C += SparseMatrix(fading.asDiagonal());
+  }
   minimise_quadratic_form(C, offset, 0, patch.free_count);
   for (int i = 0; i < patch.free_count; ++i) patch.positions[i] += offset[i];
   std::copy(places.begin(), places.end(), patch.positions.begin() + patch.free_count);
@@ -106,13 +111,13 @@ Patch without_noise(const Patch& patch, const SurfaceModel& model, double share)
     for (std::size_t k = 0; k < best.size(); ++k) best[k] += weight * (places[k] - best[k]);
   }
   Patch result = patch;
-  move_fixed(result, best);
+  move_fixed(result, best, std::numeric_limits<double>::infinity());
   return result;
 }
 
-Patch with_noise_again(const Patch& solved, const Patch& original) {
+Patch with_noise_again(const Patch& solved, const Patch& original, double reach) {
   Patch result = solved;
-  move_fixed(result, Points(original.positions.begin() + original.free_count, original.positions.end()));
+  move_fixed(result, Points(original.positions.begin() + original.free_count, original.positions.end()), reach);
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include "mesh/patch.h"
 
+#include <limits>
+
 namespace loopmend {
 
 /// The patch with every fixed vertex moved towards a robust cubic fit of its surroundings, and the free ones carried along:
@@ -15,6 +17,8 @@ Patch without_noise(const Patch& patch, const SurfaceModel& model, double share)
 /// The free vertices of `solved`, carried along from its loops to those of `original`: their offset runs harmonically into
 /// the patch. Fixed vertices are those of `original`, bit for bit.
 /// @param solved  from without_noise(original), whatever became of its free vertices and triangles.
-Patch with_noise_again(const Patch& solved, const Patch& original);
+/// @param reach  > 0, patch frame: the way on which the offset fades to 1/e, on top of what it does harmonically.
+Patch with_noise_again(const Patch& solved, const Patch& original,
+                       double reach = std::numeric_limits<double>::infinity());
 
 }  // namespace loopmend

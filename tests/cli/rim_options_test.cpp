@@ -4,10 +4,13 @@
 #include "io/write_mesh.h"
 #include "mesh/boundary_loops.h"
 #include "samples/analytic_surfaces.h"
+#include "support/ragged_rims.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <map>
 
 namespace loopmend {
 namespace {
@@ -83,6 +86,29 @@ TEST_F(RimOptions, TrimmingIsOffButSuggestedAndToldFaceByFace) {
   EXPECT_EQ(trimmed["exterior_unchanged"], true);
   const TriangleSoup before = read_mesh(clean).soup, after = read_mesh(out).soup;
   for (std::size_t f = 0; f < before.triangles.size(); ++f) ASSERT_EQ(after.triangles[f], before.triangles[f]);
+}
+
+TEST_F(RimOptions, EveryBadFaceOfARaggedRimIsTold) {
+  const test::RaggedRim rim = test::ragged_rim();
+  write_mesh(ragged, rim.ragged);
+  const json report = fill(ragged, "--trim-rim 3");
+  std::map<int, std::pair<std::string, int>> told, expected;
+  for (const json& face : report["trimmed_faces"]) told[face["face"]] = {face["fault"], face["ring"]};
+  for (const BadRimFace& bad : rim.bad) expected[bad.face] = {to_string(bad.fault), bad.ring};
+  EXPECT_EQ(told, expected);
+  EXPECT_EQ(report["loops"][0]["status"], "converged");
+  EXPECT_EQ(report["exterior_unchanged"], true);
+}
+
+TEST_F(RimOptions, ASingleVertexOffASmoothRimIsToldAndNotTakenForShape) {
+  TriangleSoup sphere = read_mesh(clean).soup;
+  const SurfaceModel model = make_surface_model(sphere);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  sphere.points[model.soup_vertex[loops.front().vertices[5]]] *= 1.05;
+  write_mesh(ragged, sphere);
+  EXPECT_THAT(fill(ragged, "")["loops"][0]["message"].get<std::string>(), testing::HasSubstr("one vertex"));
+  EXPECT_EQ(read_mesh(out).soup.points[model.soup_vertex[loops.front().vertices[5]]],
+            sphere.points[model.soup_vertex[loops.front().vertices[5]]]);
 }
 
 TEST_F(RimOptions, WrongWordsAreRefused) {

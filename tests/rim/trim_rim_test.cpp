@@ -1,6 +1,9 @@
 #include "rim/trim_rim.h"
 
 #include "core/error.h"
+#include "evolution/fill_loops.h"
+#include "mesh/self_intersections.h"
+#include "support/ragged_rims.h"
 
 #include <gtest/gtest.h>
 
@@ -114,6 +117,45 @@ TEST(TrimRim, FindsASpike) {
                             Triangle{grid_vertex(4, 2), grid_vertex(5, 3), grid_vertex(4, 3)}})
     fan[face_of(soup, t)] = RimFault::spike;
   EXPECT_EQ(faults_of(soup), fan);
+}
+
+TEST(TrimRim, MendsARaggedRimFaceByFace) {
+  const test::RaggedRim rim = test::ragged_rim();
+  ASSERT_GE(rim.bad.size(), 12U);
+  const SurfaceModel clean = make_surface_model(rim.clean), ragged = make_surface_model(rim.ragged);
+  EXPECT_EQ(ragged.repairs.reoriented_faces, 0U);
+  EXPECT_EQ(ragged.repairs.non_manifold_edges, 0U);
+  EXPECT_TRUE(bad_rim_faces(clean, holes_of(clean)).empty());
+
+  std::map<int, std::pair<RimFault, int>> expected, removed;
+  for (const BadRimFace& bad : rim.bad) expected[bad.face] = {bad.fault, bad.ring};
+  const TrimmedModel trimmed = trim_rim(ragged, holes_of(ragged), 3);
+  for (const BadRimFace& bad : trimmed.removed) removed[bad.face] = {bad.fault, bad.ring};
+  EXPECT_EQ(removed, expected);
+  EXPECT_EQ(trimmed.model.soup.triangles, rim.clean.triangles);
+
+  // One round takes what can be reached from the rim, and no more.
+  const TrimmedModel once = trim_rim(ragged, holes_of(ragged), 1);
+  EXPECT_EQ(once.removed.size(), static_cast<std::size_t>(std::count_if(rim.bad.begin(), rim.bad.end(),
+                                                                        [](auto& b) { return b.ring == 1; })));
+}
+
+TEST(TrimRim, ARimThatWasMendedIsFilledLikeOneThatWasNeverBad) {
+  const test::RaggedRim rim = test::ragged_rim();
+  SurfaceModel clean = make_surface_model(rim.clean);
+  const SurfaceModel ragged = make_surface_model(rim.ragged);
+  SurfaceModel mended = trim_rim(ragged, holes_of(ragged), 3).model;
+  for (SurfaceModel* model : {&clean, &mended})
+    for (const LoopResult& result : fill_loops(*model, holes_of(*model), {}, nullptr, {}))
+      EXPECT_EQ(result.status, LoopStatus::converged) << result.message;
+  const auto points_from = [](const SurfaceModel& model, std::size_t first) {
+    return Points(model.soup.points.begin() + static_cast<long>(first), model.soup.points.end());
+  };
+  EXPECT_EQ(points_from(mended, rim.ragged.points.size()), points_from(clean, rim.clean.points.size()));
+  EXPECT_TRUE(find_boundary_loops(mended).empty());
+  EXPECT_TRUE(
+      self_intersections(mended.soup.points, mended.soup.triangles, static_cast<int>(mended.soup.triangles.size()))
+          .empty());
 }
 
 TEST(TrimRim, RefusesWhatMakesNoSense) {

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rim/stray_vertices.h"
+
+#include "mesh/quality.h"
+#include "operators/local_fit.h"
+#include "rim/cubic_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int fit_rings = 3, feature_rings = 2;
+constexpr int looked_at_rings = 4;  ///< as far as the fits at the loop reach
+constexpr int most_rounds = 4;
+constexpr int most_in_one_place = 2;      ///< strays; more of them are a feature
+constexpr double least_distance = 0.03;   ///< mean edges: below, fits of coarse meshes err by as much
+constexpr double many_times_median = 10;  ///< on clean surfaces the largest distance is below that
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Of normals, coordinate by coordinate: those beside a spike lean, but they are few.
+Vec3 median_normal(const Points& normals, const std::vector<int>& vertices) {
+  std::array<std::vector<double>, 3> coordinates;
+  for (int v : vertices)
+    for (int c = 0; c < 3; ++c)
+      if (!normals[v].isZero()) coordinates[c].push_back(normals[v][c]);
+  if (coordinates[0].empty()) return Vec3::Zero();
+  return Vec3(median_of(coordinates[0]), median_of(coordinates[1]), median_of(coordinates[2])).normalized();
+}
+
+/// The surroundings, with some vertices moved onto what their neighbours say.
+class Surround {
+ public:
+  explicit Surround(const Patch& patch)
+      : points(patch.positions),
+        around_(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()),
+        topology_(patch.vertex_count(), around_),
+        mark_(patch.vertex_count(), 0) {
+    take_normals();
+  }
+
+  void take_normals() { normals_ = angle_weighted_normals(points, around_); }
+
+  /// From the vertex onto the fit of its neighbours; 0 where there is none.
+  Vec3 way_to_neighbours(int i, Outliers outliers) {
+    const Vec3 normal = median_normal(normals_, near(i, fit_rings));
+    if (normal.isZero()) return Vec3::Zero();
+    const auto fit = fit_cubic(points, topology_, i, normal, fit_rings, outliers, mark_, FitCentre::left_out);
+    return fit ? Vec3(fit->coefficients[0] * fit->normal) : Vec3::Zero();
+  }
+
+  const std::vector<int>& near(int i, int rings) {
+    topology_.k_ring(i, rings, near_, mark_);
+    return near_;
+  }
+
+  Points points;
+
+ private:
+  Triangles around_;
+  Topology topology_;
+  Points normals_;
+  std::vector<char> mark_;
+  std::vector<int> near_;
+};
+
+/// Distances from what the neighbours say, of the vertices that are looked at; 0 of the others.
+struct Distances {
+  std::vector<double> all;  ///< #V
+  double limit = 0;         ///< from which a vertex is stray
+
+  Distances(Surround& surround, const std::vector<int>& vertices, double edge, Outliers outliers)
+      : all(surround.points.size(), 0.0) {
+    std::vector<double> sorted;
+    for (int i : vertices) {
+      all[i] = surround.way_to_neighbours(i, outliers).norm();
+      sorted.push_back(all[i]);
+    }
+    limit = std::max(least_distance * edge, many_times_median * median_of(std::move(sorted)));
+  }
+
+  bool beyond(int i) const { return all[i] > limit; }
+};
+
+/// Those beyond the limit by more than all that are near them: a large spike makes its neighbours look stray too.
+std::vector<int> foremost(Surround& surround, const std::vector<int>& vertices, const Distances& distances) {
+  std::vector<int> result;
+  for (int i : vertices) {
+    if (!distances.beyond(i)) continue;
+    const std::vector<int>& near = surround.near(i, fit_rings);
+    if (std::all_of(near.begin(), near.end(), [&](int j) {
+          return distances.all[j] < distances.all[i] || (distances.all[j] == distances.all[i] && i < j);
+        }))
+      result.push_back(i);
+  }
+  return result;
+}
+
+}  // namespace
+
+CalmSurroundings without_strays(const Patch& patch) {
+  CalmSurroundings calm{patch, 0};
+  std::vector<int> vertices;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
+    if (patch.ring[i] <= looked_at_rings) vertices.push_back(i);
+  if (vertices.empty()) return calm;
+  Surround surround(patch);
+  const double edge = mean_edge_length(patch.positions, patch.triangles, patch.patch_triangles);
+  const auto any_beyond = [&](const Distances& d) {
+    return std::any_of(vertices.begin(), vertices.end(), [&](int i) { return d.beyond(i); });
+  };
+  // Least squares see every stray as well, only less sharply, at a fifth of the time.
+  if (!any_beyond(Distances(surround, vertices, edge, Outliers::count))) return calm;
+
+  std::set<int> strays;
+  Distances left(surround, vertices, edge, Outliers::weighted_down);
+  for (int round = 0; round < most_rounds && any_beyond(left); ++round) {
+    for (int i : foremost(surround, vertices, left)) {
+      surround.points[i] += surround.way_to_neighbours(i, Outliers::weighted_down);
+      strays.insert(i);
+    }
+    surround.take_normals();
+    left = Distances(surround, vertices, edge, Outliers::weighted_down);
+  }
+  for (int i : strays) {
+    const std::vector<int>& near = surround.near(i, feature_rings);
+    const auto counts = [&](int j) { return strays.count(j) > 0 || left.beyond(j); };
+    if (left.beyond(i) || 1 + std::count_if(near.begin(), near.end(), counts) > most_in_one_place) continue;
+    // What is left of the way once its neighbours are calm, from where the vertex is.
+    surround.points[i] = patch.positions[i];
+    const Vec3 way = surround.way_to_neighbours(i, Outliers::weighted_down);
+    surround.points[i] += way;
+    const double share = std::clamp(way.norm() / left.limit - 1, 0.0, 1.0);
+    if (!(share > 0)) continue;
+    calm.patch.positions[i] += share * way;
+    ++calm.strays;
+  }
+  return calm;
+}
+
+}  // namespace loopmend

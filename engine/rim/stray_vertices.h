@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Single vertices that stand off an otherwise smooth surface: a spike of the scanner, not its shape.
+#pragma once
+
+#include "mesh/patch.h"
+
+namespace loopmend {
+
+/// The surroundings without their stray vertices, and how many there were.
+struct CalmSurroundings {
+  Patch patch;     ///< stray vertices moved towards the surface round about; all else as it was, bit for bit
+  int strays = 0;  ///< 0: the patch is as it was
+};
+
+/// A fixed vertex of rings 1 to 4 is stray as far as its distance from a robust cubic fit of its neighbours, itself left
+/// out, exceeds both 0.03 mean edges and ten times the median of these distances; from twice that on it is moved onto the
+/// fit. The largest are taken first, since they lead the fits beside them astray. More than two within two edges of one
+/// another are a feature, and stay.
+CalmSurroundings without_strays(const Patch& patch);
+
+}  // namespace loopmend
