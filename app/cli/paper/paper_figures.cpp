@@ -264,7 +264,7 @@ std::string order_text(const FlowComparison& comparison) {
       std::find_if(runs.begin(), runs.end(), [](const FlowRun* run) { return run->flow == FlowKind::mcf; });
   const bool largest = mcf + 1 == runs.end(), at_rest = (*mcf)->evolved.status == EvolutionStatus::converged;
   if (!largest) words += ": that MCF has the largest jump, as a flow of second order should, is not seen here";
-  if (!at_rest) words += ". MCF did not come to rest: where it was stopped is no surface that it would leave";
+  if (!at_rest) words += ". MCF did not come to rest: its figure is that of where it was stopped";
   return words + ".";
 }
 
