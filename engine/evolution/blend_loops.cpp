@@ -70,8 +70,8 @@ void tell_of_creases(const EvolutionOptions& options, BlendResult& result) {
   if (!(worst > visible_angle)) return;
   if (!result.message.empty()) result.message += "; ";
   result.message += "a crease of " + std::to_string(std::lround(worst)) +
-                    " degrees is left at a seam: the patch turns too sharply there for edges of this length; "
-                    "finer meshes, or loops that face each other, would help";
+                    " degrees is left at a seam: the patch turns too sharply there for edges of this length; finer "
+                    "meshes would help";
 }
 
 }  // namespace
