@@ -3,7 +3,6 @@
 
 #include "core/error.h"
 #include "evolution/blend_loops.h"
-#include "evolution/interpolate_points.h"
 #include "filling/patch_quality.h"
 #include "mesh/join_parts.h"
 
@@ -100,6 +99,11 @@ PosedProblem pose_region(const ModelPtr& model, const std::vector<int>& vertices
   return posed;
 }
 
+std::string refusal_of(const Interpolation& result) {
+  if (result.evolved.is_valid()) return {};
+  return "no valid surface was found: the best one has " + flaws(result.evolved.quality);
+}
+
 PosedProblem pose_points(const ModelPtr& polyhedron, const SubdivisionOptions& options) {
   const auto start = std::make_shared<const PolyhedronPatch>(subdivide_polyhedron(*polyhedron, options));
   PosedProblem posed;
@@ -109,10 +113,8 @@ PosedProblem pose_points(const ModelPtr& polyhedron, const SubdivisionOptions& o
     Interpolation result = interpolate_points(*polyhedron, options, evolution, cancel, on_step);
     Solution solution = solution_of(result.evolved);
     if (cancel.cancelled()) return solution;
-    if (!result.evolved.is_valid())
-      solution.refusal = "no valid surface was found: the best one has " + flaws(result.evolved.quality);
-    else
-      solution.surface = std::move(result.surface);
+    solution.refusal = refusal_of(result);
+    if (solution.refusal.empty()) solution.surface = std::move(result.surface);
     return solution;
   };
   return posed;

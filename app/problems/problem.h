@@ -2,8 +2,7 @@
 // Problems beside single holes, posed and solved alike by the command line and the window.
 #pragma once
 
-#include "evolution/evolve_patch.h"
-#include "filling/subdivide_polyhedron.h"
+#include "evolution/interpolate_points.h"
 #include "mesh/region.h"
 
 #include <functional>
@@ -53,6 +52,9 @@ std::string refusal_of(const Region& region, const EvolvedPatch& evolved);
 /// As `loopmend interpolate`: the polyhedron's chosen vertices held, everything else found.
 /// @throws InvalidArgument as subdivide_polyhedron.
 PosedProblem pose_points(const ModelPtr& polyhedron, const SubdivisionOptions& options);
+
+/// Why what interpolate_points found must not be used; empty when it may.
+std::string refusal_of(const Interpolation& result);
 
 /// As `loopmend blend`: one patch that joins the loops.
 /// @throws InvalidArgument as bridge_loops, and where the loops cannot be joined.

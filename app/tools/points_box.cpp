@@ -52,7 +52,7 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
   subdivide_->setValue(3);
   explain(subdivide_, tr("Subdivisions"), tr("Every one makes four triangles of each"));
   open_->setObjectName(QStringLiteral("pointsOpen"));
-  explain(open_, tr("Rims stay"), tr("For a polyhedron with holes: its rims are divided, and stay where they are"));
+  explain(open_, tr("Smooth rims"), tr("For a polyhedron with holes: its rims become smooth curves through their vertices"));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(6);
@@ -90,7 +90,7 @@ SubdivisionOptions PointsBox::options() const {
   SubdivisionOptions options;
   options.subdivisions = subdivide_->value();
   options.fixed = tool_.fixed();
-  options.rim = open_->isChecked() ? PolyhedronRim::keep : PolyhedronRim::refuse;
+  options.rim = open_->isChecked() ? PolyhedronRim::smooth : PolyhedronRim::refuse;
   return options;
 }
 
@@ -99,7 +99,7 @@ QString PointsBox::wanting() const {
   const auto scan = document_.scan(tool_.scan());
   if (tool_.count() < fewest) return tr("At least 4 vertices have to be picked.");
   if (!scan->loops.empty() && !open_->isChecked())
-    return tr("This surface has holes: close them, or let its rims stay as they are.");
+    return tr("This surface has holes: close them, or let its rims become smooth curves.");
   if (scan->model->mesh.n_faces() << (2 * subdivide_->value()) > most_triangles)
     return tr("That would be more than 4 million triangles: fewer subdivisions do.");
   return {};

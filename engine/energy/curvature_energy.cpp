@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace loopmend {
 
@@ -112,6 +114,11 @@ double patch_area(const Patch& patch) {
         (patch.positions[t[1]] - patch.positions[t[0]]).cross(patch.positions[t[2]] - patch.positions[t[0]]).norm() / 2;
   }
   return area;
+}
+
+double patch_radius(const Patch& patch) {
+  const double loops = static_cast<double>(std::max<std::size_t>(1, patch.loops.size()));
+  return std::sqrt(patch_area(patch) / (std::numbers::pi * loops));
 }
 
 }  // namespace loopmend

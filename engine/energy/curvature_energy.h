@@ -38,4 +38,8 @@ Eigen::VectorXd metric_gradient(const Patch& patch, const OperatorSet& ops, cons
 /// Area of the patch's own triangles, patch frame.
 double patch_area(const Patch& patch);
 
+/// Radius of the disc with the patch's area, shared evenly between its loops, patch frame. A patch without loops, such as
+/// a closed polyhedron, counts as one.
+double patch_radius(const Patch& patch);
+
 }  // namespace loopmend

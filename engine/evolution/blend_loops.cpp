@@ -5,7 +5,10 @@
 #include "mesh/join_parts.h"
 #include "mesh/quality.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <string>
 
 namespace loopmend {
 
@@ -57,6 +60,20 @@ void take_verdict(const FillSite& site, BlendResult& result) {
   result.patch.reset();
 }
 
+constexpr double visible_angle = 5;  ///< degrees at a seam: a crease that the eye sees
+
+/// The patch is meant to leave its surroundings without a crease; where it does not, that is told.
+void tell_of_creases(const EvolutionOptions& options, BlendResult& result) {
+  if (options.flow != FlowKind::mmcvf || options.continuity == SeamContinuity::position) return;
+  double worst = 0;
+  for (const SeamReport& seam : result.seams_after) worst = std::max(worst, seam.g1_rms_deg);
+  if (!(worst > visible_angle)) return;
+  if (!result.message.empty()) result.message += "; ";
+  result.message += "a crease of " + std::to_string(std::lround(worst)) +
+                    " degrees is left at a seam: the patch turns too sharply there for edges of this length; finer "
+                    "meshes would help";
+}
+
 }  // namespace
 
 BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
@@ -87,6 +104,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (!result.patch) return result;
   result.seams_before = seam_reports(result.bridge->membrane);
   result.seams_after = seam_reports(*result.patch);
+  if (options.evolution) tell_of_creases(*options.evolution, result);
   append_patch(agreed, patch_geometry(*result.patch));
   model = std::move(agreed);
   return result;

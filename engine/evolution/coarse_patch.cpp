@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace loopmend {
 
@@ -86,8 +85,7 @@ bool worth_coarsening(const Patch& patch) {
 
 Patch coarsened(const Patch& patch) {
   Patch start = patch;
-  const double loops = static_cast<double>(std::max<std::size_t>(1, patch.loops.size()));
-  start.grading = {1, inward_growth, std::sqrt(patch_area(patch) / (std::numbers::pi * loops)) / edges_per_radius};
+  start.grading = {1, inward_growth, patch_radius(patch) / edges_per_radius};
   GuardedMesh mesh = open_for_remeshing(start);
   for (int round = 0; round < coarsening_rounds; ++round) {
     const int before = mesh.free_count();

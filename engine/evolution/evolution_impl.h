@@ -13,9 +13,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
 #include <deque>
-#include <numbers>
 #include <utility>
 
 namespace loopmend {
@@ -93,9 +91,7 @@ struct Evolution::Impl {
   double edge_length() const {
     return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);
   }
-  double radius() const {
-    return std::sqrt(patch_area(state.patch) / (std::numbers::pi * static_cast<double>(state.patch.loops.size())));
-  }
+  double radius() const { return patch_radius(state.patch); }
   void stop(EvolutionStatus why, std::string words) {
     status = why;
     message = std::move(words);

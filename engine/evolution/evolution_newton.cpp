@@ -17,6 +17,7 @@ constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold st
 constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to no fall of the energy:
 constexpr double creeping_fall = 1e-4;  ///< relative, on average; the frozen fits lead no further down
 constexpr std::size_t most_creeping_steps = 8;  ///< in a row
+constexpr double smooth_start = 0.02;           ///< its energy by cubic fits, in that by quadratics
 constexpr int largest_factored =
     300000;  ///< free vertices: beyond, the factors of the step's matrix take many gigabytes
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
@@ -27,15 +28,19 @@ EnergyWeights energy_of(const Objective& objective) {
 
 }  // namespace
 
-/// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order. Not
-/// where these find the start better than what came of it: then the mesh is too coarse for them.
+/// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order. Where
+/// these find the start better than what came of it, the mesh is too coarse for them; but for a start that they find far
+/// better than quadratics do, as they find any smooth surface: then they go on from there.
 bool Evolution::Impl::go_over_to_cubic_fits() {
   if (stencil == Stencil::two_ring_cubic || !smooth_surroundings || state.folds > start_folds) return false;
   const EvolutionState cubic_start = make_state(start, objective, Stencil::two_ring_cubic);
   EvolutionState cubic = make_state(state.patch, objective, Stencil::two_ring_cubic, state.topology);
   if (!(cubic.measure < cubic_start.measure)) {
-    smooth_surroundings = false;
-    return false;
+    if (!(cubic_start.measure < smooth_start * start_measure) || cubic_start.folds > start_folds) {
+      smooth_surroundings = false;
+      return false;
+    }
+    cubic = cubic_start;  // it lay on a smooth surface, from which the quadratics only led away
   }
   stencil = Stencil::two_ring_cubic;
   state = std::move(cubic);

@@ -1,8 +1,12 @@
 #include "evolution/interpolate_points.h"
 
+#include "filling/fairing.h"
 #include "filling/patch_quality.h"
+#include "filling/rounded_polyhedron.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace loopmend {
 
@@ -15,6 +19,23 @@ void add_effort(const EvolvedPatch& before, EvolvedPatch& after) {
   after.seconds.assemble += before.seconds.assemble;
   after.seconds.solve += before.seconds.solve;
   after.history.insert(after.history.begin(), before.history.begin(), before.history.end());
+}
+
+/// What a flow from there would start with: few folds first, then little energy.
+std::pair<int, double> promise_of(const Patch& patch, const EvolutionOptions& options) {
+  return {patch_quality(patch).folds, Evolution(patch, options).energy()};
+}
+
+/// The rounded polyhedron where it promises more than flat faces do, faired or not.
+Patch first_start(const PolyhedronPatch& level, const EvolutionOptions& options) {
+  const bool to_the_end = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady;
+  if (!to_the_end || level.subdivisions < coarsest) return level.patch;
+  const std::optional<Patch> rounded = rounded_polyhedron(level);
+  if (!rounded) return level.patch;
+  Patch faired = level.patch;
+  faired.positions = linear_fairing(level.patch, 0, robust_clamp);
+  const auto flat = std::min(promise_of(level.patch, options), promise_of(faired, options));
+  return promise_of(*rounded, options) < flat ? *rounded : level.patch;
 }
 
 }  // namespace
@@ -37,7 +58,7 @@ Interpolation interpolate_points(const SurfaceModel& polyhedron, const Subdivisi
   PolyhedronPatch level = subdivide_polyhedron(polyhedron, coarse);
   EvolutionOptions options = *evolution;
   options.triangles = PatchTriangles::kept;  // the subdivision was asked for
-  result.evolved = evolve_patch(level.patch, options, on_step, cancel);
+  result.evolved = evolve_patch(first_start(level, options), options, on_step, cancel);
   for (int k = coarse.subdivisions; k < subdivision.subdivisions && !cancel.cancelled(); ++k) {
     level = split_further(level, result.evolved.patch);
     EvolvedPatch finer = evolve_patch(level.patch, options, on_step, cancel);

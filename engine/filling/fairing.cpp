@@ -40,13 +40,14 @@ Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
   // Rows of ΔL with a full one-ring of data whose value the patch can change or that stand beside such rows.
   constexpr int reach = 2;
   Eigen::VectorXd rows = barycentric_areas(patch.positions, patch.triangles).cwiseInverse();
+  const Topology topology(patch.vertex_count(), patch.triangles);
   for (int i = 0; i < patch.vertex_count(); ++i)
-    if (patch.ring[i] > reach) rows[i] = 0;
+    if (patch.ring[i] > reach || topology.is_boundary(i)) rows[i] = 0;
   std::vector<int> active;  // triangles with a Laplacian at each corner
   for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
     const Triangle& t = patch.triangles[f];
-    const auto [nearest, farthest] = std::minmax({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]});
-    if (farthest <= reach && nearest <= 1) active.push_back(static_cast<int>(f));
+    const bool near = std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= 1;
+    if (near && rows[t[0]] > 0 && rows[t[1]] > 0 && rows[t[2]] > 0) active.push_back(static_cast<int>(f));
   }
   const SparseMatrix active_C = clamped_cotan_stiffness(patch.positions, patch.triangles, active, clamp);
   const SparseMatrix L = rows.asDiagonal() * C;
@@ -54,6 +55,35 @@ Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
   if (bending > 0) Q += bending * (SparseMatrix(C.transpose()) * L);  // Lᵀ M L, as L = M⁻¹ C on its rows
   Points result = patch.positions;
   return minimise_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
+}
+
+void extend_evenly(const Triangles& triangles, const std::vector<char>& fixed, Points& vectors) {
+  const int count = static_cast<int>(vectors.size());
+  std::vector<int> row(count, -1);
+  int free = 0;
+  for (int i = 0; i < count; ++i)
+    if (!fixed[i]) row[i] = free++;
+  std::vector<Eigen::Triplet<double>> triplets;
+  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(free, 3), solution;
+  const auto add = [&](int i, int j) {
+    if (row[i] < 0) return;
+    triplets.emplace_back(row[i], row[i], 1);
+    if (row[j] >= 0)
+      triplets.emplace_back(row[i], row[j], -1);
+    else
+      rhs.row(row[i]) += vectors[j].transpose();
+  };
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) {
+      add(t[k], t[(k + 1) % 3]);
+      add(t[(k + 1) % 3], t[k]);
+    }
+  SparseMatrix A(free, free);
+  A.setFromTriplets(triplets.begin(), triplets.end());
+  const auto solver = make_spd_solver();
+  if (free == 0 || !solver->factorize(A) || !solver->solve(rhs, solution)) return;
+  for (int i = 0; i < count; ++i)
+    if (row[i] >= 0) vectors[i] = solution.row(row[i]).transpose();
 }
 
 Points graph_fairing(const Patch& patch) {

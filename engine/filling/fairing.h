@@ -14,6 +14,10 @@ bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, i
 /// 0..locked−1 fixed: one step of Pinkall and Polthier. Returns the new positions, or the old ones if the solve fails.
 Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked);
 
+/// Vectors at the fixed vertices extended to the others without bias: each of these gets the mean of its neighbours.
+/// @param fixed  #V, not 0 where `vectors` (#V) is given. Where nothing is fixed, the vectors are left as they are.
+void extend_evenly(const Triangles& triangles, const std::vector<char>& fixed, Points& vectors);
+
 /// Minimises ∫‖∇Δr‖² + bending ∫‖Δr‖² over the patch for the metric of its present shape (triharmonic, cotan weights clamped), with the
 /// fixed rings as data: to first order, curvature runs through the seam.
 /// @returns positions of all vertices, fixed ones bit-identical; the present positions if the solve fails.

@@ -1,6 +1,8 @@
 #include "filling/subdivide_polyhedron.h"
 
 #include "core/error.h"
+#include "filling/fair_closed_curve.h"
+#include "filling/fairing.h"
 #include "mesh/mesh_arrays.h"
 
 #include <Eigen/Eigenvalues>
@@ -21,7 +23,7 @@ constexpr std::size_t most_triangles = 4'000'000;
 struct Subdivision {
   Points points;
   Triangles triangles;
-  std::vector<char> on_rim;  ///< #points: lies on an edge with one triangle
+  std::vector<RimPlace> rim_place;  ///< #points
 };
 
 void split_into_four(Subdivision& mesh) {
@@ -43,9 +45,31 @@ void split_into_four(Subdivision& mesh) {
     split.insert(split.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
   }
   mesh.triangles = std::move(split);
-  mesh.on_rim.resize(mesh.points.size(), 0);
-  for (const auto& [edge, m] : middles)
-    if (m.faces == 1) mesh.on_rim[m.vertex] = 1;
+  for (RimPlace& place : mesh.rim_place) place.step *= 2;
+  mesh.rim_place.resize(mesh.points.size());
+  for (const auto& [edge, m] : middles) {
+    if (m.faces != 1) continue;
+    const RimPlace &a = mesh.rim_place[edge.first], &b = mesh.rim_place[edge.second];
+    const auto [first, last] = std::minmax(a.step, b.step);
+    mesh.rim_place[m.vertex] = {a.rim, last - first == 2 ? first + 1 : last + 1};  // or round the rim's first corner
+  }
+}
+
+/// Puts rim vertices onto the rims' curves. The others follow smoothly, but for those that are fixed themselves.
+void round_rims(Subdivision& mesh, const std::vector<Points>& rims, int subdivisions, const std::vector<char>& fixed) {
+  if (rims.empty()) return;
+  std::vector<Points> curves;
+  for (const Points& corners : rims) curves.push_back(fair_closed_curve(corners, 1 << subdivisions));
+  Points way(mesh.points.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (const RimPlace& place = mesh.rim_place[i]; place.rim >= 0)
+      way[i] = curves[place.rim][place.step] - mesh.points[i];
+  extend_evenly(mesh.triangles, fixed, way);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (const RimPlace& place = mesh.rim_place[i]; place.rim >= 0)
+      mesh.points[i] = curves[place.rim][place.step];
+    else if (!fixed[i])
+      mesh.points[i] += way[i];
 }
 
 void check_flatness(const Points& points) {
@@ -80,7 +104,7 @@ void check_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& 
     throw InvalidArgument("the polyhedron has " + std::to_string(rims.size()) +
                           (rims.size() == 1 ? " hole" : " holes") + ", the largest with " +
                           std::to_string(rims.front().edges()) +
-                          " edges: close it, or let its rims stay as they are (--open)");
+                          " edges: close it, or let its rims become smooth curves (--open)");
 }
 
 /// Which view vertices are interpolated.
@@ -101,6 +125,12 @@ std::vector<char> fixed_vertices(const SurfaceModel& polyhedron, const Subdivisi
   return fixed;
 }
 
+void hold_rims(const Subdivision& mesh, std::vector<char>& fixed) {
+  fixed.resize(mesh.points.size(), 0);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (mesh.rim_place[i].rim >= 0) fixed[i] = 1;
+}
+
 /// Free vertices first, then the fixed ones, each in their order. @param frame  its centre and scale count.
 PolyhedronPatch numbered(const Patch& frame, const Subdivision& mesh, const std::vector<char>& fixed,
                          int view_vertices) {
@@ -114,7 +144,9 @@ PolyhedronPatch numbered(const Patch& frame, const Subdivision& mesh, const std:
     patch.positions.push_back(patch.to_frame(mesh.points[i]));
     patch.ring.push_back(ring);
     patch.view_vertex.push_back(ring > 0 && static_cast<int>(i) < view_vertices ? static_cast<int>(i) : -1);
-    if (ring > 0) result.fixed.push_back(mesh.points[i]);
+    if (ring == 0) return;
+    result.fixed.push_back(mesh.points[i]);
+    result.rim_place.push_back(mesh.rim_place[i]);
   };
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     if (!fixed[i]) add(i, 0);
@@ -133,31 +165,44 @@ PolyhedronPatch subdivide_polyhedron(const SurfaceModel& polyhedron, const Subdi
   check_flatness(points_of(polyhedron.mesh));
   std::vector<char> fixed = fixed_vertices(polyhedron, options);
   Subdivision mesh{points_of(polyhedron.mesh), triangles_of(polyhedron.mesh), {}};
-  mesh.on_rim.assign(mesh.points.size(), 0);
-  for (const BoundaryLoop& loop : find_boundary_loops(polyhedron))
-    for (int v : loop.vertices) mesh.on_rim[v] = 1;
+  mesh.rim_place.resize(mesh.points.size());
+  std::vector<Points> rims;
+  for (const BoundaryLoop& loop : find_boundary_loops(polyhedron)) {
+    Points corners;
+    for (int v : loop.vertices) {
+      mesh.rim_place[v] = {static_cast<int>(rims.size()), static_cast<int>(corners.size())};
+      corners.push_back(mesh.points[v]);
+    }
+    rims.push_back(std::move(corners));
+  }
   for (int k = 0; k < options.subdivisions; ++k) split_into_four(mesh);
-  fixed.resize(mesh.points.size(), 0);
+  hold_rims(mesh, fixed);
+  round_rims(mesh, rims, options.subdivisions, fixed);
 
   Eigen::AlignedBox3d box;
   for (const Vec3& p : mesh.points) box.extend(p);
   Patch frame;
   frame.center = box.center();
   frame.scale = box.diagonal().norm();
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) fixed[i] = fixed[i] || mesh.on_rim[i];
-  return numbered(frame, mesh, fixed, static_cast<int>(polyhedron.mesh.n_vertices()));
+  PolyhedronPatch result = numbered(frame, mesh, fixed, static_cast<int>(polyhedron.mesh.n_vertices()));
+  result.rims = std::move(rims);
+  result.subdivisions = options.subdivisions;
+  return result;
 }
 
 PolyhedronPatch split_further(const PolyhedronPatch& start, const Patch& evolved) {
   // The fixed vertices first, as polyhedron_surface has them, so that they keep their order.
   TriangleSoup surface = polyhedron_surface(start, evolved);
-  Subdivision mesh{std::move(surface.points), std::move(surface.triangles), {}};
-  mesh.on_rim.assign(mesh.points.size(), 0);
-  const std::size_t old_fixed = start.fixed.size();
+  Subdivision mesh{std::move(surface.points), std::move(surface.triangles), start.rim_place};
+  mesh.rim_place.resize(mesh.points.size());
+  std::vector<char> fixed(start.fixed.size(), 1);
   split_into_four(mesh);
-  std::vector<char> fixed = mesh.on_rim;  // the middles of rim edges
-  std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(old_fixed), char{1});
-  return numbered(evolved, mesh, fixed, static_cast<int>(old_fixed));
+  hold_rims(mesh, fixed);
+  round_rims(mesh, start.rims, start.subdivisions + 1, fixed);
+  PolyhedronPatch result = numbered(evolved, mesh, fixed, static_cast<int>(start.fixed.size()));
+  result.rims = start.rims;
+  result.subdivisions = start.subdivisions + 1;
+  return result;
 }
 
 TriangleSoup polyhedron_surface(const PolyhedronPatch& start, const Patch& evolved) {

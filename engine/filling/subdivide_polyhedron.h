@@ -10,7 +10,7 @@ namespace loopmend {
 
 enum class PolyhedronRim {
   refuse,  ///< an open polyhedron is an error: a face may have been forgotten
-  keep,    ///< the edges of its rims are subdivided, and stay where they are
+  smooth,  ///< its rims become smooth closed curves through their vertices (fair_closed_curve), held like these
 };
 
 struct SubdivisionOptions {
@@ -19,18 +19,27 @@ struct SubdivisionOptions {
   PolyhedronRim rim = PolyhedronRim::refuse;
 };
 
+/// Where a vertex lies on the rims of an open polyhedron.
+struct RimPlace {
+  int rim = -1;  ///< −1: nowhere
+  int step = 0;  ///< from the rim's first corner, in edges of the subdivision
+};
+
 /// A patch without surroundings. Fixed vertices are of ring 1: those interpolated, in input order, then those on rims.
 struct PolyhedronPatch {
   Patch patch;
-  Points fixed;  ///< places of the fixed vertices in mesh units, bit for bit as given
+  Points fixed;  ///< places of the fixed vertices in mesh units; those interpolated bit for bit as given
+  std::vector<RimPlace> rim_place;  ///< of the fixed vertices
+  std::vector<Points> rims;         ///< corners of each rim, mesh units: vertices of the polyhedron
+  int subdivisions = 0;             ///< k
 };
 
 /// @throws InvalidArgument for options out of range, fewer than 4 vertices, a polyhedron that is no manifold or lies in
 /// one plane, and rims where these are refused.
 PolyhedronPatch subdivide_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& options);
 
-/// The same problem with every triangle of an evolved state split into four by the middles of its edges; the edges of rims
-/// stay straight.
+/// The same problem with every triangle of an evolved state split into four by the middles of its edges; those of rims lie
+/// on the rim's curve.
 PolyhedronPatch split_further(const PolyhedronPatch& start, const Patch& evolved);
 
 /// The surface after the patch has evolved: fixed vertices first, as in PolyhedronPatch::fixed, then the free ones.

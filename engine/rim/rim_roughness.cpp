@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace loopmend {
 
@@ -143,7 +142,7 @@ const char* to_string(Surroundings surroundings) {
 
 RimRoughness rim_roughness(const Patch& patch) {
   RimRoughness rim;
-  rim.radius = std::sqrt(patch_area(patch) / (std::numbers::pi * static_cast<double>(patch.loops.size())));
+  rim.radius = patch_radius(patch);
   const Exterior exterior = fit_exterior(patch);
   if (exterior.vertices.empty() || !(rim.radius > 0)) return rim;
   double sum = 0;

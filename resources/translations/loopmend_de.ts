@@ -1865,7 +1865,7 @@
         </message>
         <message>
             <source>Its ri&amp;ms stay as they are</source>
-            <translation>Seine &amp;Ränder bleiben, wie sie sind</translation>
+            <translation>Seine &amp;Ränder glatt, wie sie sind</translation>
         </message>
         <message>
             <source>A smooth surface through the vertices of a polyhedron. Open or drop one; its faces are divided, and the flow finds the rest.</source>
@@ -1904,12 +1904,12 @@
             <translation>Jede macht aus jedem Dreieck vier</translation>
         </message>
         <message>
-            <source>Rims stay</source>
-            <translation>Ränder bleiben</translation>
+            <source>Smooth rims</source>
+            <translation>Ränder glatt</translation>
         </message>
         <message>
-            <source>For a polyhedron with holes: its rims are divided, and stay where they are</source>
-            <translation>Für ein Polyeder mit Löchern: seine Ränder werden geteilt und bleiben, wo sie sind</translation>
+            <source>For a polyhedron with holes: its rims become smooth curves through their vertices</source>
+            <translation>Für ein Polyeder mit Löchern: seine Ränder werden glatte Kurven durch ihre Ecken</translation>
         </message>
         <message>
             <source>S&amp;ubdivisions</source>
@@ -1924,8 +1924,8 @@
             <translation>Mindestens 4 Ecken müssen gewählt sein.</translation>
         </message>
         <message>
-            <source>This surface has holes: close them, or let its rims stay as they are.</source>
-            <translation>Diese Fläche hat Löcher: sie schließen oder ihre Ränder bleiben lassen, wie sie sind.</translation>
+            <source>This surface has holes: close them, or let its rims become smooth curves.</source>
+            <translation>Diese Fläche hat Löcher: sie schließen oder ihre Ränder glatt lassen, wie sie sind.</translation>
         </message>
         <message>
             <source>That would be more than 4 million triangles: fewer subdivisions do.</source>

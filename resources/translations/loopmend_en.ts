@@ -1896,12 +1896,12 @@
             <translation>Every one makes four triangles of each</translation>
         </message>
         <message>
-            <source>Rims stay</source>
-            <translation>Rims stay</translation>
+            <source>Smooth rims</source>
+            <translation>Smooth rims</translation>
         </message>
         <message>
-            <source>For a polyhedron with holes: its rims are divided, and stay where they are</source>
-            <translation>For a polyhedron with holes: its rims are divided, and stay where they are</translation>
+            <source>For a polyhedron with holes: its rims become smooth curves through their vertices</source>
+            <translation>For a polyhedron with holes: its rims become smooth curves through their vertices</translation>
         </message>
         <message>
             <source>S&amp;ubdivisions</source>
@@ -1916,8 +1916,8 @@
             <translation>At least 4 vertices have to be picked.</translation>
         </message>
         <message>
-            <source>This surface has holes: close them, or let its rims stay as they are.</source>
-            <translation>This surface has holes: close them, or let its rims stay as they are.</translation>
+            <source>This surface has holes: close them, or let its rims become smooth curves.</source>
+            <translation>This surface has holes: close them, or let its rims become smooth curves.</translation>
         </message>
         <message>
             <source>That would be more than 4 million triangles: fewer subdivisions do.</source>

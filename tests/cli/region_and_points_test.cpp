@@ -2,6 +2,7 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "problems/problem.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 
@@ -37,6 +38,23 @@ TEST_F(CliPaper, InterpolateReportsAndKeepsTheVertices) {
   EXPECT_EQ(report["fixed_vertices"], 20);
   EXPECT_EQ(report["free_vertices"], 270);
   EXPECT_EQ(read_mesh(work / "out.ply").soup.points[7], make_dodecahedron().points[7]);
+}
+
+// The window solves what pose_points poses.
+TEST_F(CliPaper, InterpolateIsTheWindowsToTheLastBit) {
+  TriangleSoup open = make_dodecahedron();
+  open.triangles.resize(33);
+  write_mesh(work / "open.off", open);
+  ASSERT_EQ(run("interpolate", "open.off", "--open --subdivide 2 --quiet").code, 0);
+  SubdivisionOptions options;
+  options.subdivisions = 2;
+  options.rim = PolyhedronRim::smooth;
+  const auto polyhedron = std::make_shared<const SurfaceModel>(make_surface_model(read_mesh(work / "open.off").soup));
+  const Solution solution = pose_points(polyhedron, options).solve(EvolutionOptions{}, nullptr, CancelToken());
+  const TriangleSoup written = read_mesh(work / "out.ply").soup;
+  EXPECT_EQ(written.points, solution.surface.points);
+  EXPECT_EQ(written.triangles, solution.surface.triangles);
+  EXPECT_EQ(solution.refusal, "");
 }
 
 TEST_F(CliPaper, InterpolateRefusesHolesAndTooFewVertices) {

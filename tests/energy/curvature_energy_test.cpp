@@ -4,6 +4,8 @@
 #include "flows/gauss_newton.h"
 #include "support/patches.h"
 
+#include "samples/analytic_surfaces.h"
+
 #include <gtest/gtest.h>
 
 namespace loopmend {
@@ -80,6 +82,17 @@ TEST(CurvatureEnergy, BendingOfASphericalPatchIsItsAreaOverRadiusSquared) {
   for (int i = 0; i < patch.vertex_count(); ++i)
     if (patch.ring[i] <= 2) area += mass[i];
   EXPECT_NEAR(state.measure, area * patch.scale * patch.scale, 0.01 * state.measure);
+}
+
+TEST(PatchRadius, AClosedPatchCountsAsOneLoop) {
+  const TriangleSoup ball = make_icosphere(4);
+  Patch patch;
+  patch.positions = ball.points;
+  patch.triangles = ball.triangles;
+  patch.patch_triangles = static_cast<int>(ball.triangles.size());
+  EXPECT_NEAR(patch_radius(patch), 2, 0.01);  // π · 2² is the area of the unit sphere
+  patch.loops.resize(4);
+  EXPECT_NEAR(patch_radius(patch), 1, 0.005);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "evolution/blend_loops.h"
 
 #include "core/error.h"
+#include "samples/analytic_surfaces.h"
 #include "support/patches.h"
 #include "support/tubes.h"
 
@@ -140,6 +141,16 @@ TEST(BlendLoops, AnInsideOutPartIsTurnedRound) {
   const BlendResult result = blend_loops(model, loops, {}, {});
   expect_good(result);
   EXPECT_EQ(result.turned_faces, b.triangles.size());
+}
+
+// The patch has to turn right round within a few edges.
+TEST(BlendLoops, ACreaseThatIsLeftBetweenATubesOwnEndsIsToldOf) {
+  SurfaceModel model = make_surface_model(make_cylinder(3, 24));
+  const BlendResult result = blend_loops(model, find_boundary_loops(model), {}, {});
+  ASSERT_TRUE(result.patch) << result.message;
+  double worst = 0;
+  for (const SeamReport& seam : result.seams_after) worst = std::max(worst, seam.g1_rms_deg);
+  EXPECT_EQ(result.message.find("crease") != std::string::npos, worst > 5) << worst << " " << result.message;
 }
 
 TEST(BlendLoops, OnCancelTheModelIsAsItWas) {

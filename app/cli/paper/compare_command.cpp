@@ -54,7 +54,7 @@ PosedProblem points_problem(const CompareCommand& command) {
 
 PosedProblem problem_of(const CompareCommand& command) {
   const bool points = command.subdivide > 0;
-  if (!points && (!command.fixed.empty() || command.rim == PolyhedronRim::keep))
+  if (!points && (!command.fixed.empty() || command.rim == PolyhedronRim::smooth))
     throw UsageError("--fixed and --open belong to --subdivide");
   const bool region = !command.region.empty() || !command.where.empty();
   if (region && !command.loops.empty()) throw UsageError("--loops and a region exclude each other");

@@ -6,7 +6,7 @@
 #include "vertex_selection.h"
 
 #include "core/version.h"
-#include "evolution/interpolate_points.h"
+#include "problems/problem.h"
 
 #include <chrono>
 #include <cstdio>
@@ -25,11 +25,8 @@ int run_interpolate(const InterpolateCommand& command) {
   const Interpolation result =
       interpolate_points(opened.model, subdivision, options_of(command.words).evolution, CancelToken());
   const EvolvedPatch& evolved = result.evolved;
-  if (!evolved.is_valid()) {
-    std::fprintf(stderr,
-                 "loopmend: no valid surface was found: the best one has %d folded edges and %d self-intersections. "
-                 "Nothing was written.\n",
-                 evolved.quality.folds, evolved.quality.self_intersections);
+  if (const std::string refusal = refusal_of(result); !refusal.empty()) {
+    std::fprintf(stderr, "loopmend: %s. Nothing was written.\n", refusal.c_str());
     return exit_loops_failed;
   }
   write_mesh(command.output, result.surface, command.words.encoding());

@@ -40,8 +40,8 @@ void add_interpolate(CLI::App& app, InterpolateCommand& command) {
   interpolate->add_option("--fixed", command.fixed, "File of vertex numbers, 0-based: go through these alone")
       ->type_name("FILE");
   interpolate->add_flag_callback(
-      "--open", [&command] { command.rim = PolyhedronRim::keep; },
-      "Take an open polyhedron; the edges of its rims stay where they are");
+      "--open", [&command] { command.rim = PolyhedronRim::smooth; },
+      "Take an open polyhedron; its rims become smooth curves through their vertices");
   add_flow_options(*interpolate, command.words, DensityOption::leave_out);
   interpolate->footer(std::string("The fixed vertices come first in the output, in their order, bit-identical.\n"
                                   "Examples:\n"
@@ -81,7 +81,7 @@ void add_compare(CLI::App& app, CompareCommand& command) {
       ->check(CLI::Range(1, 8));
   compare->add_option("--fixed", command.fixed, "With --subdivide: go through these vertices alone")->type_name("FILE");
   compare->add_flag_callback(
-      "--open", [&command] { command.rim = PolyhedronRim::keep; }, "With --subdivide: take an open polyhedron");
+      "--open", [&command] { command.rim = PolyhedronRim::smooth; }, "With --subdivide: take an open polyhedron");
   add_flow_options(*compare, command.words, DensityOption::offer);
   compare->remove_option(compare->get_option("--flow"));
   compare->remove_option(compare->get_option("--ascii"));
