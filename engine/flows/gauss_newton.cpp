@@ -1,6 +1,6 @@
 #include "flows/gauss_newton.h"
 
-#include "flows/congruence.h"
+#include "operators/congruence.h"
 #include "flows/decay_rate.h"
 
 namespace loopmend {
