@@ -11,7 +11,6 @@ namespace {
 constexpr double first_gauss_newton_sigma = 500;
 constexpr int most_dampings = 6;      ///< of the trials of a step, because it would go too far
 constexpr double longest_move = 0.3;  ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
-constexpr double near_move = 1;       ///< in mean edge lengths
 constexpr double newton_tolerance = 1 + 1e-9;
 constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it
 constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to no fall of the energy:

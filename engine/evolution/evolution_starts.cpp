@@ -43,6 +43,8 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   record.assemble_seconds = faired.assemble_seconds;
   record.solve_seconds = faired.solve_seconds;
   take_start(std::move(faired.state), record, faired.move);
+  // As after a Gauss-Newton step: so near, those steps had better be of the fits that they will end with.
+  if (fairings_left == 0 && history.back().max_move < near_move) go_over_to_cubic_fits();
   return true;
 }
 

@@ -60,7 +60,7 @@ std::optional<JudgedRim> judged_rim(const Patch& filler, const EvolutionOptions&
     // White noise is taken off by robust fits, and the rough patch doubts its rim, each with the strays in it.
     if (roughness.noise_share == 0 && roughness.rough_share < 1) return JudgedRim{roughness, std::move(calm)};
   }
-  return JudgedRim{rim_roughness(filler), std::nullopt};
+  return JudgedRim{options.roughness ? *options.roughness : rim_roughness(filler), std::nullopt};
 }
 
 /// What all runs for one filler have in common.
@@ -183,19 +183,19 @@ bool evolve_between(const Run& run, const EvolutionOptions& options, const RimRo
 
 /// What to try where the flow spoils the patch: bending energy blended in, and lower orders, which bulge less. On rough
 /// surroundings these come first.
-std::vector<EvolutionOptions> gentler_options(const Patch& filler, const EvolutionOptions& options) {
+std::vector<EvolutionOptions> gentler_options(Surroundings surroundings, const EvolutionOptions& options) {
   std::vector<EvolutionOptions> gentler(4, options);
   gentler[0].bending = 60;
   gentler[1].bending = 300;
   gentler[2].rim = RimTrust::smooth;
   gentler[3].continuity = SeamContinuity::tangent;
-  if (rim_roughness(filler).kind == Surroundings::rough) std::reverse(gentler.begin(), gentler.end());
+  if (surroundings == Surroundings::rough) std::reverse(gentler.begin(), gentler.end());
   return gentler;
 }
 
 }  // namespace
 
-Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
+Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& asked_for,
                       const Evolution::OnStep& on_step, const CancelToken& cancel) {
   Evolved result;
   result.patch = filler;
@@ -204,8 +204,10 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
     result.verdict = judge(site, filler);
     return result;
   }
-  const std::optional<JudgedRim> judged = judged_rim(filler, options);
+  const std::optional<JudgedRim> judged = judged_rim(filler, asked_for);
   const std::optional<RimRoughness> rim = judged ? std::optional(judged->roughness) : std::nullopt;
+  EvolutionOptions options = asked_for;
+  if (rim) options.roughness.reset();  // of the filler as it is: runs whose surroundings are smoothed have another
   const double noise_share = rim ? rim->noise_share : 0;
   const CalmSurroundings* calm = judged && judged->calm ? &*judged->calm : nullptr;
   const Run run{site, filler, noise_share, calm, on_step, cancel}, plain{site, filler, 0, calm, on_step, cancel};
@@ -220,7 +222,8 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
     if (from_the_best_start(run, first, result) || cancel.cancelled()) return result;
   }
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
-    for (const EvolutionOptions& gentler : gentler_options(filler, options))
+    const Surroundings kind = rim ? rim->kind : rim_roughness(filler).kind;
+    for (const EvolutionOptions& gentler : gentler_options(kind, options))
       if (evolve_once(plain, filler, gentler, result) || cancel.cancelled()) return result;
   }
   result.verdict = judge(site, filler);
@@ -265,8 +268,11 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   }
   if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
+  const RimRoughness roughness = rim_roughness(*first.patch);
   if (options.evolution) {
-    evolved = evolve_filler(site, *first.patch, *options.evolution, nullptr, cancel);
+    EvolutionOptions evolution = *options.evolution;
+    evolution.roughness = roughness;
+    evolved = evolve_filler(site, *first.patch, evolution, nullptr, cancel);
   } else {
     evolved.patch = *first.patch;
     evolved.verdict = judge(site, evolved.patch);
@@ -276,7 +282,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   const PatchVerdict& verdict = evolved.verdict;
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
   const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
-  const std::vector<RimSummary> rims = rim_summaries(*first.patch, rim_roughness(*first.patch));
+  const std::vector<RimSummary> rims = rim_summaries(*first.patch, roughness);
   FinishedPatch finished;
   for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
     const auto found = std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {

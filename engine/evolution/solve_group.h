@@ -22,8 +22,9 @@ struct Evolved {
 
 /// The flow from the filler. Where the sixth order would spoil the patch, bending energy is blended in; where that does
 /// not help either, the filler stays and the message says so.
-/// @param on_step  every accepted step, also of runs that are thrown away later; may be empty.
-Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& options,
+/// @param asked_for  its roughness, where given, is that of the filler.
+/// @param on_step    every accepted step, also of runs that are thrown away later; may be empty.
+Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& asked_for,
                       const Evolution::OnStep& on_step, const CancelToken& cancel);
 
 /// A finished patch, and which of the group's loops it closes.

@@ -1,5 +1,6 @@
 #include "filling/fairing.h"
 
+#include "operators/congruence.h"
 #include "operators/operator_set.h"
 #include "solvers/linear_solver.h"
 
@@ -8,21 +9,32 @@
 
 namespace loopmend {
 
+namespace {
+
+Eigen::MatrixX3d matrix_of(const Points& points) {
+  Eigen::MatrixX3d x(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) x.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+  return x;
+}
+
+/// A x = b for the points from `begin` on. @returns false, the points as they were, if A is not positive definite.
+bool solve_for(const SparseMatrix& A, const Eigen::MatrixX3d& b, Points& points, int begin) {
+  Eigen::MatrixXd solution;
+  const auto solver = make_spd_solver();
+  if (!solver->factorize(A) || !solver->solve(b, solution)) return false;
+  for (Eigen::Index i = 0; i < solution.rows(); ++i) points[begin + i] = solution.row(i).transpose();
+  return true;
+}
+
+}  // namespace
+
 bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end) {
   const Eigen::Index n = end - begin;
   if (n == 0) return false;
-  const SparseMatrix A = Q.block(begin, begin, n, n);
-  Eigen::MatrixX3d x(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t i = 0; i < points.size(); ++i) x.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
-  Eigen::MatrixX3d fixed = x;
+  Eigen::MatrixX3d fixed = matrix_of(points);
   fixed.middleRows(begin, n).setZero();
   // Q_ff x_f = −Q_fc x_c; f the vertices [begin, end), c the others.
-  const Eigen::MatrixX3d rhs = -(Q * fixed).middleRows(begin, n);
-  Eigen::MatrixXd solution;
-  const auto solver = make_spd_solver();
-  if (!solver->factorize(A) || !solver->solve(rhs, solution)) return false;
-  for (int i = begin; i < end; ++i) points[i] = solution.row(i - begin).transpose();
-  return true;
+  return solve_for(Q.block(begin, begin, n, n), -(Q * fixed).middleRows(begin, n), points, begin);
 }
 
 Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked) {
@@ -34,27 +46,32 @@ Points minimal_surface_step(const Points& points, const Triangles& triangles, in
 }
 
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
-  std::vector<int> all(patch.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, all, clamp);
   // Rows of ΔL with a full one-ring of data whose value the patch can change or that stand beside such rows.
   constexpr int reach = 2;
-  Eigen::VectorXd rows = barycentric_areas(patch.positions, patch.triangles).cwiseInverse();
   const Topology topology(patch.vertex_count(), patch.triangles);
+  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
+  Eigen::VectorXd rows = mass.cwiseInverse(), bent = bending * mass;
   for (int i = 0; i < patch.vertex_count(); ++i)
-    if (patch.ring[i] > reach || topology.is_boundary(i)) rows[i] = 0;
+    if (patch.ring[i] > reach || topology.is_boundary(i)) rows[i] = bent[i] = 0;
+  std::vector<int> near;    // triangles at those rows
   std::vector<int> active;  // triangles with a Laplacian at each corner
   for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
     const Triangle& t = patch.triangles[f];
-    const bool near = std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= 1;
-    if (near && rows[t[0]] > 0 && rows[t[1]] > 0 && rows[t[2]] > 0) active.push_back(static_cast<int>(f));
+    const int nearest = std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]});
+    if (nearest <= reach) near.push_back(static_cast<int>(f));
+    if (nearest <= 1 && rows[t[0]] > 0 && rows[t[1]] > 0 && rows[t[2]] > 0) active.push_back(static_cast<int>(f));
   }
-  const SparseMatrix active_C = clamped_cotan_stiffness(patch.positions, patch.triangles, active, clamp);
-  const SparseMatrix L = rows.asDiagonal() * C;
-  SparseMatrix Q = SparseMatrix(L.transpose()) * active_C * L;
-  if (bending > 0) Q += bending * (SparseMatrix(C.transpose()) * L);  // Lᵀ M L, as L = M⁻¹ C on its rows
+  const SparseMatrix L = rows.asDiagonal() * clamped_cotan_stiffness(patch.positions, patch.triangles, near, clamp);
+  SparseMatrix Q = clamped_cotan_stiffness(patch.positions, patch.triangles, active, clamp);
+  if (bending > 0) Q += SparseMatrix(bent.asDiagonal());
+  // L_fᵀ Q L_f x_f = −L_fᵀ Q L_c x_c; f the free vertices, c the others.
+  const int n = patch.free_count;
+  const RowSparseMatrix free_L = L.leftCols(n);
+  Eigen::MatrixX3d fixed = matrix_of(patch.positions);
+  fixed.topRows(n).setZero();
   Points result = patch.positions;
-  return minimise_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
+  solve_for(lower_congruence(free_L, Q), -(free_L.transpose() * (Q * (L * fixed))), result, 0);
+  return result;
 }
 
 void extend_evenly(const Triangles& triangles, const std::vector<char>& fixed, Points& vectors) {

@@ -1,37 +1,28 @@
 #include "flows/decay_rate.h"
 
+#include "operators/congruence.h"
 #include "operators/operator_set.h"
 #include "solvers/linear_solver.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace loopmend {
-
-namespace {
-
-/// The Laplacian of the inner factors is taken on the free vertices and the loop.
-SparseMatrix power_of_laplacian(FlowKind flow, const SparseMatrix& C, const Eigen::VectorXd& mass, int n, int inner) {
-  const SparseMatrix C00 = C.topLeftCorner(n, n);
-  if (flow == FlowKind::mcf) return C00;
-  const SparseMatrix C10 = C.topLeftCorner(inner, n);
-  const Eigen::VectorXd inverse = mass.head(inner).cwiseInverse();
-  const SparseMatrix scaled = inverse.asDiagonal() * C10;
-  const SparseMatrix transposed = scaled.transpose();
-  if (flow != FlowKind::mmcvf) return transposed * C10;
-  const SparseMatrix C11 = C.topLeftCorner(inner, inner);
-  return transposed * C11 * scaled;
-}
-
-}  // namespace
 
 SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch) {
   int inner = patch.free_count;
   while (inner < patch.vertex_count() && patch.ring[inner] == 1) ++inner;
-  std::vector<int> faces(patch.triangles.size());
-  std::iota(faces.begin(), faces.end(), 0);
+  std::vector<int> faces;  // that have a corner on the free vertices or the loop
+  for (std::size_t f = 0; f < patch.triangles.size(); ++f)
+    if (std::ranges::min(patch.triangles[f]) < inner) faces.push_back(static_cast<int>(f));
+  const int n = patch.free_count;
   const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, faces, robust_clamp);
-  return power_of_laplacian(flow, C, barycentric_areas(patch.positions, patch.triangles), patch.free_count, inner);
+  if (flow == FlowKind::mcf) return C.topLeftCorner(n, n).triangularView<Eigen::Lower>();
+  // The Laplacian of the inner factors is taken on the free vertices and the loop.
+  const Eigen::VectorXd inverse = barycentric_areas(patch.positions, patch.triangles).head(inner).cwiseInverse();
+  const RowSparseMatrix C10 = C.topLeftCorner(inner, n);
+  if (flow != FlowKind::mmcvf) return lower_congruence(C10, SparseMatrix(inverse.asDiagonal()));
+  return lower_congruence(inverse.asDiagonal() * C10, C.topLeftCorner(inner, inner));
 }
 
 double slowest_decay_rate(FlowKind flow, const Patch& patch) {

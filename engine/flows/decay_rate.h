@@ -7,7 +7,7 @@
 
 namespace loopmend {
 
-/// K, n by n, symmetric positive definite: the clamped cotan Laplacian to the power 1 (MCF), 2 (SDF, WF) or 3 (MMCVF), patch
+/// The lower triangle of K, n by n, symmetric positive definite: the clamped cotan Laplacian to the power 1 (MCF), 2 (SDF, WF) or 3 (MMCVF), patch
 /// frame. The flow's linear part is ½M⁻¹K.
 SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
 

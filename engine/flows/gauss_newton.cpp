@@ -1,7 +1,7 @@
 #include "flows/gauss_newton.h"
 
-#include "flows/congruence.h"
 #include "flows/decay_rate.h"
+#include "operators/congruence.h"
 
 namespace loopmend {
 

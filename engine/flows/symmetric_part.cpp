@@ -1,7 +1,7 @@
 #include "flows/symmetric_part.h"
 
 #include "energy/curvature_energy.h"
-#include "flows/congruence.h"
+#include "operators/congruence.h"
 
 #include <numeric>
 

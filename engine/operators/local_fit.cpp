@@ -2,7 +2,6 @@
 
 #include "mesh/quality.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -50,9 +49,81 @@ Eigen::Matrix<double, terms, 1> monomials(const Eigen::Vector2d& q) {
 
 double weight_at(const Eigen::Vector2d& q, int rings) { return rings == 1 ? 1.0 : 1 / q.squaredNorm(); }
 
+/// Σ w uᵃ vᵇ over the neighbours for 2 ≤ a + b ≤ most: the normal matrix has no other entries. At [a + b][b].
+template <int most>
+struct Moments {
+  double sum[most + 1][most + 1] = {};
+
+  Moments(const std::vector<Eigen::Vector2d>& flat, int rings) {
+    for (const Eigen::Vector2d& q : flat) {
+      double power[most + 1];  // w uᵃ vᵇ of one degree
+      power[0] = weight_at(q, rings);
+      for (int degree = 1; degree <= most; ++degree) {
+        power[degree] = power[degree - 1] * q[1];
+        for (int k = 0; k < degree; ++k) power[k] *= q[0];
+        if (degree == 1) continue;
+        for (int k = 0; k <= degree; ++k) sum[degree][k] += power[k];
+      }
+    }
+  }
+};
+
+/// The polynomial's terms are uᵃ vᵇ / (a! b!): with these a and b.
+constexpr int u_power[] = {1, 0, 2, 1, 0, 3, 2, 1, 0}, v_power[] = {0, 1, 0, 1, 2, 0, 1, 2, 3};
+constexpr double factorial[] = {1, 1, 2, 6};
+
+/// Lower triangle of Aᵀ W A.
+template <int terms>
+void fill_normal_matrix(const std::vector<Eigen::Vector2d>& flat, int rings, double (&N)[terms][terms]) {
+  const Moments<terms == 9 ? 6 : 4> moments(flat, rings);
+  const auto scale = [](int k) { return 1 / (factorial[u_power[k]] * factorial[v_power[k]]); };
+  for (int i = 0; i < terms; ++i)
+    for (int j = 0; j <= i; ++j) {
+      const int v = v_power[i] + v_power[j];
+      N[i][j] = scale(i) * scale(j) * moments.sum[u_power[i] + u_power[j] + v][v];
+    }
+}
+
+/// Of the whole of a symmetric matrix whose lower triangle is given.
 template <int size>
-double norm1(const Eigen::Matrix<double, size, size>& matrix) {
-  return matrix.cwiseAbs().colwise().sum().maxCoeff();
+double norm1(const double (&matrix)[size][size]) {
+  double largest = 0;
+  for (int i = 0; i < size; ++i) {
+    double sum = 0;
+    for (int j = 0; j < size; ++j) sum += std::abs(matrix[std::max(i, j)][std::min(i, j)]);
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// Lower triangle of N⁻¹ from that of N, by Cholesky. False when N is not positive definite. By hand, since Eigen's
+/// triangular solves take several times as long at this size.
+template <int size>
+bool invert(const double (&N)[size][size], double (&inverse)[size][size]) {
+  double L[size][size], L_inverse[size][size];
+  for (int j = 0; j < size; ++j) {
+    double pivot = N[j][j];
+    for (int k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    if (!(pivot > 0)) return false;
+    L_inverse[j][j] = 1 / std::sqrt(pivot);
+    for (int i = j + 1; i < size; ++i) {
+      double sum = N[i][j];
+      for (int k = 0; k < j; ++k) sum -= L[i][k] * L[j][k];
+      L[i][j] = sum * L_inverse[j][j];
+    }
+  }
+  for (int j = 0; j < size; ++j)
+    for (int i = j + 1; i < size; ++i) {
+      double sum = 0;
+      for (int k = j; k < i; ++k) sum -= L[i][k] * L_inverse[k][j];
+      L_inverse[i][j] = sum * L_inverse[i][i];
+    }
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j <= i; ++j) {
+      inverse[i][j] = 0;
+      for (int k = i; k < size; ++k) inverse[i][j] += L_inverse[k][i] * L_inverse[k][j];
+    }
+  return true;
 }
 
 /// P, a column for each neighbour: derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i), by a polynomial with `terms` terms.
@@ -60,24 +131,20 @@ double norm1(const Eigen::Matrix<double, size, size>& matrix) {
 template <int terms>
 bool derivative_weights(const std::vector<Eigen::Vector2d>& flat, double mean, int rings,
                         std::vector<DerivativeWeights>& P) {
-  using Square = Eigen::Matrix<double, terms, terms>;
   if (flat.size() < terms) return false;
-  Square normal_matrix = Square::Zero();  // Aᵀ W A
-  for (const Eigen::Vector2d& q : flat) {
-    const Eigen::Matrix<double, terms, 1> row = monomials<terms>(q);
-    normal_matrix.noalias() += (weight_at(q, rings) * row) * row.transpose();
-  }
-  const Eigen::LLT<Square> factors(normal_matrix);
-  if (factors.info() != Eigen::Success) return false;
-  Square inverse;
-  for (int c = 0; c < terms; ++c) inverse.col(c) = factors.solve(Eigen::Matrix<double, terms, 1>::Unit(c));
+  double N[terms][terms], inverse[terms][terms];
+  fill_normal_matrix(flat, rings, N);
+  if (!invert(N, inverse)) return false;
   const double condition = terms == 9 ? least_cubic_condition : least_condition(rings);
-  if (!(norm1(normal_matrix) * norm1(inverse) * condition * condition <= 1)) return false;
-  Eigen::Matrix<double, 5, terms> rows = inverse.template topRows<5>();
-  rows.template topRows<2>() /= mean;
-  rows.template bottomRows<3>() /= mean * mean;
-  P.clear();
-  for (const Eigen::Vector2d& q : flat) P.push_back(rows * (weight_at(q, rings) * monomials<terms>(q)));
+  if (!(norm1(N) * norm1(inverse) * condition * condition <= 1)) return false;
+  Eigen::Matrix<double, 5, terms> rows;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < terms; ++j) rows(i, j) = inverse[std::max(i, j)][std::min(i, j)] / (i < 2 ? mean : mean * mean);
+  P.resize(flat.size());
+  for (std::size_t k = 0; k < flat.size(); ++k) {
+    const Eigen::Matrix<double, terms, 1> row = weight_at(flat[k], rings) * monomials<terms>(flat[k]);
+    P[k].noalias() = rows * row;
+  }
   return true;
 }
 

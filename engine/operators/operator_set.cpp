@@ -151,28 +151,36 @@ SparseMatrix cotan_stiffness(const Points& points, const Triangles& triangles, c
 
 SparseMatrix clamped_cotan_stiffness(const Points& points, const Triangles& triangles, const std::vector<int>& faces,
                                      CotanClamp clamp) {
-  struct Edge {
-    int i, j;
+  // All sides of triangles in buckets by their lower vertex; in each the two of an edge find each other.
+  struct Side {
+    int high;
     double weight;
   };
-  std::vector<Edge> edges;
-  edges.reserve(3 * faces.size());
+  std::vector<int> begin(points.size() + 1, 0);
+  const auto ends = [&](int f, int k) { return std::minmax(triangles[f][(k + 1) % 3], triangles[f][(k + 2) % 3]); };
+  for (int f : faces)
+    for (int k = 0; k < 3; ++k) ++begin[ends(f, k).first + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Side> sides(3 * faces.size());
+  std::vector<int> next(begin.begin(), begin.end() - 1);
   for (int f : faces) {
     const auto weights = half_cotangents(points, triangles[f]);
     for (int k = 0; k < 3; ++k) {
-      const auto [i, j] = std::minmax(triangles[f][(k + 1) % 3], triangles[f][(k + 2) % 3]);
-      edges.push_back({i, j, weights[k]});
+      const auto [low, high] = ends(f, k);
+      sides[next[low]++] = {high, weights[k]};
     }
   }
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const Edge& a, const Edge& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
   Triplets triplets;
-  for (std::size_t e = 0; e < edges.size();) {
-    double weight = 0;
-    const std::size_t first = e;
-    for (; e < edges.size() && edges[e].i == edges[first].i && edges[e].j == edges[first].j; ++e)
-      weight += edges[e].weight;
-    add_edge(triplets, edges[first].i, edges[first].j, std::clamp(weight, clamp.low, clamp.high));
+  triplets.reserve(2 * sides.size());
+  for (std::size_t low = 0; low < points.size(); ++low) {
+    const auto first = sides.begin() + begin[low], last = sides.begin() + begin[low + 1];
+    std::sort(first, last, [](const Side& a, const Side& b) { return a.high < b.high; });
+    for (auto side = first; side != last;) {
+      const int high = side->high;
+      double weight = 0;
+      for (; side != last && side->high == high; ++side) weight += side->weight;
+      add_edge(triplets, static_cast<int>(low), high, std::clamp(weight, clamp.low, clamp.high));
+    }
   }
   return square_matrix(points.size(), triplets);
 }

@@ -31,6 +31,14 @@ Eigen::VectorXd huber_weights(const Eigen::VectorXd& residuals) {
 using Square = Eigen::Matrix<double, terms, terms>;
 using Row = Eigen::Matrix<double, terms, 1>;
 
+/// Whether the reciprocal condition is above least_condition. Estimating it takes as long as the fit, and the pivots
+/// mostly tell: entries of L are at most 1, those of its inverse 2⁸, so that it is 10 · 2¹⁸ times below their ratio at most.
+bool well_conditioned(const Eigen::LDLT<Square>& factors) {
+  constexpr double clearly_enough = 10.0 * (1 << 18) * least_condition;
+  const auto pivots = factors.vectorD();
+  return pivots.minCoeff() > clearly_enough * pivots.maxCoeff() || factors.rcond() > least_condition;
+}
+
 /// Back from the unit of the fit: a coefficient of degree p has length^(1 − p).
 Row scale_of_coefficients(double unit) {
   Row scale;
@@ -81,7 +89,7 @@ std::optional<CubicFit> fit_cubic(const Points& points, const Topology& topology
       right += height[k] * weighted;
     }
     fit.factors.compute(normal_matrix);
-    if (!fit.factors.isPositive() || !(fit.factors.rcond() > least_condition)) return std::nullopt;
+    if (!fit.factors.isPositive() || !well_conditioned(fit.factors)) return std::nullopt;
     fit.coefficients = fit.factors.solve(right);
     residuals = height;
     for (Eigen::Index k = 0; k < m; ++k) residuals[k] -= A.row(k).dot(fit.coefficients);

@@ -12,16 +12,25 @@ namespace loopmend {
 
 namespace {
 
-/// The surroundings of the patch by themselves, with H from narrow and from wide fits.
+/// The surroundings of the patch by themselves.
+struct Around {
+  explicit Around(const Patch& patch)
+      : triangles(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()),
+        topology(patch.vertex_count(), triangles),
+        normals(angle_weighted_normals(patch.positions, triangles)) {}
+  Triangles triangles;
+  Topology topology;
+  Points normals;
+};
+
+/// Where their curvature is known: H from narrow and from wide fits.
 struct Exterior {
   std::vector<int> vertices;
   std::vector<double> H2, H4;
 };
 
-Exterior fit_exterior(const Patch& patch) {
-  const Triangles around(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
-  const Topology topology(patch.vertex_count(), around);
-  const Points normals = angle_weighted_normals(patch.positions, around);
+Exterior fit_exterior(const Patch& patch, const Around& around) {
+  const auto& [triangles, topology, normals] = around;
   FitScratch scratch(patch.vertex_count());
   LocalFit fit;
   Exterior exterior;
@@ -40,13 +49,13 @@ Exterior fit_exterior(const Patch& patch) {
 }
 
 /// Median residual of cubic fits at the four rings next to the patch; 0 where there are none.
-double median_residual(const Patch& patch, const Topology& topology, const Points& normals, int rings) {
+double median_residual(const Patch& patch, const Around& around, int rings) {
   constexpr int fitted_rings = 4;
   std::vector<char> mark(patch.vertex_count(), 0);
   std::vector<double> residuals;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
-    if (patch.ring[i] > fitted_rings || normals[i].isZero()) continue;
-    const auto fit = fit_cubic(patch.positions, topology, i, normals[i], rings, Outliers::count, mark);
+    if (patch.ring[i] > fitted_rings || around.normals[i].isZero()) continue;
+    const auto fit = fit_cubic(patch.positions, around.topology, i, around.normals[i], rings, Outliers::count, mark);
     if (fit) residuals.push_back(fit->residual);
   }
   if (residuals.empty()) return 0;
@@ -55,13 +64,10 @@ double median_residual(const Patch& patch, const Topology& topology, const Point
   return *middle;
 }
 
-void measure_residuals(const Patch& patch, RimRoughness& rim) {
-  const Triangles around(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
-  const Topology topology(patch.vertex_count(), around);
-  const Points normals = angle_weighted_normals(patch.positions, around);
-  rim.noise = median_residual(patch, topology, normals, 2);
-  const double middle = median_residual(patch, topology, normals, 3);
-  const double wide = median_residual(patch, topology, normals, 4);
+void measure_residuals(const Patch& patch, const Around& around, RimRoughness& rim) {
+  rim.noise = median_residual(patch, around, 2);
+  const double middle = median_residual(patch, around, 3);
+  const double wide = median_residual(patch, around, 4);
   if (!(rim.noise > 0 && middle > 0 && wide > 0)) return;
   rim.growth = std::log2(wide / rim.noise);
   const double outer = std::log(wide / middle) / std::log(4.0 / 3);
@@ -143,7 +149,8 @@ const char* to_string(Surroundings surroundings) {
 RimRoughness rim_roughness(const Patch& patch) {
   RimRoughness rim;
   rim.radius = patch_radius(patch);
-  const Exterior exterior = fit_exterior(patch);
+  const Around around(patch);
+  const Exterior exterior = fit_exterior(patch, around);
   if (exterior.vertices.empty() || !(rim.radius > 0)) return rim;
   double sum = 0;
   for (std::size_t k = 0; k < exterior.H2.size(); ++k)
@@ -157,7 +164,7 @@ RimRoughness rim_roughness(const Patch& patch) {
   const double per_length = rim.radius / distance * std::log(rim.correlation);
   const double gate = std::clamp(std::log(rim.unevenness / 0.1) / std::log(3.0), 0.0, 1.0);
   rim.bending = bending_for(per_length * per_length * gate);
-  measure_residuals(patch, rim);
+  measure_residuals(patch, around, rim);
   judge_kind(rim, edge);
   return rim;
 }

@@ -1,4 +1,4 @@
-#include "flows/congruence.h"
+#include "operators/congruence.h"
 
 #include "core/threads.h"
 

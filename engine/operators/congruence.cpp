@@ -1,4 +1,4 @@
-#include "flows/congruence.h"
+#include "operators/congruence.h"
 
 #include "core/threads.h"
 
@@ -42,18 +42,21 @@ struct Columns {
 };
 
 /// Column j of Q B into `product`, then rows j and beyond of Bᵀ times that into `column`.
+/// @param from  for each row of B a place among its entries; moved to the first at j or beyond, which is never far.
 void multiply(const RowSparseMatrix& B, const SparseMatrix& B_by_columns, const SparseMatrix& Q, int j,
-              Accumulator& product, Accumulator& column) {
+              std::vector<int>& from, Accumulator& product, Accumulator& column) {
   product.clear();
   column.clear();
   for (SparseMatrix::InnerIterator b(B_by_columns, j); b; ++b)
     for (SparseMatrix::InnerIterator q(Q, b.row()); q; ++q)
       product.add(static_cast<int>(q.row()), q.value() * b.value());
   for (int k : product.entries()) {
-    const int* begin = B.innerIndexPtr() + B.outerIndexPtr()[k];
-    const int* end = B.innerIndexPtr() + B.outerIndexPtr()[k + 1];
-    for (const int* i = std::lower_bound(begin, end, j); i != end; ++i)
-      column.add(*i, product.value(k) * B.valuePtr()[i - B.innerIndexPtr()]);
+    const int begin = B.outerIndexPtr()[k], end = B.outerIndexPtr()[k + 1];
+    int& e = from[k];
+    while (e < end && B.innerIndexPtr()[e] < j) ++e;
+    while (e > begin && B.innerIndexPtr()[e - 1] >= j) --e;
+    const double factor = product.value(k);
+    for (int place = e; place < end; ++place) column.add(B.innerIndexPtr()[place], factor * B.valuePtr()[place]);
   }
   std::sort(column.entries().begin(), column.entries().end());
 }
@@ -86,11 +89,12 @@ SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q) {
 #pragma omp parallel if (n > least_for_threads)
   {
     Accumulator product(B.rows()), column(n);
+    std::vector<int> from(B.outerIndexPtr(), B.outerIndexPtr() + B.rows());
 #pragma omp for schedule(dynamic)
     for (std::size_t run = 0; run < runs.size(); ++run) {
       const int begin = static_cast<int>(run) * run_length, end = std::min(n, begin + run_length);
       for (int j = begin; j < end; ++j) {
-        multiply(B, B_by_columns, Q, j, product, column);
+        multiply(B, B_by_columns, Q, j, from, product, column);
         runs[run].length.push_back(static_cast<int>(column.entries().size()));
         for (int i : column.entries()) {
           runs[run].index.push_back(i);
