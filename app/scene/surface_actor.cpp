@@ -162,11 +162,12 @@ void SurfaceActor::show(std::shared_ptr<const SurfaceShape> shape) {
   update_scalars();
 }
 
-/// The time that the last state took to come is about what the next one will take.
+/// The time that the last state took to come is about what the next one will take; some more, since a surface that waits
+/// for a late one looks stuck.
 void SurfaceActor::glide(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now) {
   Clock::duration time = a_moment;
   if (arrival == Arrival::with_the_next && last_news_)
-    time = std::clamp<Clock::duration>(now - *last_news_, shortest_way, longest_way);
+    time = std::clamp<Clock::duration>((now - *last_news_) * 4 / 3, shortest_way, longest_way);
   last_news_ = now;
   if (glide_) glide_->advance(now);
   auto next = std::make_unique<ShapeGlide>(glide_ ? glide_->shown() : *shape_, shape, now, time);
