@@ -1,7 +1,7 @@
 #include "rim/rim_fits.h"
 
-#include "operators/local_fit.h"
 #include "rim/cubic_fit.h"
+#include "rim/fixed_surface.h"
 
 #include <Eigen/Geometry>
 
@@ -51,15 +51,10 @@ double median_residual(const std::vector<std::optional<CubicFit>>& fits) {
   return *middle;
 }
 
-/// The fixed triangles of a patch: whose fits are asked for loop by loop.
+/// Of the surroundings, loop by loop.
 class Around {
  public:
-  explicit Around(const Patch& patch)
-      : points_(patch.positions),
-        triangles_(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()),
-        topology_(patch.vertex_count(), triangles_),
-        normals_(angle_weighted_normals(patch.positions, triangles_)),
-        mark_(patch.vertex_count(), 0) {}
+  explicit Around(const Patch& patch) : points_(patch.positions), surface_(patch), mark_(patch.vertex_count(), 0) {}
 
   /// At the given fixed vertices, all of one width.
   std::vector<RimFit> fits_at(const std::vector<int>& vertices) {
@@ -68,9 +63,9 @@ class Around {
     for (int rings = narrowest; rings <= widest; ++rings) {
       std::vector<std::optional<CubicFit>> fits;
       for (int v : vertices)
-        fits.push_back(normals_[v].isZero()
-                           ? std::nullopt
-                           : fit_cubic(points_, topology_, v, normals_[v], rings, Outliers::weighted_down, mark_));
+        fits.push_back(surface_.normals[v].isZero() ? std::nullopt
+                                                    : fit_cubic(points_, surface_.topology, v, surface_.normals[v],
+                                                                rings, Outliers::weighted_down, mark_));
       const double residual = median_residual(fits);
       if (rings > narrowest && residual > white_growth * smallest) break;
       smallest = rings > narrowest ? std::min(smallest, residual) : residual;
@@ -83,9 +78,7 @@ class Around {
 
  private:
   const Points& points_;
-  Triangles triangles_;
-  Topology topology_;
-  Points normals_;
+  FixedSurface surface_;
   std::vector<char> mark_;
 };
 

@@ -4,6 +4,7 @@
 #include "mesh/quality.h"
 #include "operators/local_fit.h"
 #include "rim/cubic_fit.h"
+#include "rim/fixed_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +13,13 @@ namespace loopmend {
 
 namespace {
 
-/// The surroundings of the patch by themselves.
-struct Around {
-  explicit Around(const Patch& patch)
-      : triangles(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()),
-        topology(patch.vertex_count(), triangles),
-        normals(angle_weighted_normals(patch.positions, triangles)) {}
-  Triangles triangles;
-  Topology topology;
-  Points normals;
-};
-
-/// Where their curvature is known: H from narrow and from wide fits.
+/// Where the curvature of the surroundings is known: H from narrow and from wide fits.
 struct Exterior {
   std::vector<int> vertices;
   std::vector<double> H2, H4;
 };
 
-Exterior fit_exterior(const Patch& patch, const Around& around) {
+Exterior fit_exterior(const Patch& patch, const FixedSurface& around) {
   const auto& [triangles, topology, normals] = around;
   FitScratch scratch(patch.vertex_count());
   LocalFit fit;
@@ -49,7 +39,7 @@ Exterior fit_exterior(const Patch& patch, const Around& around) {
 }
 
 /// Median residual of cubic fits at the four rings next to the patch; 0 where there are none.
-double median_residual(const Patch& patch, const Around& around, int rings) {
+double median_residual(const Patch& patch, const FixedSurface& around, int rings) {
   constexpr int fitted_rings = 4;
   std::vector<char> mark(patch.vertex_count(), 0);
   std::vector<double> residuals;
@@ -64,7 +54,7 @@ double median_residual(const Patch& patch, const Around& around, int rings) {
   return *middle;
 }
 
-void measure_residuals(const Patch& patch, const Around& around, RimRoughness& rim) {
+void measure_residuals(const Patch& patch, const FixedSurface& around, RimRoughness& rim) {
   rim.noise = median_residual(patch, around, 2);
   const double middle = median_residual(patch, around, 3);
   const double wide = median_residual(patch, around, 4);
@@ -149,7 +139,7 @@ const char* to_string(Surroundings surroundings) {
 RimRoughness rim_roughness(const Patch& patch) {
   RimRoughness rim;
   rim.radius = patch_radius(patch);
-  const Around around(patch);
+  const FixedSurface around(patch);
   const Exterior exterior = fit_exterior(patch, around);
   if (exterior.vertices.empty() || !(rim.radius > 0)) return rim;
   double sum = 0;

@@ -4,6 +4,7 @@
 #include "mesh/quality.h"
 #include "operators/local_fit.h"
 #include "rim/cubic_fit.h"
+#include "rim/fixed_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -40,35 +41,27 @@ Vec3 median_normal(const Points& normals, const std::vector<int>& vertices) {
 /// The surroundings, with some vertices moved onto what their neighbours say.
 class Surround {
  public:
-  explicit Surround(const Patch& patch)
-      : points(patch.positions),
-        around_(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()),
-        topology_(patch.vertex_count(), around_),
-        mark_(patch.vertex_count(), 0) {
-    take_normals();
-  }
+  explicit Surround(const Patch& patch) : points(patch.positions), surface_(patch), mark_(patch.vertex_count(), 0) {}
 
-  void take_normals() { normals_ = angle_weighted_normals(points, around_); }
+  void take_normals() { surface_.normals = angle_weighted_normals(points, surface_.triangles); }
 
   /// From the vertex onto the fit of its neighbours; 0 where there is none.
   Vec3 way_to_neighbours(int i, Outliers outliers) {
-    const Vec3 normal = median_normal(normals_, near(i, fit_rings));
+    const Vec3 normal = median_normal(surface_.normals, near(i, fit_rings));
     if (normal.isZero()) return Vec3::Zero();
-    const auto fit = fit_cubic(points, topology_, i, normal, fit_rings, outliers, mark_, FitCentre::left_out);
+    const auto fit = fit_cubic(points, surface_.topology, i, normal, fit_rings, outliers, mark_, FitCentre::left_out);
     return fit ? Vec3(fit->coefficients[0] * fit->normal) : Vec3::Zero();
   }
 
   const std::vector<int>& near(int i, int rings) {
-    topology_.k_ring(i, rings, near_, mark_);
+    surface_.topology.k_ring(i, rings, near_, mark_);
     return near_;
   }
 
   Points points;
 
  private:
-  Triangles around_;
-  Topology topology_;
-  Points normals_;
+  FixedSurface surface_;
   std::vector<char> mark_;
   std::vector<int> near_;
 };
