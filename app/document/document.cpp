@@ -177,6 +177,7 @@ void Document::set_timeline(int id, TimelinePtr timeline) {
 void Document::set_running(const std::set<int>& ids) {
   if (ids == running_) return;
   running_ = ids;
+  Q_EMIT running_changed();
   Q_EMIT holes_changed();
 }
 

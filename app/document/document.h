@@ -85,6 +85,7 @@ class Document : public QObject {
   void shape_changed(int scan);
   void patches_changed();
   void patch_moved(int id);
+  void running_changed();  ///< which patches is_running() names
   void timeline_changed(int id);
   void holes_changed();  ///< some hole's state() or message() is another, or what is fillable()
 

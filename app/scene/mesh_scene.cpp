@@ -203,6 +203,11 @@ void MeshScene::set_patch(int id, ShapePtr shape, Arrival arrival) {
   impl_->patches_changed = true;
 }
 
+void MeshScene::expect_news(int id) {
+  const auto patch = impl_->patches.find(id);
+  if (patch != impl_->patches.end()) patch->second->expect_news(SurfaceActor::Clock::now());
+}
+
 void MeshScene::keep_patches(const std::vector<int>& ids) {
   const std::set<int> kept(ids.begin(), ids.end());
   std::erase_if(impl_->patch_shapes, [&](const auto& entry) { return !kept.contains(entry.first); });
@@ -218,7 +223,8 @@ bool MeshScene::update() {
   }
   impl_->moving = false;
   for (auto& [id, patch] : impl_->patches) impl_->moving = patch->advance(now) || impl_->moving;
-  impl_->renderer->set_use(impl_->moving ? StillRenderer::Use::keep_still : StillRenderer::Use::draw_all);
+  using Keep = StillRenderer::Keep;
+  impl_->renderer->set_keep(impl_->moving ? Keep::always : Keep::while_camera_rests);
   return impl_->moving;
 }
 
@@ -237,14 +243,11 @@ void MeshScene::fit_depths() {
   const auto size = [](const std::array<double, 6>& b) { return Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm(); };
   constexpr double too_large = 1.5;  // depths are finer in a box that fits
   if (fits && size(box) < too_large * size(now) && camera->GetMTime() == impl_->depths_seen) return;
-  box = now;
-  if (impl_->moving) {
-    constexpr double slack = 0.05;  // of the box, for what moves out of it
-    for (std::size_t k = 0; k < 6; k += 2) {
-      const double more = slack * (now[k + 1] - now[k]);
-      box[k] -= more;
-      box[k + 1] += more;
-    }
+  constexpr double slack = 0.05;  // of the box, for what moves out of it: other depths are another view
+  for (std::size_t k = 0; k < 6; k += 2) {
+    const double more = slack * (now[k + 1] - now[k]);
+    box[k] = now[k] - more;
+    box[k + 1] = now[k + 1] + more;
   }
   if (box[0] <= box[1]) impl_->renderer->ResetCameraClippingRange(box.data());
   impl_->depths_seen = camera->GetMTime();

@@ -29,6 +29,8 @@ class MeshScene {
   void keep_scans(const std::vector<int>& indices);
   /// Adds the patch, or shows its new state.
   void set_patch(int id, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
+  /// A flow begins on this patch: another state of it is on its way.
+  void expect_news(int id);
   /// Every patch whose id is not in `ids` goes.
   void keep_patches(const std::vector<int>& ids);
   /// Patches that are only thought of: plain, with their edges.

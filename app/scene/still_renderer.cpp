@@ -10,6 +10,7 @@
 #include <vtk_glew.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -28,18 +29,13 @@ void StillRenderer::remove_still(vtkProp* prop) {
   still_changed();
 }
 
-/// All that the kept picture depends on.
 StillRenderer::Key StillRenderer::key() {
   int width = 0, height = 0, left = 0, bottom = 0;
   GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
   const auto whole = [](int n) { return static_cast<vtkMTimeType>(n); };
-  return {GetActiveCamera()->GetMTime(),
-          whole(width),
-          whole(height),
-          whole(left),
-          whole(bottom),
-          version_,
-          whole(GetRenderWindow()->GetSize()[0]) << 16 | whole(GetRenderWindow()->GetSize()[1])};
+  return {{GetActiveCamera()->GetMTime(), whole(width), whole(height), whole(left), whole(bottom),
+           whole(GetRenderWindow()->GetSize()[0]) << 16 | whole(GetRenderWindow()->GetSize()[1])},
+          version_};
 }
 
 /// Between the picture that is being made and the store. @returns whether the graphics could.
@@ -89,7 +85,9 @@ void StillRenderer::Clear() {
 }
 
 void StillRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {
-  if (GetSelector() || (use_ == Use::draw_all && !restored_)) {
+  const Key now = key();
+  const bool rests = std::exchange(last_view_, now.view) == now.view;
+  if (GetSelector() || (keep_ == Keep::while_camera_rests && !rests && !restored_)) {
     Superclass::DeviceRenderOpaqueGeometry(fbo);
     return;
   }
@@ -102,7 +100,7 @@ void StillRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {
     Superclass::DeviceRenderOpaqueGeometry(fbo);
     ++still_drawn_;
     in_store_ = copy(Way::into_store);
-    stored_ = key();
+    stored_ = now;
   }
   PropArray = moving;
   PropArrayCount = count - static_cast<int>(moving - all);

@@ -19,9 +19,10 @@ class StillRenderer : public vtkOpenGLRenderer {
   vtkTypeMacro(StillRenderer, vtkOpenGLRenderer) StillRenderer(const StillRenderer&) = delete;
   void operator=(const StillRenderer&) = delete;
 
-  /// Something is about to move in front of what stands still, or nothing is any more. What was kept is used either way.
-  enum class Use { draw_all, keep_still };
-  void set_use(Use use) { use_ = use; }
+  /// Whether the picture of what stands still is kept although the camera has moved since the last one: something is on its
+  /// way in front of it. Where the camera rests it is kept in any case, since what changes is then what moves.
+  enum class Keep { while_camera_rests, always };
+  void set_keep(Keep keep) { keep_ = keep; }
   /// This prop stands still. To be called again when the prop comes anew; takes no part in its lifetime.
   void add_still(vtkProp* prop);
   void remove_still(vtkProp* prop);
@@ -39,7 +40,13 @@ class StillRenderer : public vtkOpenGLRenderer {
   ~StillRenderer() override;
 
  private:
-  using Key = std::array<vtkMTimeType, 7>;
+  /// What a picture of what stands still depends on, but for how it looks.
+  using View = std::array<vtkMTimeType, 6>;
+  struct Key {
+    View view{};
+    vtkMTimeType version = 0;
+    bool operator==(const Key&) const = default;
+  };
   Key key();
   enum class Way { into_store, out_of_store };
   bool copy(Way way);
@@ -47,7 +54,8 @@ class StillRenderer : public vtkOpenGLRenderer {
   vtkNew<vtkOpenGLFramebufferObject> store_;
   std::set<vtkProp*> still_;
   Key stored_{};
-  Use use_ = Use::draw_all;
+  View last_view_{};
+  Keep keep_ = Keep::while_camera_rests;
   vtkMTimeType version_ = 1;
   int still_drawn_ = 0;
   bool in_store_ = false;  ///< stored_ says of what

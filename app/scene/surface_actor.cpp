@@ -144,6 +144,7 @@ void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape, Arrival 
   } else if (known && arrival == Arrival::soon) {
     glide_->hurry(now, now + a_moment);
   } else {
+    if (arrival == Arrival::with_the_next) last_news_ = now;
     show(std::move(shape));
   }
 }

@@ -31,6 +31,9 @@ class SurfaceActor {
   /// Draws another surface, or another state of the same one.
   void set_shape(std::shared_ptr<const SurfaceShape> shape) { set_shape(std::move(shape), Arrival::at_once, {}); }
   void set_shape(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now);
+  /// From now on another state of the surface is being worked at: the first one will take as long to be reached as it took
+  /// to come.
+  void expect_news(Clock::time_point now) { last_news_ = now; }
   /// Moves on towards the shape that was set last. @returns whether it is still on its way.
   bool advance(Clock::time_point now);
   void set_shading(Shading shading);

@@ -116,6 +116,10 @@ void MeshView::follow_document() {
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
   connect(&document, &Document::patch_moved, this, &MeshView::on_patch_moved);
+  connect(&document, &Document::running_changed, this, [this] {
+    for (const OpenPatch& patch : impl_->document.patches())
+      if (impl_->document.is_running(patch.id)) impl_->scene.expect_news(patch.id);
+  });
   connect(&document, &Document::holes_changed, this, [this] {
     if (update_loops()) redraw_at_leisure();
   });
