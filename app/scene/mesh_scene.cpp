@@ -89,7 +89,10 @@ struct MeshScene::Impl {
   void forget_warmth() {
     if (warming) renderer->RemoveActor(warming->actor());
     warming.reset();
-    if (std::exchange(line_for_warmth, false)) loops.set_lines({});
+    if (std::exchange(line_for_warmth, false)) {
+      renderer->still_changed();
+      loops.set_lines({});
+    }
     update_legend();
   }
   void warm_up(Shading with, Edges with_edges) {
@@ -105,6 +108,7 @@ struct MeshScene::Impl {
   }
   void warm_up_lines() {
     if (!scans.empty()) return;  // their rims have done it
+    renderer->still_changed();
     loops.set_lines({{speck()->points, LoopStyle::open}, {speck()->points, LoopStyle::selected}});
     line_for_warmth = true;
   }
@@ -282,7 +286,6 @@ bool MeshScene::warm_up_next() {
                             [](Impl& i) { i.warm_up(Shading::zebra, Edges::hidden); },
                             [](Impl& i) { i.warm_up(Shading::curvature, Edges::shown); },
                             [](Impl& i) { i.warm_up(Shading::zebra, Edges::shown); }};
-  impl_->renderer->still_changed();
   impl_->forget_warmth();
   if (impl_->warmed_up == std::size(turns)) return false;
   turns[impl_->warmed_up++](*impl_);

@@ -133,7 +133,7 @@ void MeshView::follow_document() {
 /// where the window is at leisure.
 void MeshView::warm_up_soon() {
   constexpr std::size_t light_scene = 200'000;  // triangles: drawing it again is soon done
-  constexpr int leisure_ms = 1500;
+  constexpr int leisure_ms = 100;
   const std::size_t triangles = impl_->scene.triangle_count();
   if (impl_->warm || triangles > light_scene) return;
   impl_->warm_up_timer.start(triangles == 0 ? 0 : leisure_ms);

@@ -276,9 +276,19 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
   canvas.show_patch(0, start);
   settle(400);
   QVERIFY(share_apart(seen(), before) < 1e-4);
-  canvas.show_patch(0, std::make_shared<SurfaceShape>(*other));  // at once, everything drawn
+  const int drawn = canvas.surroundings_drawn();
+  canvas.show_patch(0, std::make_shared<SurfaceShape>(*other));
   settle(400);
   QVERIFY(share_apart(seen(), after) < 1e-4);
+  QCOMPARE(canvas.surroundings_drawn(), drawn);  // kept, since the camera rests
+  const CameraPose pose = canvas.pose();
+  CameraPose nearer = pose;
+  nearer.position = 0.9 * pose.position + 0.1 * pose.focus;
+  for (const CameraPose& to : {nearer, pose}) {
+    canvas.set_pose(to);
+    settle(400);
+  }
+  QVERIFY(share_apart(seen(), after) < 1e-4);  // everything drawn anew
 }
 
 void CompareTest::the_winner_comes_into_the_document() {
