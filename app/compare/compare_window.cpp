@@ -8,6 +8,7 @@
 #include "compare/picture_clock.h"
 #include "document/words.h"
 #include "panels/banner.h"
+#include "panels/choices.h"
 #include "panels/parts.h"
 
 #include <QCheckBox>
@@ -147,15 +148,7 @@ QWidget* CompareWindow::build_run_bar() {
 }
 
 QWidget* CompareWindow::build_look_bar() {
-  shading_ = new QComboBox;
-  shading_->setObjectName(QStringLiteral("compareShading"));
-  explain(shading_, tr("Shading"), tr("How all views are shown (keys 1 to 5)"));
-  for (const auto& [text, shading] : {std::pair{tr("Mean curvature H"), Shading::curvature},
-                                      {tr("Gaussian curvature K"), Shading::gaussian},
-                                      {tr("Plain"), Shading::plain},
-                                      {tr("Zebra"), Shading::zebra},
-                                      {tr("Isophotes"), Shading::isophotes}})
-    shading_->addItem(text, static_cast<int>(shading));
+  shading_ = make_shading_choice("compareShading", tr("How all views are shown (keys 1 to 5)"));
   shading_->setCurrentIndex(static_cast<int>(look_.shading));
   edges_ = new QCheckBox(tr("&Wireframe"));
   edges_->setObjectName(QStringLiteral("compareEdges"));

@@ -18,26 +18,6 @@ namespace {
 
 QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
 
-/// One soup from several; where some have colours, the others become white.
-TriangleSoup joined(std::vector<TriangleSoup> parts) {
-  if (parts.size() == 1) return std::move(parts.front());
-  const bool colored =
-      std::any_of(parts.begin(), parts.end(), [](const TriangleSoup& part) { return !part.colors.empty(); });
-  TriangleSoup all;
-  for (const TriangleSoup& part : parts) {
-    const int shift = static_cast<int>(all.points.size());
-    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-    for (Triangle t : part.triangles) {
-      for (int& v : t) v += shift;
-      all.triangles.push_back(t);
-    }
-    if (!colored) continue;
-    all.colors.insert(all.colors.end(), part.colors.begin(), part.colors.end());
-    all.colors.resize(all.points.size(), Color{255, 255, 255, 255});
-  }
-  return all;
-}
-
 }  // namespace
 
 void Workbench::open(const QStringList& paths, OpenMode mode) {

@@ -3,6 +3,7 @@
 #include "document/targets.h"
 #include "document/words.h"
 #include "jobs/workbench.h"
+#include "panels/choices.h"
 #include "panels/parts.h"
 
 #include <QComboBox>
@@ -43,15 +44,7 @@ void FlowBox::build() {
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(6);
   target_ = make_note("flowTarget");
-  flow_ = new QComboBox;
-  flow_->setObjectName(QStringLiteral("flow"));
-  explain(flow_, tr("Flow"), tr("Which geometric flow moves the patch, and so how far the seam is matched"));
-  for (FlowKind kind : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf}) {
-    flow_->addItem(words::flow(kind), static_cast<int>(kind));
-    flow_->setItemData(flow_->count() - 1, words::flow_help(kind), Qt::ToolTipRole);
-  }
-  flow_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  flow_->setMinimumContentsLength(18);
+  flow_ = make_flow_choice("flow", tr("Which geometric flow moves the patch, and so how far the seam is matched"));
   help_ = make_note("flowHelp");
   steady_ = make_button("steady", tr("&To steady state"), tr("Go straight to where the flow comes to rest (T)"));
   sigma_ = new QSlider(Qt::Horizontal);

@@ -1,5 +1,6 @@
 #include "panels/look_panel.h"
 
+#include "panels/choices.h"
 #include "panels/parts.h"
 
 #include <QCheckBox>
@@ -63,15 +64,7 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent) {
 }
 
 void LookPanel::build() {
-  shading_ = new QComboBox;
-  shading_->setObjectName(QStringLiteral("shading"));
-  for (const auto& [text, shading] : {std::pair{tr("Mean curvature H"), Shading::curvature},
-                                      {tr("Gaussian curvature K"), Shading::gaussian},
-                                      {tr("Plain"), Shading::plain},
-                                      {tr("Zebra"), Shading::zebra},
-                                      {tr("Isophotes"), Shading::isophotes}})
-    shading_->addItem(text, static_cast<int>(shading));
-  explain(shading_, tr("Shading"), tr("How surfaces are shown (keys 1 to 5)"));
+  shading_ = make_shading_choice("shading", tr("How surfaces are shown (keys 1 to 5)"));
   help_ = make_note("shadingHelp");
   auto* shading_box = new QGroupBox(tr("Shading"));
   auto* shading_layout = new QVBoxLayout(shading_box);

@@ -2,6 +2,7 @@
 #include "tools/trial_box.h"
 
 #include "document/words.h"
+#include "panels/choices.h"
 #include "panels/parts.h"
 
 #include <QComboBox>
@@ -14,7 +15,7 @@ namespace loopmend {
 TrialBox::TrialBox(const Trial& trial, QWidget* parent)
     : QGroupBox(tr("Try it, decide"), parent),
       trial_(trial),
-      flow_(new QComboBox),
+      flow_(make_flow_choice("trialFlow", tr("Which flow works on it"))),
       words_(make_note("trialWords")),
       preview_(make_button("trialPreview", tr("Pre&view"), tr("Show the start, before any flow"))),
       evolve_(make_button("trialEvolve", tr("Evo&lve"), tr("Let the flow work on it until it comes to rest"))),
@@ -24,14 +25,6 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
       accept_(make_button("trialAccept", tr("Ta&ke over"), tr("The result comes into the document; can be undone"))),
       discard_(make_button("trialDiscard", tr("&Discard"), tr("Give it up; the document is as it was"))),
       copy_(make_button("trialCopy", tr("Cop&y command line"), tr("Copy the commands that do the same"))) {
-  flow_->setObjectName(QStringLiteral("trialFlow"));
-  explain(flow_, tr("Flow"), tr("Which flow works on it"));
-  for (FlowKind kind : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf}) {
-    flow_->addItem(words::flow(kind), static_cast<int>(kind));
-    flow_->setItemData(flow_->count() - 1, words::flow_help(kind), Qt::ToolTipRole);
-  }
-  flow_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  flow_->setMinimumContentsLength(18);
   auto* grid = new QGridLayout(this);
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(6);

@@ -45,15 +45,6 @@ std::size_t count_cuts(const TriangleSoup& a, const TriangleSoup& b) {
       std::count_if(pairs.begin(), pairs.end(), [own](const auto& pair) { return pair.second >= own; }));
 }
 
-void append(TriangleSoup& all, const TriangleSoup& part) {
-  const int shift = static_cast<int>(all.points.size());
-  if (!part.colors.empty()) all.colors.resize(all.points.size(), Color{255, 255, 255, 255});
-  all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-  all.colors.insert(all.colors.end(), part.colors.begin(), part.colors.end());
-  if (!all.colors.empty()) all.colors.resize(all.points.size(), Color{255, 255, 255, 255});
-  for (const Triangle& t : part.triangles) all.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-}
-
 }  // namespace
 
 JoinedParts join_parts(const std::vector<TriangleSoup>& parts) {

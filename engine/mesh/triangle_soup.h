@@ -13,4 +13,9 @@ struct TriangleSoup {
   std::vector<Color> colors;  ///< #V, or empty when the file had no vertex colours
 };
 
+/// Adds the points and triangles of `part`; where only one of the two has colours, the other's points become white.
+void append(TriangleSoup& all, const TriangleSoup& part);
+/// One soup from several, in their order, as append() does it.
+TriangleSoup joined(std::vector<TriangleSoup> parts);
+
 }  // namespace loopmend

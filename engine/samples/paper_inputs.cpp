@@ -18,16 +18,6 @@ TriangleSoup make_tube(const TubeShape& shape) {
   return tube;
 }
 
-TriangleSoup joined(const std::vector<TriangleSoup>& parts) {
-  TriangleSoup all;
-  for (const TriangleSoup& part : parts) {
-    const int shift = static_cast<int>(all.points.size());
-    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-    for (const Triangle& t : part.triangles) all.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-  }
-  return all;
-}
-
 TriangleSoup make_pierced_cylinder() {
   return trim_rims(cut(make_cylinder(6, 99), [](const Vec3& p) {
     for (int k = 0; k < 3; ++k)

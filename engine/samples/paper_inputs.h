@@ -19,9 +19,6 @@ struct TubeShape {
 };
 TriangleSoup make_tube(const TubeShape& shape);
 
-/// All in one list, in order. Colours are dropped.
-TriangleSoup joined(const std::vector<TriangleSoup>& parts);
-
 /// Fig. 5.1(a): a unit cylinder about z, 0 ≤ z ≤ 6, with three round parts missing. 1160 free vertices in the paper.
 TriangleSoup make_pierced_cylinder();
 

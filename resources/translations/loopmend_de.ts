@@ -448,32 +448,8 @@
             <translation>Tabelle, Energien und Profile als CSV, wie loopmend compare sie schreibt</translation>
         </message>
         <message>
-            <source>Shading</source>
-            <translation>Darstellung</translation>
-        </message>
-        <message>
             <source>How all views are shown (keys 1 to 5)</source>
             <translation>Wie alle Bilder gezeigt werden (Tasten 1 bis 5)</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mittlere Krümmung H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaußsche Krümmung K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Schlicht</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophoten</translation>
         </message>
         <message>
             <source>&amp;Wireframe</source>
@@ -864,10 +840,6 @@
         <message>
             <source>2  Smooth by a flow</source>
             <translation>2  Durch einen Fluss glätten</translation>
-        </message>
-        <message>
-            <source>Flow</source>
-            <translation>Fluss</translation>
         </message>
         <message>
             <source>Which geometric flow moves the patch, and so how far the seam is matched</source>
@@ -1481,6 +1453,10 @@
     <context>
         <name>loopmend::LookPanel</name>
         <message>
+            <source>Shading</source>
+            <translation>Darstellung</translation>
+        </message>
+        <message>
             <source>Blue, orange</source>
             <translation>Blau, Orange</translation>
         </message>
@@ -1515,30 +1491,6 @@
         <message>
             <source>Bands of equal brightness: they stay when you move closer, and kink where tangents jump.</source>
             <translation>Bänder gleicher Helligkeit: sie bleiben beim Näherkommen und knicken, wo Tangenten springen.</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mittlere Krümmung H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaußsche Krümmung K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Schlicht</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophoten</translation>
-        </message>
-        <message>
-            <source>Shading</source>
-            <translation>Darstellung</translation>
         </message>
         <message>
             <source>How surfaces are shown (keys 1 to 5)</source>
@@ -2568,10 +2520,6 @@
             <translation>Aufgeben; das Dokument ist, wie es war</translation>
         </message>
         <message>
-            <source>Flow</source>
-            <translation>Fluss</translation>
-        </message>
-        <message>
             <source>Which flow works on it</source>
             <translation>Welcher Fluss daran arbeitet</translation>
         </message>
@@ -3127,6 +3075,37 @@
         <message>
             <source>Taking over %1</source>
             <translation>%1 wird übernommen</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::choices</name>
+        <message>
+            <source>Flow</source>
+            <translation>Fluss</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Darstellung</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mittlere Krümmung H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaußsche Krümmung K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Schlicht</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophoten</translation>
         </message>
     </context>
     <context>

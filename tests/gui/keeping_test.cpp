@@ -8,7 +8,6 @@
 #include "io/write_mesh.h"
 #include "panels/banner.h"
 #include "samples/analytic_surfaces.h"
-#include "samples/paper_inputs.h"
 
 #include <QAbstractItemView>
 #include <QAction>

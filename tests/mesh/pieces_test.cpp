@@ -1,7 +1,6 @@
 #include "mesh/pieces.h"
 
 #include "samples/analytic_surfaces.h"
-#include "samples/paper_inputs.h"
 
 #include <gtest/gtest.h>
 
