@@ -19,7 +19,10 @@ namespace {
 constexpr double steady_sigma = 1e4;  ///< a step that jumps to the steady state of the linear part
 constexpr int most_fairings = 6;      ///< linear steps before the first Gauss-Newton step
 constexpr int steps_with_mesh_care = 15;
-constexpr double flow_tolerance = 1.05;    ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
+constexpr double fair_angle = 25;        ///< degrees: triangles no worse than this are left as they are
+constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
+/// Of the linear system of a semi-implicit step. Such a step is off by a tenth of itself, being of first order in time.
+constexpr double flow_step_tolerance = 1e-4;
 constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below
 constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
 constexpr int most_passes = 12;            ///< of the fairings for position or tangent, which are iterated to their end
@@ -119,7 +122,9 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   coarse_start_left = history.empty() && newton && options.start == SteadyStart::faired &&
                       options.triangles == PatchTriangles::free && worth_coarsening(state.patch);
   start_measure = lowest_measure = state.measure;
-  general = make_general_solver(options.solver);
+  cared_edge_length = edge_length();
+  cared_angle = 0;
+  general = make_general_solver(options.solver, flow_step_tolerance);
   spd = make_spd_solver();
   stop(EvolutionStatus::ready, "");
 }
@@ -172,6 +177,19 @@ void Evolution::Impl::care_for_mesh(double limit) {
   history.back().energy = shown_energy(options.flow, state);
 }
 
+/// Whether a flow that only moves along the normals has worn the mesh since it was last cared for. Moved vertices make the
+/// factors of the steps before worth nothing, so they are not moved for their own sake.
+bool Evolution::Impl::mesh_has_suffered() {
+  const double length = edge_length();
+  const double angle = min_angle_deg(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);
+  const bool stretched = std::abs(length - cared_edge_length) > 0.05 * cared_edge_length;
+  const bool sharpened = angle < fair_angle && std::abs(angle - cared_angle) > 0.1 * cared_angle;
+  if (state.folds == 0 && !stretched && !sharpened) return false;
+  cared_edge_length = length;
+  cared_angle = angle;
+  return true;
+}
+
 /// M(I − τJ) s = τ M V, which is nearly symmetric.
 SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, double tau, Eigen::VectorXd& s) {
   const Eigen::VectorXd mass =
@@ -203,6 +221,8 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
     Eigen::VectorXd s;
     const SolveReport report = solve_flow_step(system, tau, s);
     record.solve_seconds += watch.lap();
+    record.iterations += report.iterations;
+    record.factorizations += report.factored ? 1 : 0;
     if (report.solved) {
       EvolutionState next = displaced(state, objective, stencil, s);
       const bool good = acceptable(next, flow_tolerance * lowest_measure);
@@ -215,7 +235,8 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
         const bool small = history.back().max_move < small_move * std::min(1.0, used);
         if (small && used >= 0.1 * wanted) return stop(EvolutionStatus::converged, "");
         if (used < smallest_step * wanted) return stop(EvolutionStatus::failed, collapsed_words);
-        return care_for_mesh(flow_tolerance * lowest_measure);
+        if (mesh_has_suffered()) care_for_mesh(flow_tolerance * lowest_measure);
+        return;
       }
     }
     ++record.rejections;

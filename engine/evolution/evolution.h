@@ -80,12 +80,14 @@ const char* to_string(EvolutionStatus status);
 /// Linear fairings, and the coarse start of a large patch, are steps with sigma = tau = 0; the latter's max_move is that of
 /// the middle of the patch. On rough surroundings all steps are such, and the energy shown need not fall.
 struct StepRecord {
-  int step = 0;         ///< from 1
-  double energy = 0;    ///< after the step
-  double sigma = 0;     ///< the step's size, dimensionless
-  double tau = 0;       ///< the step's size in the flow's own time, mesh units
-  double max_move = 0;  ///< largest move of a vertex, in mean edge lengths of the patch
-  int rejections = 0;   ///< trials thrown away before this one was accepted
+  int step = 0;            ///< from 1
+  double energy = 0;       ///< after the step
+  double sigma = 0;        ///< the step's size, dimensionless
+  double tau = 0;          ///< the step's size in the flow's own time, mesh units
+  double max_move = 0;     ///< largest move of a vertex, in mean edge lengths of the patch
+  int rejections = 0;      ///< trials thrown away before this one was accepted
+  int iterations = 0;      ///< of GMRES over all trials; semi-implicit steps only
+  int factorizations = 0;  ///< made for this step, since those of earlier steps were no good; semi-implicit steps only
   double assemble_seconds = 0;
   double solve_seconds = 0;
 };

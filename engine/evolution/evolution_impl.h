@@ -63,6 +63,8 @@ struct Evolution::Impl {
   double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
   std::deque<double> creeping_from;  ///< measures before the last Gauss-Newton steps, all of which hardly moved
   int small_moves = 0;               ///< Gauss-Newton steps in a row that moved nothing to speak of
+  double cared_edge_length = 0;      ///< mean, when the mesh was last cared for
+  double cared_angle = 0;            ///< smallest, degrees, before it was
   double start_measure = 0;          ///< at the last set_options
   double lowest_measure = 0;         ///< since then
   std::unique_ptr<GeneralSolver> general;
@@ -73,6 +75,7 @@ struct Evolution::Impl {
   Objective objective_for(const EvolutionOptions& new_options);
   bool acceptable(const EvolutionState& next, double limit) const;
   void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma);
+  bool mesh_has_suffered();
   void care_for_mesh(double limit);
   bool replace_if_good(Patch patch, double limit);
   bool fairing_step(const CancelToken& cancel);

@@ -1,4 +1,5 @@
 #include "solvers/factoring.h"
+#include "solvers/gmres.h"
 #include "solvers/linear_solver.h"
 
 #include <Eigen/UmfPackSupport>
@@ -119,57 +120,38 @@ class KeptFactors {
 
 class GmresSolver : public GeneralSolver {
  public:
+  explicit GmresSolver(double tolerance) : tolerance_(tolerance) {}
   SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
     SolveReport report;
-    report.solved = size_ == b.size() && solve_with_old_factors(system, b, x, report);
+    // A few iterations tell whether the others are worth their time.
+    const GmresLimits with_old_factors{tolerance_, 24, 6, 2e-2}, with_new_factors{tolerance_};
+    report.solved = size_ == b.size() && iterate(system, b, with_old_factors, x, report);
     if (report.solved) return report;
     report.factored = true;
     size_ = factors_->factorize(system.nearby()) ? b.size() : 0;
-    if (size_ == 0) return report;
-    Eigen::VectorXd solution = Eigen::VectorXd::Zero(b.size());
-    report.solved = iterate(system, b, solution, tolerance, most_iterations, report) <= tolerance;
-    if (report.solved) x = solution;
+    report.solved = size_ > 0 && iterate(system, b, with_new_factors, x, report);
     return report;
   }
 
  private:
-  /// A few iterations tell whether the others are worth their time.
-  bool solve_with_old_factors(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x,
-                              SolveReport& report) const {
-    Eigen::VectorXd solution = Eigen::VectorXd::Zero(b.size());
-    double left = iterate(system, b, solution, tolerance, trial_iterations, report);
-    if (left > tolerance && left < promising)
-      left *= iterate(system, b, solution, tolerance / left, most_with_old_factors - trial_iterations, report);
-    if (left > tolerance) return false;
+  bool iterate(const GeneralSystem& system, const Eigen::VectorXd& b, const GmresLimits& limits, Eigen::VectorXd& x,
+               SolveReport& report) const {
+    Eigen::VectorXd solution;
+    const GmresReport iterated = gmres(system, *factors_, b, limits, solution);
+    report.iterations += iterated.iterations;
+    if (!(iterated.left <= tolerance_)) return false;
     x = solution;
     return true;
   }
 
-  /// From the x given. @returns what is left of the preconditioned residual, relative to that of this x; infinite if x is
-  /// not finite any more.
-  double iterate(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x, double wanted, int most,
-                 SolveReport& report) const {
-    const MatrixFree A(system, b.size());
-    Eigen::GMRES<MatrixFree, KeptFactors> gmres;
-    gmres.preconditioner().factors = factors_.get();
-    gmres.compute(A);
-    gmres.setTolerance(wanted);
-    gmres.set_restart(std::min(most, most_between_restarts));
-    gmres.setMaxIterations(most);
-    x = gmres.solveWithGuess(b, x).eval();
-    report.iterations += static_cast<int>(gmres.iterations());
-    return x.allFinite() ? gmres.error() : std::numeric_limits<double>::infinity();
-  }
-
-  static constexpr double tolerance = 1e-6, promising = 1e-2;
-  static constexpr int trial_iterations = 8, most_with_old_factors = 22, most_iterations = 120;
-  static constexpr int most_between_restarts = 40;  ///< each keeps as many vectors
+  double tolerance_;
   std::unique_ptr<SpdSolver> factors_ = make_spd_solver();
   Eigen::Index size_ = 0;  ///< of the factors; 0 while there are none
 };
 
 class AutomaticSolver : public GeneralSolver {
  public:
+  explicit AutomaticSolver(double tolerance) : gmres_(tolerance) {}
   SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
     const SolveReport iterated = gmres_.solve(system, b, x);
     if (iterated.solved) return iterated;
@@ -204,13 +186,13 @@ SolveReport conjugate_gradients(const GeneralSystem& system, const Eigen::Vector
   return report;
 }
 
-std::unique_ptr<GeneralSolver> make_general_solver(SolverKind kind) {
+std::unique_ptr<GeneralSolver> make_general_solver(SolverKind kind, double tolerance) {
   switch (kind) {
     case SolverKind::direct: return std::make_unique<LuSolver>();
-    case SolverKind::gmres: return std::make_unique<GmresSolver>();
+    case SolverKind::gmres: return std::make_unique<GmresSolver>(tolerance);
     case SolverKind::automatic: break;
   }
-  return std::make_unique<AutomaticSolver>();
+  return std::make_unique<AutomaticSolver>(tolerance);
 }
 
 }  // namespace loopmend

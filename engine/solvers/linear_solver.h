@@ -53,8 +53,8 @@ class GeneralSolver {
 };
 
 /// direct: sparse LU at every call. gmres: the Cholesky factors of the nearby matrix of an earlier call are the
-/// preconditioner, renewed when more than some 20 iterations are needed; to 1e-6 of the preconditioned residual. automatic:
-/// gmres, and direct where that fails.
-std::unique_ptr<GeneralSolver> make_general_solver(SolverKind kind);
+/// preconditioner, renewed when more than some 20 iterations are needed. automatic: gmres, and direct where that fails.
+/// @param tolerance  of the residual of gmres in the norm of the nearby matrix, relative to b: near the error of x in that norm.
+std::unique_ptr<GeneralSolver> make_general_solver(SolverKind kind, double tolerance = 1e-6);
 
 }  // namespace loopmend
