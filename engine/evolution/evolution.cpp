@@ -27,6 +27,7 @@ constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a sm
 constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
 constexpr int most_passes = 12;            ///< of the fairings for position or tangent, which are iterated to their end
 constexpr double smallest_step = 1e-6;     ///< relative to the step that was asked for: below, the flow has stalled
+constexpr double least_sigma_for_rough_rate = 0.01;
 constexpr const char* collapsed_words = "stopped early: only vanishing time steps keep the flow stable here";
 
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
@@ -113,6 +114,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
   decay_rate = 0;
+  coming_decay_rate = {};
   mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   small_moves = 0;
@@ -132,7 +134,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
 /// The slowest decay rate, found when it is first asked for.
 double Evolution::Impl::decay() {
   if (decay_rate > 0) return decay_rate;
-  decay_rate = slowest_decay_rate(options.flow, state.patch);
+  decay_rate = coming_decay_rate.valid() ? coming_decay_rate.get() : slowest_decay_rate(options.flow, state.patch);
   if (!(decay_rate > 0)) decay_rate = 1;
   return decay_rate;
 }
@@ -190,22 +192,29 @@ bool Evolution::Impl::mesh_has_suffered() {
   return true;
 }
 
-/// M(I − τJ) s = τ M V, which is nearly symmetric.
-SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, double tau, Eigen::VectorXd& s) {
+/// M(I/τ − J) s = M V with τ = σ/λ, which is nearly symmetric.
+SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, Eigen::VectorXd& s) {
   const Eigen::VectorXd mass =
       barycentric_areas(state.patch.positions, state.patch.triangles).head(state.patch.free_count);
   const SparseMatrix M(mass.asDiagonal());
   GeneralSystem linear;
   linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-    return mass.cwiseProduct(x - tau * system.times_jacobian(x));
+    return mass.cwiseProduct(decay() / sigma * x - system.times_jacobian(x));
   };
-  linear.matrix = [&]() -> SparseMatrix { return M - tau * (M * system.jacobian()); };
-  linear.nearby = [&]() -> SparseMatrix { return M + tau * symmetric_part(options.flow, state.patch, state.ops); };
-  return general->solve(linear, tau * mass.cwiseProduct(system.velocity()), s);
+  linear.matrix = [&]() -> SparseMatrix { return decay() / sigma * M - M * system.jacobian(); };
+  linear.nearby = [&]() -> SparseMatrix {
+    // While the rate is being found on the other core, a rough one will do: it only touches the lowest frequencies.
+    const bool rough = decay_rate == 0 && sigma >= least_sigma_for_rough_rate;
+    const double rate = rough ? decay_rate_of_disc(options.flow, state.patch) : decay();
+    return rate / sigma * M + symmetric_part(options.flow, state.patch, state.ops);
+  };
+  return general->solve(linear, mass.cwiseProduct(system.velocity()), s);
 }
 
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   Stopwatch watch;
+  if (decay_rate == 0 && !coming_decay_rate.valid())
+    coming_decay_rate = std::async(std::launch::async, slowest_decay_rate, options.flow, state.patch);
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));
   StepRecord record;
@@ -217,9 +226,8 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
       sigma = std::min(wanted, 100 * sigma);
       return gauss_newton_step(cancel);
     }
-    const double tau = sigma / decay();
     Eigen::VectorXd s;
-    const SolveReport report = solve_flow_step(system, tau, s);
+    const SolveReport report = solve_flow_step(system, s);
     record.solve_seconds += watch.lap();
     record.iterations += report.iterations;
     record.factorizations += report.factored ? 1 : 0;

@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <deque>
+#include <future>
 #include <utility>
 
 namespace loopmend {
@@ -55,11 +56,12 @@ struct Evolution::Impl {
   std::optional<RimRoughness> rim;   ///< of the surroundings; MMCVF to the steady state only
   Eigen::VectorXd rim_data_trust;    ///< data_trust of the surroundings, while blends are to come
   int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
-  double decay_rate = 0;  ///< patch frame
-  double sigma = 0;       ///< of the next semi-implicit step; falls on rejection, recovers
-  double mu = 0;          ///< of the next Gauss-Newton step
-  bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
-  int fairings_left = 0;           ///< linear fairing steps that may still be tried before Gauss-Newton
+  double decay_rate = 0;  ///< patch frame; 0 until it is first asked for
+  std::future<double> coming_decay_rate;  ///< of the present flow and patch, while another thread looks for it
+  double sigma = 0;                       ///< of the next semi-implicit step; falls on rejection, recovers
+  double mu = 0;                          ///< of the next Gauss-Newton step
+  bool coarse_start_left = false;         ///< the steady state of a coarse copy may still be tried
+  int fairings_left = 0;                  ///< linear fairing steps that may still be tried before Gauss-Newton
   double last_bold_move = 0;  ///< of the last step, in mean edge lengths, if that was a Gauss-Newton step taken whole
   std::deque<double> creeping_from;  ///< measures before the last Gauss-Newton steps, all of which hardly moved
   int small_moves = 0;               ///< Gauss-Newton steps in a row that moved nothing to speak of
@@ -90,7 +92,7 @@ struct Evolution::Impl {
   void gauss_newton_step(const CancelToken& cancel);
   bool solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s);
   GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
-  SolveReport solve_flow_step(const FlowSystem& system, double tau, Eigen::VectorXd& s);
+  SolveReport solve_flow_step(const FlowSystem& system, Eigen::VectorXd& s);
   void semi_implicit_step(const CancelToken& cancel);
   double edge_length() const {
     return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);

@@ -16,4 +16,7 @@ SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
 /// τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found.
 double slowest_decay_rate(FlowKind flow, const Patch& patch);
 
+/// The same of a flat disc of the patch's area: up to a hundred times too small for elongated patches, but it costs nothing.
+double decay_rate_of_disc(FlowKind flow, const Patch& patch);
+
 }  // namespace loopmend

@@ -156,6 +156,65 @@ TEST(Evolution, GmresAndDirectTakeTheSameSteps) {
     ASSERT_LT((a.patch().positions[i] - b.patch().positions[i]).norm(), 1e-6);
 }
 
+EvolutionOptions flow_steps(double sigma, int steps) {
+  EvolutionOptions options;
+  options.mode = EvolutionMode::steps;
+  options.sigma = sigma;
+  options.max_steps = steps;
+  return options;
+}
+
+Patch bumpy_sphere_patch() {
+  Patch patch = test::exact_sphere_patch(5, 0.8);
+  test::disturb(patch, 0.01);
+  return patch;
+}
+
+TEST(Evolution, OneFactorServesAllFlowStepsForAnySigma) {
+  for (double sigma : {1e-4, 0.1, 10.0, 1e4}) {
+    const Patch start = bumpy_sphere_patch();
+    Evolution evolution(start, flow_steps(sigma, 5));
+    evolution.step({});  // after which the filler's worst triangles are mended
+    const Triangles triangles = evolution.patch().triangles;
+    evolution.run(nullptr, {});
+    int factorizations = 0;
+    for (const StepRecord& step : evolution.history()) {
+      factorizations += step.factorizations;
+      EXPECT_LE(step.iterations, 20) << sigma;
+      EXPECT_GT(step.iterations, 1) << sigma;
+    }
+    EXPECT_EQ(factorizations, 1) << sigma;
+    EXPECT_EQ(evolution.patch().triangles, triangles);
+  }
+}
+
+TEST(Evolution, TheSolversErrorIsFarBelowThatOfTheStep) {
+  const Patch start = bumpy_sphere_patch();
+  EvolutionOptions direct = flow_steps(10, 1), halves = flow_steps(5, 2);
+  direct.solver = halves.solver = SolverKind::direct;
+  Evolution iterated(start, flow_steps(10, 1)), exact(start, direct), finer(start, halves);
+  for (Evolution* evolution : {&iterated, &exact, &finer}) evolution->run(nullptr, {});
+  double solver_error = 0, step_error = 0;
+  for (int i = 0; i < start.free_count; ++i) {
+    const Vec3& p = exact.patch().positions[i];
+    solver_error += (iterated.patch().positions[i] - p).squaredNorm();
+    step_error += (finer.patch().positions[i] - p).squaredNorm();
+  }
+  EXPECT_GT(solver_error, 0);
+  EXPECT_LT(std::sqrt(solver_error), 0.01 * std::sqrt(step_error));
+  EXPECT_NEAR(iterated.energy(), exact.energy(), 0.01 * exact.energy());
+}
+
+TEST(Evolution, AWornMeshIsCaredForBetweenFlowSteps) {
+  Patch start = bumpy_sphere_patch();
+  for (int i = 0; i < start.free_count; i += 7) start.positions[i] += Vec3(0.6, 0.2, 0) / std::sqrt(start.free_count);
+  const auto worst_angle = [](const Patch& p) { return min_angle_deg(p.positions, p.triangles, p.patch_triangles); };
+  ASSERT_LT(worst_angle(start), 22);
+  Evolution evolution(start, flow_steps(10, 4));
+  evolution.run(nullptr, {});
+  EXPECT_GT(worst_angle(evolution.patch()), 1.3 * worst_angle(start));
+}
+
 TEST(Evolution, SmallSigmaTakesSmallSteps) {
   EvolutionOptions options;
   options.mode = EvolutionMode::steps;

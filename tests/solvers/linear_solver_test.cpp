@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
 namespace loopmend {
 namespace {
 
@@ -104,6 +108,55 @@ TEST(GmresSolver, KeepsItsFactorsWhileTheyServe) {
   EXPECT_FALSE(second.factored);
   EXPECT_GT(second.iterations, 0);
   EXPECT_TRUE(solver->solve(system_of(far), b, x).solved);
+}
+
+TEST(GmresSolver, MeasuresTheErrorInTheEnergyAndStopsThere) {
+  // Eigenvalues from 1e-2 to 1e3, so that a residual without weights would tell of the high frequencies alone.
+  const Sparse L = grid_matrix(25, 0.1, 0), A = Sparse(L * L) * L + 0.003 * grid_matrix(25, 0, 0.3);
+  GeneralSystem system = system_of(A);
+  const Sparse P = Sparse(L * L) * L;
+  system.nearby = [&] { return P; };
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2);
+  Eigen::VectorXd exact;
+  ASSERT_TRUE(make_general_solver(SolverKind::direct)->solve(system, b, exact).solved);
+  const auto energy_norm = [&](const Eigen::VectorXd& e) { return std::sqrt(e.dot(P * e)); };
+  int fewest = 0;
+  for (double tolerance : {1e-2, 1e-4, 1e-8}) {
+    Eigen::VectorXd x;
+    const SolveReport report = make_general_solver(SolverKind::gmres, tolerance)->solve(system, b, x);
+    ASSERT_TRUE(report.solved);
+    EXPECT_LT(energy_norm(x - exact), 2 * tolerance * energy_norm(exact));
+    EXPECT_GT(report.iterations, fewest);
+    fewest = report.iterations;
+  }
+}
+
+TEST(GmresSolver, GoesOnAfterARestart) {
+  const Sparse A = grid_matrix(40, 0.001, 0.3);
+  GeneralSystem system = system_of(A);
+  system.nearby = [&] { return grid_matrix(40, 1, 0); };  // far from A: more iterations than one cycle has
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2);
+  Eigen::VectorXd x;
+  const SolveReport report = make_general_solver(SolverKind::gmres, 1e-10)->solve(system, b, x);
+  ASSERT_TRUE(report.solved);
+  EXPECT_GT(report.iterations, 40);
+  EXPECT_LT((A * x - b).norm(), 1e-8 * b.norm());
+}
+
+int threads_of_this_process() {
+  return static_cast<int>(std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}));
+}
+
+TEST(SpdSolver, StartsNoThreads) {
+  const Sparse L = grid_matrix(60, 0.1, 0), A = Sparse(L * L) * L;
+  int before = 0, after = 0;
+  // In a thread of its own, which has no team from earlier on.
+  std::thread([&] {
+    before = threads_of_this_process();
+    EXPECT_TRUE(make_spd_solver()->factorize(A));
+    after = threads_of_this_process();
+  }).join();
+  EXPECT_EQ(before, after);
 }
 
 TEST(ConjugateGradients, SolveWhatIsTooLargeToFactor) {
