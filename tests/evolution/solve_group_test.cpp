@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace loopmend {
@@ -46,7 +47,7 @@ struct Family {
     for (int i = moved.free_count; i < moved.vertex_count(); ++i)
       moved.positions[i] = moved.to_frame(model.mesh.point(TriMesh::VertexHandle(moved.view_vertex[i])));
     const Patch start = with_noise_again(filler, moved);
-    Evolved evolved = evolve_filler(FillSite(model), start, {}, nullptr, {});
+    Evolved evolved = evolve_filler(FillSite(model), start, {}, {}, nullptr, {});
     EXPECT_EQ(evolved.status, LoopStatus::converged) << evolved.message;
     EXPECT_EQ(evolved.patch.free_count, filler.free_count) << "remeshed at t = " << t;
     return {std::move(evolved.patch), rim_roughness(start)};
@@ -102,6 +103,111 @@ TEST(PassageOfKinds, FromSmoothToNoisyWithoutAJump) {
 
 TEST(PassageOfKinds, FromRoughToNoisyWithoutAJump) {
   EXPECT_LT(steepest(Family([](double t) { return rough_open_sphere(0.3, 0.05 * edge * t); }), 8), tolerance);
+}
+
+/// A third of a rough cylinder's circumference is missing, over a short length: the triangulation joins the two arcs along
+/// the generators, near the cylinder, and the minimal surface sinks in between.
+struct Gutter {
+  SurfaceModel model;
+  BoundaryLoop hole;
+
+  explicit Gutter(double relief) {
+    TriangleSoup soup = cut(make_cylinder(2, 100), [](const Vec3& p) {
+      return std::abs(p.z() - 1) < 0.25 && std::abs(std::atan2(p.y(), p.x())) < 1.1;
+    });
+    for (Vec3& p : soup.points) {
+      const double way =
+          1 + relief * (0.01 * std::sin(17 * p.y()) * std::sin(19 * p.z()) + 0.004 * std::sin(43 * p.x() + 7 * p.z()) +
+                        0.002 * std::cos(71 * p.y() - 23 * p.z()));
+      p.x() *= way;
+      p.y() *= way;
+    }
+    model = make_surface_model(soup);
+    for (const BoundaryLoop& loop : find_boundary_loops(model))
+      if (loop.center.x() > 0.5) hole = loop;
+  }
+  Patch start(FillerShape shape) const { return *start_patch(model, {hole}, {1, shape}, {}).patch; }
+  /// rms over the free vertices, of the radius.
+  static double off(const Patch& patch) {
+    double sum = 0;
+    for (int i = 0; i < patch.free_count; ++i) {
+      const Vec3 p = patch.to_mesh(patch.positions[i]);
+      sum += std::pow(std::hypot(p.x(), p.y()) - 1, 2);
+    }
+    return std::sqrt(sum / patch.free_count);
+  }
+};
+
+TEST(RoughStart, TheTriangulationLiesNearerToABulgeThanTheMinimalSurface) {
+  const Gutter gutter(0);
+  const Patch triangulated = gutter.start(FillerShape::triangulated), minimal = gutter.start(FillerShape::minimal);
+  EXPECT_GT(Gutter::off(minimal), 0.03);
+  EXPECT_LT(Gutter::off(triangulated), 0.5 * Gutter::off(minimal));
+}
+
+TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
+  const Gutter gutter(1);
+  const Patch filler = gutter.start(FillerShape::minimal);
+  ASSERT_EQ(rim_roughness(filler).rough_share, 1);
+  const FillSite site(gutter.model);
+  const Evolved from_filler = evolve_filler(site, filler, {}, {}, nullptr, {});
+  const Evolved from_loops = evolve_filler(site, filler, {gutter.hole}, {}, nullptr, {});
+  EXPECT_EQ(from_loops.status, LoopStatus::converged) << from_loops.message;
+  EXPECT_EQ(from_loops.verdict.total() + from_loops.verdict.folds, 0);
+  EXPECT_LT(Gutter::off(from_loops.patch), 0.8 * Gutter::off(from_filler.patch));
+}
+
+TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
+  const Gutter gutter(1);
+  const Patch filler = gutter.start(FillerShape::minimal);
+  BoundaryLoop other = gutter.hole;
+  other.number += 1;
+  const FillSite site(gutter.model);
+  EXPECT_EQ(evolve_filler(site, filler, {other}, {}, nullptr, {}).patch.positions,
+            evolve_filler(site, filler, {}, {}, nullptr, {}).patch.positions);
+}
+
+TEST(RoughStart, SmoothSurroundingsGiveTheSameBitsWithAndWithoutLoops) {
+  const Gutter gutter(0);
+  const Patch filler = gutter.start(FillerShape::minimal);
+  ASSERT_EQ(rim_roughness(filler).rough_share, 0);
+  const FillSite site(gutter.model);
+  EXPECT_EQ(evolve_filler(site, filler, {gutter.hole}, {}, nullptr, {}).patch.positions,
+            evolve_filler(site, filler, {}, {}, nullptr, {}).patch.positions);
+}
+
+/// A sheet of its own stands across the top of where the patch would run.
+TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
+  const SurfaceModel open = rough_open_sphere(1, 0);
+  const BoundaryLoop hole = find_boundary_loops(open).at(0);
+  const Patch filler = *start_patch(open, {hole}, {}, {}).patch;
+  ASSERT_EQ(rim_roughness(filler).rough_share, 1);
+  const Evolved free = evolve_filler(FillSite(open), filler, {}, {}, nullptr, {});
+  ASSERT_EQ(free.verdict.total(), 0);
+  double top = 0;
+  for (int i = 0; i < free.patch.free_count; ++i) top = std::max(top, free.patch.to_mesh(free.patch.positions[i]).z());
+
+  TriangleSoup soup;
+  soup.points = points_of(open.mesh);
+  soup.triangles = triangles_of(open.mesh);
+  const int first = static_cast<int>(soup.points.size());
+  for (const Vec3& corner : {Vec3(-edge, 0, top + edge), Vec3(edge, 0, top + edge), Vec3(0, 0, top - edge / 2)})
+    soup.points.push_back(corner);
+  soup.triangles.push_back({first, first + 1, first + 2});
+  const SurfaceModel barred = make_surface_model(soup);
+  const FillSite site(barred);
+  ASSERT_EQ(judge(site, filler).total(), 0);
+  ASSERT_GT(judge(site, free.patch).total(), 0);
+
+  const Evolved evolved = evolve_filler(site, filler, {}, {}, nullptr, {});
+  EXPECT_EQ(evolved.status, LoopStatus::converged);
+  EXPECT_EQ(evolved.verdict.total() + evolved.verdict.folds, 0);
+  EXPECT_NE(evolved.message.find("goes back"), std::string::npos) << evolved.message;
+  ASSERT_EQ(evolved.patch.free_count, free.patch.free_count);
+  int same = 0;
+  for (int i = 0; i < filler.free_count; ++i) same += evolved.patch.positions[i] == free.patch.positions[i];
+  EXPECT_GT(same, filler.free_count / 2);
+  EXPECT_LT(same, filler.free_count);
 }
 
 }  // namespace
