@@ -108,7 +108,7 @@ TEST(LocalRetreat, LeavesWhatMayBeKeptAsItIs) {
   EXPECT_EQ(clean->rings, 0);
   EXPECT_EQ(clean->patch.positions, scene.evolved.positions);
   scene.fold();
-  scene.limit.folds = scene.verdict().folds;
+  scene.limit = scene.verdict();
   const std::optional<Retreat> as_bad = scene.retreat();
   ASSERT_TRUE(as_bad);
   EXPECT_EQ(as_bad->patch.positions, scene.evolved.positions);

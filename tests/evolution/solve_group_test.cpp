@@ -105,26 +105,26 @@ TEST(PassageOfKinds, FromRoughToNoisyWithoutAJump) {
   EXPECT_LT(steepest(Family([](double t) { return rough_open_sphere(0.3, 0.05 * edge * t); }), 8), tolerance);
 }
 
-/// A third of a rough cylinder's circumference is missing, over a short length: the triangulation joins the two arcs along
-/// the generators, near the cylinder, and the minimal surface sinks in between.
+/// Almost two thirds of a cylinder's circumference are missing, over a short length: the triangulation joins the two arcs
+/// along the generators, and the minimal surface sinks in between.
 struct Gutter {
   SurfaceModel model;
   BoundaryLoop hole;
 
   explicit Gutter(double relief) {
-    TriangleSoup soup = cut(make_cylinder(2, 100), [](const Vec3& p) {
-      return std::abs(p.z() - 1) < 0.25 && std::abs(std::atan2(p.y(), p.x())) < 1.1;
-    });
+    TriangleSoup soup = trim_rims(cut(make_cylinder(4, 100), [](const Vec3& p) {
+      return std::abs(p.z() - 2) < 0.5 && std::abs(std::atan2(p.y(), p.x())) < 2;
+    }));
     for (Vec3& p : soup.points) {
       const double way =
-          1 + relief * (0.01 * std::sin(17 * p.y()) * std::sin(19 * p.z()) + 0.004 * std::sin(43 * p.x() + 7 * p.z()) +
-                        0.002 * std::cos(71 * p.y() - 23 * p.z()));
+          1 + relief * (0.01 * std::sin(17 * p.x()) * std::sin(19 * p.y()) + 0.004 * std::sin(43 * p.x() + 7 * p.z()) +
+                        0.002 * std::cos(71 * p.y() - 23 * p.x()));
       p.x() *= way;
       p.y() *= way;
     }
     model = make_surface_model(soup);
     for (const BoundaryLoop& loop : find_boundary_loops(model))
-      if (loop.center.x() > 0.5) hole = loop;
+      if (loop.center.x() > 0.2) hole = loop;
   }
   Patch start(FillerShape shape) const { return *start_patch(model, {hole}, {1, shape}, {}).patch; }
   /// rms over the free vertices, of the radius.
@@ -139,22 +139,26 @@ struct Gutter {
 };
 
 TEST(RoughStart, TheTriangulationLiesNearerToABulgeThanTheMinimalSurface) {
-  const Gutter gutter(0);
-  const Patch triangulated = gutter.start(FillerShape::triangulated), minimal = gutter.start(FillerShape::minimal);
-  EXPECT_GT(Gutter::off(minimal), 0.03);
-  EXPECT_LT(Gutter::off(triangulated), 0.5 * Gutter::off(minimal));
+  const Gutter gutter(0);  // measured: 0.0006 and 0.097
+  EXPECT_LT(Gutter::off(gutter.start(FillerShape::triangulated)), 0.002);
+  EXPECT_GT(Gutter::off(gutter.start(FillerShape::minimal)), 0.05);
 }
 
 TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
   const Gutter gutter(1);
-  const Patch filler = gutter.start(FillerShape::minimal);
-  ASSERT_EQ(rim_roughness(filler).rough_share, 1);
+  const Patch filler = gutter.start(FillerShape::minimal), triangulated = gutter.start(FillerShape::triangulated);
+  const RimRoughness rim = rim_roughness(filler);
+  ASSERT_EQ(rim.rough_share, 1);
   const FillSite site(gutter.model);
-  const Evolved from_filler = evolve_filler(site, filler, {}, {}, nullptr, {});
-  const Evolved from_loops = evolve_filler(site, filler, {gutter.hole}, {}, nullptr, {});
-  EXPECT_EQ(from_loops.status, LoopStatus::converged) << from_loops.message;
-  EXPECT_EQ(from_loops.verdict.total() + from_loops.verdict.folds, 0);
-  EXPECT_LT(Gutter::off(from_loops.patch), 0.8 * Gutter::off(from_filler.patch));
+  const Evolved evolved = evolve_filler(site, filler, {gutter.hole}, {}, nullptr, {});
+  EXPECT_EQ(evolved.status, LoopStatus::converged) << evolved.message;
+  EXPECT_EQ(evolved.verdict.total() + evolved.verdict.folds, 0);
+  EvolutionOptions robust;
+  robust.rim = RimTrust::smooth;
+  robust.roughness = rim;
+  Evolution expected(triangulated, robust);
+  expected.run(nullptr, {});
+  EXPECT_EQ(evolved.patch.positions, expected.patch().positions);
 }
 
 TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
