@@ -45,9 +45,10 @@ void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   recorder_.record(item_.patch.id, std::move(next));
 }
 
-Evolved SteadyRun::evolve(const Patch& filler) {
+Evolved SteadyRun::evolve(const PatchState& start) {
+  const bool is_filler = start.recipe.runs.empty();
   return evolve_filler(
-      item_.site->site(), filler, task_.options,
+      item_.site->site(), start.patch, is_filler ? item_.loops : std::vector<BoundaryLoop>{}, task_.options,
       [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
 }
 
@@ -68,7 +69,7 @@ PatchStatePtr SteadyRun::state_of(const Evolved& evolved, const PatchState& from
 
 std::vector<OpenPatch> SteadyRun::run() {
   const PatchState& start = *item_.patch.state;
-  const Evolved evolved = evolve(start.patch);
+  const Evolved evolved = evolve(start);
   if (job_.token().cancelled() || job_.asked_to_pause()) return {};
   PatchStatePtr state = state_of(evolved, *last_);
   const bool spoilt = state->stage == PatchStage::filled || state->stage == PatchStage::cutting;
@@ -91,7 +92,8 @@ std::vector<OpenPatch> SteadyRun::one_by_one() {
     if (job_.pause_token().cancelled()) return {};
     if (!alone.patch) continue;
     const PatchStatePtr filler = first_state(*alone.patch, alone.fillers.front().message, density, task_.origin);
-    const Evolved evolved = evolve_filler(item_.site->site(), *alone.patch, task_.options, nullptr, job_.pause_token());
+    const Evolved evolved =
+        evolve_filler(item_.site->site(), *alone.patch, {item_.loops[k]}, task_.options, nullptr, job_.pause_token());
     if (job_.pause_token().cancelled()) return {};
     OpenPatch part;
     part.scan = item_.patch.scan;

@@ -16,7 +16,7 @@ class SteadyRun {
   std::vector<OpenPatch> run();
 
  private:
-  Evolved evolve(const Patch& filler);
+  Evolved evolve(const PatchState& start);
   void show(const Evolution& evolution, const StepRecord& record);
   PatchStatePtr state_of(const Evolved& evolved, const PatchState& from);
   std::vector<OpenPatch> one_by_one();

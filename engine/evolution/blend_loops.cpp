@@ -35,13 +35,13 @@ constexpr double against_necks = 5;
 
 Evolved evolve_bridge(const FillSite& site, const Patch& start, const EvolutionOptions& options,
                       const Evolution::OnStep& on_step, const CancelToken& cancel) {
-  Evolved pure = evolve_filler(site, start, options, on_step, cancel);
+  Evolved pure = evolve_filler(site, start, {}, options, on_step, cancel);
   if (pure.message.empty() && pure.bending > 0 && !options.bending) pure.message = "bending energy was blended in";
   const bool may_bend = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending;
   if (pure.status != LoopStatus::step_limit || !may_bend || cancel.cancelled()) return pure;
   EvolutionOptions stiffer = options;
   stiffer.bending = against_necks;
-  Evolved bent = evolve_filler(site, start, stiffer, on_step, cancel);
+  Evolved bent = evolve_filler(site, start, {}, stiffer, on_step, cancel);
   if (bent.status != LoopStatus::converged || bent.verdict.folds > 0 || bent.verdict.total() > 0) return pure;
   bent.message = "the pure flow did not come to rest: bending energy was blended in";
   return bent;

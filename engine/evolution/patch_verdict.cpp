@@ -76,10 +76,16 @@ std::vector<int> loop_of_triangles(const Patch& patch) {
 
 PatchVerdict judge(const FillSite& site, const Patch& patch) {
   PatchVerdict verdict;
-  verdict.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  const auto folds = folded_pairs(patch.positions, patch.triangles, patch.patch_triangles);
+  verdict.folds = static_cast<int>(folds.size());
   verdict.intersections.assign(patch.loops.size(), 0);
   const std::vector<int> loop = loop_of_triangles(patch), count = intersections_of(site, patch_geometry(patch));
-  for (int f = 0; f < patch.patch_triangles; ++f) verdict.intersections[loop[f]] += count[f];
+  std::vector<char> spoiled(patch.triangles.size(), 0);
+  for (const auto& [f, g] : folds) spoiled[f] = spoiled[g] = 1;
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    verdict.intersections[loop[f]] += count[f];
+    if (spoiled[f] || count[f] > 0) verdict.spoiled.push_back(f);
+  }
   return verdict;
 }
 

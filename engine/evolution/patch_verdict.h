@@ -22,6 +22,7 @@ struct FillSite {
 struct PatchVerdict {
   int folds = 0;                   ///< of the patch and its rim
   std::vector<int> intersections;  ///< per loop of the patch: cuts of its part with anything
+  std::vector<int> spoiled;        ///< the patch's triangles beside a fold or in a cut, ascending
   int total() const;
 };
 

@@ -1,6 +1,7 @@
 #include "evolution/solve_group.h"
 
 #include "evolution/best_start.h"
+#include "evolution/local_retreat.h"
 #include "evolution/state.h"
 #include "mesh/quality.h"
 #include "rim/rim_blend.h"
@@ -144,6 +145,13 @@ bool from_the_best_start(const Run& run, const EvolutionOptions& options, Evolve
   return result.status != LoopStatus::filled;
 }
 
+/// Those of the linear fairings for rough surroundings, whatever share the surroundings ask for.
+EvolutionOptions robust_options(EvolutionOptions options, const RimRoughness& rim) {
+  options.rim = RimTrust::smooth;
+  options.roughness = rim;
+  return options;
+}
+
 /// The share of the robust patch, raised where the literal one strays from it: sixth order that goes far from what the
 /// surroundings allow has been led astray by their roughness.
 double share_between(const Patch& literal, const Patch& robust, const RimRoughness& rim) {
@@ -156,15 +164,16 @@ double share_between(const Patch& literal, const Patch& robust, const RimRoughne
 
 /// Between smooth and rough surroundings: both patches on the filler's vertices, and the way from one to the other.
 /// @returns false if there is no such passage, since one of them does not exist or the mesh had to be changed.
-bool evolve_between(const Run& run, const EvolutionOptions& options, const RimRoughness& rim, Evolved& result) {
-  EvolutionOptions robust_options = options, literal_options = options;
-  robust_options.rim = RimTrust::smooth;
+bool evolve_between(const Run& run, const Patch& start, const EvolutionOptions& options, const RimRoughness& rim,
+                    Evolved& result) {
+  EvolutionOptions literal_options = options;
   literal_options.bending = (1 - run.noise_share) * rim.bending;
   literal_options.triangles = PatchTriangles::kept;
   Evolved literal;
-  if (!evolve_once({run.site, run.filler, 0, nullptr, run.on_step, run.cancel}, run.filler, robust_options, result))
+  if (!evolve_once({run.site, run.filler, 0, nullptr, run.on_step, run.cancel}, start, robust_options(options, rim),
+                   result))
     return false;
-  if (!evolve_once(run, run.filler, literal_options, literal)) return true;
+  if (!evolve_once(run, start, literal_options, literal)) return true;
   if (literal.patch.free_count != result.patch.free_count) return true;
   const Eigen::VectorXd trust = rim_trust(result.patch, rim.radius, data_trust(result.patch, rim.radius));
   const double share = share_between(literal.patch, result.patch, rim);
@@ -181,6 +190,57 @@ bool evolve_between(const Run& run, const EvolutionOptions& options, const RimRo
   return true;
 }
 
+/// The filler of the same loops before it was relaxed. Empty if there is none.
+std::optional<Patch> unrelaxed(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
+                               const CancelToken& cancel) {
+  std::vector<BoundaryLoop> closed;  // a joint filler leaves out those that have none
+  for (const BoundaryLoop& loop : loops)
+    if (std::find(filler.loop_numbers.begin(), filler.loop_numbers.end(), loop.number) != filler.loop_numbers.end())
+      closed.push_back(loop);
+  std::optional<Patch> patch =
+      start_patch(site.model, closed, {filler.grading.density, FillerShape::triangulated}, cancel).patch;
+  return patch && patch->loop_numbers == filler.loop_numbers && patch->free_count > 0 ? patch : std::nullopt;
+}
+
+/// What it takes not to throw the fairings away as a whole for a few spoilt places. @returns true if a result may be kept.
+bool fair_and_retreat(const Run& run, const Patch& start, EvolutionOptions options, Evolved& result) {
+  options.triangles = PatchTriangles::kept;
+  Evolution evolution(start, options);
+  const EvolutionStatus status = evolution.run(run.on_step, run.cancel);
+  if (status == EvolutionStatus::cancelled || status == EvolutionStatus::failed) return false;
+  std::optional<Retreat> retreat =
+      retreat_locally(run.site, start, evolution.patch(), judge(run.site, run.filler), run.cancel);
+  if (!retreat) return false;
+  take_figures(evolution, result);
+  result.patch = std::move(retreat->patch);
+  result.verdict = std::move(retreat->verdict);
+  result.status = status_after(status);
+  result.bending = evolution.bending();
+  result.final_energy = shown_energy(options.flow, make_state(result.patch, {options.flow, 0}, Stencil::two_ring));
+  result.message = retreat->moved == 0
+                       ? ""
+                       : "the patch would have folded or cut the surface at a few places: there, at " +
+                             std::to_string(retreat->moved) + " of its " + std::to_string(result.patch.free_count) +
+                             " vertices, it goes back towards what it set out from";
+  return true;
+}
+
+/// On rough surroundings, or between: from the first start whose result may be kept, or else may be kept in the main.
+/// @returns false if there is none.
+bool evolve_robustly(const Run& run, const std::vector<const Patch*>& starts, const EvolutionOptions& options,
+                     const RimRoughness& rim, Evolved& result) {
+  const Run plain{run.site, run.filler, 0, nullptr, run.on_step, run.cancel};
+  const EvolutionOptions robust = robust_options(options, rim);
+  for (const Patch* start : starts) {
+    if (rim.rough_share < 1 ? evolve_between(run, *start, options, rim, result)
+                            : evolve_once(plain, *start, robust, result))
+      return true;
+    if (run.cancel.cancelled()) return false;
+  }
+  return std::any_of(starts.begin(), starts.end(),
+                     [&](const Patch* start) { return fair_and_retreat(plain, *start, robust, result); });
+}
+
 /// What to try where the flow spoils the patch: bending energy blended in, and lower orders, which bulge less. On rough
 /// surroundings these come first.
 std::vector<EvolutionOptions> gentler_options(Surroundings surroundings, const EvolutionOptions& options) {
@@ -195,8 +255,8 @@ std::vector<EvolutionOptions> gentler_options(Surroundings surroundings, const E
 
 }  // namespace
 
-Evolved evolve_filler(const FillSite& site, const Patch& filler, const EvolutionOptions& asked_for,
-                      const Evolution::OnStep& on_step, const CancelToken& cancel) {
+Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
+                      const EvolutionOptions& asked_for, const Evolution::OnStep& on_step, const CancelToken& cancel) {
   Evolved result;
   result.patch = filler;
   if (filler.free_count == 0) {
@@ -211,8 +271,11 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const Evolution
   const double noise_share = rim ? rim->noise_share : 0;
   const CalmSurroundings* calm = judged && judged->calm ? &*judged->calm : nullptr;
   const Run run{site, filler, noise_share, calm, on_step, cancel}, plain{site, filler, 0, calm, on_step, cancel};
-  if (rim && rim->rough_share > 0 && rim->rough_share < 1) {
-    if (evolve_between(run, options, *rim, result) || cancel.cancelled()) return result;
+  if (rim && rim->rough_share > 0) {
+    const std::optional<Patch> creased = loops.empty() ? std::nullopt : unrelaxed(site, filler, loops, cancel);
+    std::vector<const Patch*> starts{&filler};
+    if (creased) starts.insert(starts.begin(), &*creased);
+    if (evolve_robustly(run, starts, options, *rim, result) || cancel.cancelled()) return result;
   } else {
     EvolutionOptions first = options;
     if (noise_share > 0)
@@ -272,7 +335,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   if (options.evolution) {
     EvolutionOptions evolution = *options.evolution;
     evolution.roughness = roughness;
-    evolved = evolve_filler(site, *first.patch, evolution, nullptr, cancel);
+    evolved = evolve_filler(site, *first.patch, group, evolution, nullptr, cancel);
   } else {
     evolved.patch = *first.patch;
     evolved.verdict = judge(site, evolved.patch);

@@ -160,18 +160,18 @@ bool remesh_sorted(GuardedMesh& mesh) {
 }
 
 /// The same for all but small patches: the shape is found on coarse meshes, where a round costs little.
-void coarse_to_fine(GuardedMesh& mesh, const CancelToken& cancel) {
+void coarse_to_fine(GuardedMesh& mesh, FillerShape shape, const CancelToken& cancel) {
   for (double coarser : {8.0, 4.0, 2.0}) {
     mesh.scale_sizes(coarser);
     remesh_sorted(mesh);
     remesh_once(mesh);
     if (cancel.cancelled()) return;
-    relax_once(mesh);
+    if (shape == FillerShape::minimal) relax_once(mesh);
     mesh.scale_sizes(1 / coarser);
     if (cancel.cancelled()) return;
   }
   if (remesh_sorted(mesh) && !cancel.cancelled()) remesh_once(mesh);
-  if (!cancel.cancelled()) relax_once(mesh);
+  if (shape == FillerShape::minimal && !cancel.cancelled()) relax_once(mesh);
 }
 
 /// Runs a phase on a copy; keeps its result unless it is worse than what was.
@@ -187,18 +187,21 @@ bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, con
 
 /// Refinement, remeshing and relaxation (FILLING.md, steps 3 to 5). A phase that makes the patch worse is tried again in
 /// its first round only, then left out.
-Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, bool large, const CancelToken& cancel) {
+Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, FillerShape shape, bool large,
+                 const CancelToken& cancel) {
   const auto rounds = [&](int count, bool (*round)(GuardedMesh&)) {
     return [=, &cancel](GuardedMesh& mesh) {
       for (int k = 0; k < count && !cancel.cancelled(); ++k)
         if (!round(mesh)) break;
     };
   };
-  if (large && try_phase(site, size, best, [&](GuardedMesh& mesh) { coarse_to_fine(mesh, cancel); })) return best;
+  if (large && try_phase(site, size, best, [&](GuardedMesh& mesh) { coarse_to_fine(mesh, shape, cancel); }))
+    return best;
   if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)))
     try_phase(site, size, best, rounds(1, remesh_once));
-  const int most = large ? 2 : relax_rounds;
-  if (!try_phase(site, size, best, rounds(most, relax_once))) try_phase(site, size, best, rounds(1, relax_once));
+  const int most = shape == FillerShape::triangulated ? 0 : large ? 2 : relax_rounds;
+  if (most > 0 && !try_phase(site, size, best, rounds(most, relax_once)))
+    try_phase(site, size, best, rounds(1, relax_once));
   for (int attempt = 0; attempt < 3 && best.badness() > 0 && !cancel.cancelled(); ++attempt) {
     const int before = best.badness();
     try_phase(site, size, best, [](GuardedMesh& mesh) {
@@ -291,7 +294,7 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
   const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
   Candidate best;
   for (const Candidate& candidate : candidates) {
-    Candidate refined = refine(site, size, candidate, vertices > from_coarse_to_fine, cancel);
+    Candidate refined = refine(site, size, candidate, options.shape, vertices > from_coarse_to_fine, cancel);
     if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
     if (!best.wants_another(site.n) || cancel.cancelled()) break;
   }

@@ -9,8 +9,14 @@
 
 namespace loopmend {
 
+enum class FillerShape {
+  minimal,       ///< relaxed to a minimal surface
+  triangulated,  ///< as the loop's triangulation lies in space, with its creases: nearer to bulging surroundings
+};
+
 struct FillerOptions {
   double density = 1;  ///< edges per length relative to the surroundings, 0.1..10: 2 halves the edge length
+  FillerShape shape = FillerShape::minimal;
 };
 
 /// @throws InvalidArgument if an option is out of range.

@@ -22,7 +22,7 @@ double min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-int count_folds(const Points& points, const Triangles& triangles, int count) {
+std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triangles& triangles, int count) {
   // The sides of all triangles in buckets by their lower vertex; each bucket in order.
   struct Side {
     int high, face;
@@ -43,17 +43,21 @@ int count_folds(const Points& points, const Triangles& triangles, int count) {
     const Triangle& t = triangles[f];
     return unit_normal(points[t[0]], points[t[1]], points[t[2]]);
   };
-  int folds = 0;
+  std::vector<std::pair<int, int>> folds;
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto first = sides.begin() + begin[v], last = sides.begin() + begin[v + 1];
     std::sort(first, last,
               [](const Side& a, const Side& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
     for (auto s = first; s != last && s + 1 != last; ++s) {
       if (s->high != (s + 1)->high || s->face >= count) continue;
-      if (normal(s->face).dot(normal((s + 1)->face)) <= 0) ++folds;
+      if (normal(s->face).dot(normal((s + 1)->face)) <= 0) folds.emplace_back(s->face, (s + 1)->face);
     }
   }
   return folds;
+}
+
+int count_folds(const Points& points, const Triangles& triangles, int count) {
+  return static_cast<int>(folded_pairs(points, triangles, count).size());
 }
 
 double min_angle_deg(const Points& points, const Triangles& triangles, int count) {

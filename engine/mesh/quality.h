@@ -3,6 +3,9 @@
 
 #include "core/types.h"
 
+#include <utility>
+#include <vector>
+
 namespace loopmend {
 
 /// Unit normal of a triangle; zero when it has no area.
@@ -14,6 +17,9 @@ double min_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Edges shared by two triangles whose normals differ by more than 90°, where at least one of the two is among the first
 /// `count` triangles. A degenerate triangle counts as folded against each neighbour.
 int count_folds(const Points& points, const Triangles& triangles, int count);
+
+/// The edges that count_folds counts, each as the pair of triangles beside it.
+std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triangles& triangles, int count);
 
 /// Smallest angle of the first `count` triangles, in degrees; 180 when there are none.
 double min_angle_deg(const Points& points, const Triangles& triangles, int count);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace loopmend {
@@ -46,7 +47,7 @@ struct Family {
     for (int i = moved.free_count; i < moved.vertex_count(); ++i)
       moved.positions[i] = moved.to_frame(model.mesh.point(TriMesh::VertexHandle(moved.view_vertex[i])));
     const Patch start = with_noise_again(filler, moved);
-    Evolved evolved = evolve_filler(FillSite(model), start, {}, nullptr, {});
+    Evolved evolved = evolve_filler(FillSite(model), start, {}, {}, nullptr, {});
     EXPECT_EQ(evolved.status, LoopStatus::converged) << evolved.message;
     EXPECT_EQ(evolved.patch.free_count, filler.free_count) << "remeshed at t = " << t;
     return {std::move(evolved.patch), rim_roughness(start)};
@@ -102,6 +103,115 @@ TEST(PassageOfKinds, FromSmoothToNoisyWithoutAJump) {
 
 TEST(PassageOfKinds, FromRoughToNoisyWithoutAJump) {
   EXPECT_LT(steepest(Family([](double t) { return rough_open_sphere(0.3, 0.05 * edge * t); }), 8), tolerance);
+}
+
+/// Almost two thirds of a cylinder's circumference are missing, over a short length: the triangulation joins the two arcs
+/// along the generators, and the minimal surface sinks in between.
+struct Gutter {
+  SurfaceModel model;
+  BoundaryLoop hole;
+
+  explicit Gutter(double relief) {
+    TriangleSoup soup = trim_rims(cut(make_cylinder(4, 100), [](const Vec3& p) {
+      return std::abs(p.z() - 2) < 0.5 && std::abs(std::atan2(p.y(), p.x())) < 2;
+    }));
+    for (Vec3& p : soup.points) {
+      const double way =
+          1 + relief * (0.01 * std::sin(17 * p.x()) * std::sin(19 * p.y()) + 0.004 * std::sin(43 * p.x() + 7 * p.z()) +
+                        0.002 * std::cos(71 * p.y() - 23 * p.x()));
+      p.x() *= way;
+      p.y() *= way;
+    }
+    model = make_surface_model(soup);
+    for (const BoundaryLoop& loop : find_boundary_loops(model))
+      if (loop.center.x() > 0.2) hole = loop;
+  }
+  Patch start(FillerShape shape) const { return *start_patch(model, {hole}, {1, shape}, {}).patch; }
+  /// rms over the free vertices, of the radius.
+  static double off(const Patch& patch) {
+    double sum = 0;
+    for (int i = 0; i < patch.free_count; ++i) {
+      const Vec3 p = patch.to_mesh(patch.positions[i]);
+      sum += std::pow(std::hypot(p.x(), p.y()) - 1, 2);
+    }
+    return std::sqrt(sum / patch.free_count);
+  }
+};
+
+TEST(RoughStart, TheTriangulationLiesNearerToABulgeThanTheMinimalSurface) {
+  const Gutter gutter(0);  // measured: 0.0006 and 0.097
+  EXPECT_LT(Gutter::off(gutter.start(FillerShape::triangulated)), 0.002);
+  EXPECT_GT(Gutter::off(gutter.start(FillerShape::minimal)), 0.05);
+}
+
+TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
+  const Gutter gutter(1);
+  const Patch filler = gutter.start(FillerShape::minimal), triangulated = gutter.start(FillerShape::triangulated);
+  const RimRoughness rim = rim_roughness(filler);
+  ASSERT_EQ(rim.rough_share, 1);
+  const FillSite site(gutter.model);
+  const Evolved evolved = evolve_filler(site, filler, {gutter.hole}, {}, nullptr, {});
+  EXPECT_EQ(evolved.status, LoopStatus::converged) << evolved.message;
+  EXPECT_EQ(evolved.verdict.total() + evolved.verdict.folds, 0);
+  EvolutionOptions robust;
+  robust.rim = RimTrust::smooth;
+  robust.roughness = rim;
+  Evolution expected(triangulated, robust);
+  expected.run(nullptr, {});
+  EXPECT_EQ(evolved.patch.positions, expected.patch().positions);
+}
+
+TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
+  const Gutter gutter(1);
+  const Patch filler = gutter.start(FillerShape::minimal);
+  BoundaryLoop other = gutter.hole;
+  other.number += 1;
+  const FillSite site(gutter.model);
+  EXPECT_EQ(evolve_filler(site, filler, {other}, {}, nullptr, {}).patch.positions,
+            evolve_filler(site, filler, {}, {}, nullptr, {}).patch.positions);
+}
+
+TEST(RoughStart, SmoothSurroundingsGiveTheSameBitsWithAndWithoutLoops) {
+  const Gutter gutter(0);
+  const Patch filler = gutter.start(FillerShape::minimal);
+  ASSERT_EQ(rim_roughness(filler).rough_share, 0);
+  const FillSite site(gutter.model);
+  EXPECT_EQ(evolve_filler(site, filler, {gutter.hole}, {}, nullptr, {}).patch.positions,
+            evolve_filler(site, filler, {}, {}, nullptr, {}).patch.positions);
+}
+
+/// A sheet of its own stands across the top of where the patch would run.
+TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
+  const SurfaceModel open = rough_open_sphere(1, 0);
+  const BoundaryLoop hole = find_boundary_loops(open).at(0);
+  const Patch filler = *start_patch(open, {hole}, {}, {}).patch;
+  ASSERT_EQ(rim_roughness(filler).rough_share, 1);
+  const Evolved free = evolve_filler(FillSite(open), filler, {}, {}, nullptr, {});
+  ASSERT_EQ(free.verdict.total(), 0);
+  double top = 0;
+  for (int i = 0; i < free.patch.free_count; ++i) top = std::max(top, free.patch.to_mesh(free.patch.positions[i]).z());
+
+  TriangleSoup soup;
+  soup.points = points_of(open.mesh);
+  soup.triangles = triangles_of(open.mesh);
+  const int first = static_cast<int>(soup.points.size());
+  for (const Vec3& corner : {Vec3(-edge, 0, top + edge), Vec3(edge, 0, top + edge), Vec3(0, 0, top - edge / 2)})
+    soup.points.push_back(corner);
+  soup.triangles.push_back({first, first + 1, first + 2});
+  const SurfaceModel barred = make_surface_model(soup);
+  const FillSite site(barred);
+  ASSERT_EQ(judge(site, filler).total(), 0);
+  ASSERT_GT(judge(site, free.patch).total(), 0);
+
+  const Evolved evolved = evolve_filler(site, filler, {}, {}, nullptr, {});
+  EXPECT_EQ(evolved.status, LoopStatus::converged);
+  EXPECT_EQ(evolved.verdict.total() + evolved.verdict.folds, 0);
+  EXPECT_NE(evolved.message.find("goes back"), std::string::npos) << evolved.message;
+  ASSERT_EQ(evolved.patch.free_count, free.patch.free_count);
+  int same = 0;
+  for (int i = 0; i < filler.free_count; ++i) same += evolved.patch.positions[i] == free.patch.positions[i];
+  EXPECT_GT(same, filler.free_count / 2);
+  EXPECT_LT(same, filler.free_count);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST(RimBlend, RoughSurroundingsAreBlendedLinearly) {
   const Patch start = rough_start();
   const Evolution evolution = solved(start, {});
   EXPECT_EQ(evolution.roughness()->kind, Surroundings::rough);
-  EXPECT_EQ(evolution.history().size(), 4U);
+  EXPECT_EQ(evolution.history().size(), 3U);
   EXPECT_EQ(evolution.bending(), rough_bending);
   for (int i = start.free_count; i < start.vertex_count(); ++i)
     EXPECT_EQ(evolution.patch().positions[i], start.positions[i]);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an evolved patch folds or cuts the surface at a few places, it goes back to its start there alone.
+#pragma once
+
+#include "core/cancel.h"
+#include "evolution/patch_verdict.h"
+
+#include <optional>
+
+namespace loopmend {
+
+struct Retreat {
+  Patch patch;
+  PatchVerdict verdict;  ///< on the patch
+  int rings = 0;         ///< over which it goes back around each spoilt place; 0 where there is none
+  int moved = 0;         ///< free vertices that are not where they were in the evolved patch
+};
+
+/// Vertices of spoilt triangles go back to the start, and those around them less and less, over 1, 2, 4, ... edges, until
+/// the patch may be kept; places that are spoilt on the way go back, too. The other vertices keep the bits of `evolved`.
+/// @param limit  the patch may be kept if it is no worse than that.
+/// @returns empty if that takes the whole patch back, if the two patches have not the same triangles, or when cancelled.
+std::optional<Retreat> retreat_locally(const FillSite& site, const Patch& start, const Patch& evolved,
+                                       const PatchVerdict& limit, const CancelToken& cancel);
+
+}  // namespace loopmend

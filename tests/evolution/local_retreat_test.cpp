@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evolution/local_retreat.h"
+
+#include "operators/topology.h"
+#include "support/patches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+/// The free vertex farthest from the rim.
+int innermost(const Patch& patch) {
+  const Topology topology(patch.vertex_count(), patch.triangles);
+  std::vector<int> way(patch.vertex_count(), -1), queue;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
+    way[i] = 0;
+    queue.push_back(i);
+  }
+  for (std::size_t q = 0; q < queue.size(); ++q)
+    for (int w : topology.neighbors(queue[q]))
+      if (way[w] < 0) {
+        way[w] = way[queue[q]] + 1;
+        queue.push_back(w);
+      }
+  return queue.back();
+}
+
+constexpr double edge = 0.038;  // mean, of the icosphere
+
+struct Scene {
+  SurfaceModel model = test::open_sphere(5, 0.6);
+  Patch start = test::exact_sphere_patch(5, 0.6);
+  Patch evolved = start;
+  int middle = innermost(start);
+  PatchVerdict limit{0, {0}, {}};
+
+  Scene() { test::disturb(evolved, 0.005); }
+
+  /// The middle goes beyond one of its neighbours.
+  void fold() {
+    const Topology topology(start.vertex_count(), start.triangles);
+    const Vec3 &p = evolved.positions[middle], &q = evolved.positions[topology.neighbors(middle)[0]];
+    evolved.positions[middle] = p + 1.6 * (q - p);
+  }
+  /// A piece of surface of its own, a little above the middle, through which the evolved patch runs.
+  void cut() {
+    TriangleSoup soup = ::loopmend::cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.6; });
+    const Vec3 top = start.to_mesh(start.positions[middle]), n = top.normalized(), u = n.unitOrthogonal();
+    const Vec3 v = n.cross(u), at = top + 0.7 * edge * n;
+    const int first = static_cast<int>(soup.points.size());
+    soup.points.insert(soup.points.end(), {at + 2 * edge * u, at + 2 * edge * (v - u), at - 2 * edge * (v + u)});
+    soup.triangles.push_back({first, first + 1, first + 2});
+    model = make_surface_model(soup);
+    const Topology topology(start.vertex_count(), start.triangles);
+    const auto around = topology.neighbors(middle);
+    std::vector<int> raised(around.begin(), around.end());
+    raised.push_back(middle);
+    for (int i : raised) evolved.positions[i] += 1.4 * edge * n / start.scale;
+  }
+  PatchVerdict verdict() const { return judge(FillSite(model), evolved); }
+  std::optional<Retreat> retreat(const CancelToken& cancel = {}) const {
+    return retreat_locally(FillSite(model), start, evolved, limit, cancel);
+  }
+};
+
+/// Clean; the other vertices as evolved, to the last bit; each that went back lies between the two.
+void expect_local(const Scene& scene, const Retreat& retreat) {
+  EXPECT_EQ(judge(FillSite(scene.model), retreat.patch).folds, 0);
+  EXPECT_EQ(judge(FillSite(scene.model), retreat.patch).total(), 0);
+  EXPECT_GT(retreat.rings, 0);
+  EXPECT_GT(retreat.moved, 0);
+  int changed = 0;
+  for (int i = 0; i < scene.start.vertex_count(); ++i) {
+    const Vec3 &from = scene.start.positions[i], &to = scene.evolved.positions[i], &at = retreat.patch.positions[i];
+    changed += at != to;
+    EXPECT_LE((at - from).norm() + (to - at).norm(), (to - from).norm() + 1e-12) << i << " is not on its way";
+  }
+  EXPECT_LE(changed, retreat.moved);
+  EXPECT_LT(changed, scene.start.free_count / 3) << "not local";
+  EXPECT_EQ(retreat.patch.positions[scene.middle], scene.start.positions[scene.middle]);
+}
+
+TEST(LocalRetreat, TakesAFoldBackAndNothingElse) {
+  Scene scene;
+  scene.fold();
+  ASSERT_GT(scene.verdict().folds, 0);
+  const std::optional<Retreat> retreat = scene.retreat();
+  ASSERT_TRUE(retreat);
+  expect_local(scene, *retreat);
+}
+
+TEST(LocalRetreat, TakesACutBackAndNothingElse) {
+  Scene scene;
+  scene.cut();
+  ASSERT_GT(scene.verdict().total(), 0);
+  const std::optional<Retreat> retreat = scene.retreat();
+  ASSERT_TRUE(retreat);
+  expect_local(scene, *retreat);
+}
+
+TEST(LocalRetreat, LeavesWhatMayBeKeptAsItIs) {
+  Scene scene;
+  const std::optional<Retreat> clean = scene.retreat();
+  ASSERT_TRUE(clean);
+  EXPECT_EQ(clean->rings, 0);
+  EXPECT_EQ(clean->patch.positions, scene.evolved.positions);
+  scene.fold();
+  scene.limit = scene.verdict();
+  const std::optional<Retreat> as_bad = scene.retreat();
+  ASSERT_TRUE(as_bad);
+  EXPECT_EQ(as_bad->patch.positions, scene.evolved.positions);
+}
+
+TEST(LocalRetreat, NeedsTheTrianglesOfTheStart) {
+  Scene scene;
+  scene.fold();
+  std::rotate(scene.evolved.triangles.begin(), scene.evolved.triangles.begin() + 1,
+              scene.evolved.triangles.begin() + scene.evolved.patch_triangles);
+  EXPECT_FALSE(scene.retreat());
+}
+
+TEST(LocalRetreat, IsNoneWhereTheWholePatchWouldGoBack) {
+  Scene scene;
+  // Inside out: folded along the whole rim, and on its way back everywhere.
+  for (int i = 0; i < scene.start.free_count; ++i)
+    scene.evolved.positions[i] = scene.start.to_frame(-3 * scene.start.to_mesh(scene.start.positions[i]));
+  EXPECT_FALSE(scene.retreat());
+}
+
+TEST(LocalRetreat, EndsWhenCancelled) {
+  Scene scene;
+  scene.fold();
+  const CancelToken cancel;
+  cancel.cancel();
+  EXPECT_FALSE(scene.retreat(cancel));
+}
+
+}  // namespace
+}  // namespace loopmend
