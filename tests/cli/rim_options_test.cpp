@@ -58,7 +58,7 @@ TEST_F(RimOptions, OnCleanSurroundingsAutoAndExactGiveTheSameBits) {
   const Points automatic = read_mesh(out).soup.points;
   fill(clean, "--rim exact");
   EXPECT_EQ(read_mesh(out).soup.points, automatic);
-  EXPECT_EQ(fill(clean, "--rim smooth")["loops"][0]["steps"], 4);
+  EXPECT_EQ(fill(clean, "--rim smooth")["loops"][0]["steps"], 3);
 }
 
 TEST_F(RimOptions, LowerContinuityLeavesWhatItDoesNotPromise) {
