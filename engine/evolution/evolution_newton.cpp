@@ -114,11 +114,11 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
 }
 
 void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
+  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   Stopwatch watch;
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   StepRecord record;
   record.assemble_seconds = watch.lap();
-  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
