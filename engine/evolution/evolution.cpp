@@ -73,7 +73,7 @@ void Evolution::Impl::prepare(Patch first) {
   for (const Vec3& p : start.positions)
     if (!p.allFinite()) throw InvalidArgument("the patch has a vertex that is not finite");
   room = room_around(start, room_beyond_start);
-  state = make_state(start, objective, stencil);
+  state = make_state(start, objective, stencil, nullptr, Fits::curvatures);
   start_folds = state.folds;
   start_edge_length = edge_length();
 }
@@ -110,7 +110,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   const Objective wanted = objective_for(options);
   objective = wanted;
   if (!history.empty() || wanted.flow != FlowKind::mmcvf || wanted.bending > 0)
-    state = make_state(std::move(state.patch), objective, stencil, state.topology);
+    state = make_state(std::move(state.patch), objective, stencil, state.topology, Fits::curvatures);
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
   decay_rate = 0;
@@ -223,6 +223,7 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
     coming_decay_rate = std::async(
         std::launch::async, [flow = options.flow, patch = state.patch] { return slowest_decay_rate(flow, patch); });
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
+  add_weights(state, objective, stencil);
   const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));
   StepRecord record;
   record.assemble_seconds = watch.lap();

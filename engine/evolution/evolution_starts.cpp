@@ -83,7 +83,7 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   record.assemble_seconds = watch.lap();
   if (!acceptable(next, state.measure)) return false;
   if (there.stencil != stencil)
-    initial_energy = shown_energy(options.flow, make_state(start, objective, there.stencil));
+    initial_energy = shown_energy(options.flow, make_state(start, objective, there.stencil, nullptr, Fits::curvatures));
   stencil = there.stencil;
   decay_rate = there.decay_rate;
   fairings_left = 0;
@@ -111,7 +111,7 @@ void Evolution::Impl::blend_step() {
     move = std::max(move, (patch.positions[i] - state.patch.positions[i]).norm());
   record.max_move = move / edge_length();
   --blends_left;
-  state = make_state(std::move(patch), objective, stencil, state.topology);
+  state = make_state(std::move(patch), objective, stencil, state.topology, Fits::curvatures);
   if (state.folds > start_folds && options.triangles == PatchTriangles::free)
     replace_if_good(remeshed(state.patch), std::numeric_limits<double>::max());
   record.energy = shown_energy(options.flow, state);

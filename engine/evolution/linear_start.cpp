@@ -39,7 +39,8 @@ FairedState linearly_faired(const EvolutionState& state, const Objective& object
     for (int i = 0; i < patch.free_count; ++i)
       result.move = std::max(result.move, (faired.positions[i] - patch.positions[i]).norm());
     const bool same_triangles = attempt == 0 && mesh != FairingMesh::remeshed;
-    result.state = make_state(std::move(faired), objective, stencil, same_triangles ? state.topology : nullptr);
+    result.state =
+        make_state(std::move(faired), objective, stencil, same_triangles ? state.topology : nullptr, Fits::curvatures);
     result.assemble_seconds += watch.lap();
     const bool solved = result.move > 0;
     if (solved && result.state.folds == 0 && !evenly && objective.bending == 0 && loops_are_surrounded(result.state))
