@@ -28,7 +28,7 @@ CurvatureField field_of(const Points& points, const Triangles& triangles, int th
       if (topology.valence(i) == 0) continue;
       const Vec3 reference = field.normals[i];
       if (reference.isZero()) continue;
-      fit_quadratic(points, topology, i, reference, Stencil::two_ring, scratch, fit);
+      fit_curvatures(points, topology, i, reference, Stencil::two_ring, scratch, fit);
       if (!fit.valid) continue;
       field.H[i] = fit.H;
       field.K[i] = fit.K;

@@ -73,7 +73,7 @@ void Evolution::Impl::prepare(Patch first) {
   for (const Vec3& p : start.positions)
     if (!p.allFinite()) throw InvalidArgument("the patch has a vertex that is not finite");
   room = room_around(start, room_beyond_start);
-  state = make_state(start, objective, stencil);
+  state = make_state(start, objective, stencil, nullptr, Fits::curvatures);
   start_folds = state.folds;
   start_edge_length = edge_length();
 }
@@ -110,11 +110,12 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   const Objective wanted = objective_for(options);
   objective = wanted;
   if (!history.empty() || wanted.flow != FlowKind::mmcvf || wanted.bending > 0)
-    state = make_state(std::move(state.patch), objective, stencil, state.topology);
+    state = make_state(std::move(state.patch), objective, stencil, state.topology, Fits::curvatures);
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
   decay_rate = 0;
   coming_decay_rate = {};
+  linear_part = {};
   mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   small_moves = 0;
@@ -134,7 +135,12 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
 /// The slowest decay rate, found when it is first asked for.
 double Evolution::Impl::decay() {
   if (decay_rate > 0) return decay_rate;
-  decay_rate = coming_decay_rate.valid() ? coming_decay_rate.get() : slowest_decay_rate(options.flow, state.patch);
+  if (coming_decay_rate.valid())
+    decay_rate = coming_decay_rate.get();
+  else if (const LinearPart known = std::exchange(linear_part, {}); known.factors)
+    decay_rate = slowest_decay_rate(*known.factors, known.mass);
+  else
+    decay_rate = slowest_decay_rate(options.flow, state.patch);
   if (!(decay_rate > 0)) decay_rate = 1;
   return decay_rate;
 }
@@ -214,8 +220,10 @@ SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, Eigen::Ve
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   Stopwatch watch;
   if (decay_rate == 0 && !coming_decay_rate.valid())
-    coming_decay_rate = std::async(std::launch::async, slowest_decay_rate, options.flow, state.patch);
+    coming_decay_rate = std::async(
+        std::launch::async, [flow = options.flow, patch = state.patch] { return slowest_decay_rate(flow, patch); });
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
+  add_weights(state, objective, stencil);
   const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));
   StepRecord record;
   record.assemble_seconds = watch.lap();

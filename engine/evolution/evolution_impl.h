@@ -4,6 +4,7 @@
 
 #include "energy/curvature_energy.h"
 #include "evolution/evolution.h"
+#include "evolution/linear_start.h"
 #include "evolution/state.h"
 #include "flows/flow_terms.h"
 #include "flows/gauss_newton.h"
@@ -58,6 +59,7 @@ struct Evolution::Impl {
   int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
   double decay_rate = 0;  ///< patch frame; 0 until it is first asked for
   std::future<double> coming_decay_rate;  ///< of the present flow and patch, while another thread looks for it
+  LinearPart linear_part;                 ///< of about the present shape, until the decay rate is known
   double sigma = 0;                       ///< of the next semi-implicit step; falls on rejection, recovers
   double mu = 0;                          ///< of the next Gauss-Newton step
   bool coarse_start_left = false;         ///< the steady state of a coarse copy may still be tried

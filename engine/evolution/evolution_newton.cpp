@@ -1,3 +1,4 @@
+#include "core/threads.h"
 #include "evolution/evolution_impl.h"
 #include "evolution/stopwatch.h"
 
@@ -32,8 +33,9 @@ EnergyWeights energy_of(const Objective& objective) {
 /// better than quadratics do, as they find any smooth surface: then they go on from there.
 bool Evolution::Impl::go_over_to_cubic_fits() {
   if (stencil == Stencil::two_ring_cubic || !smooth_surroundings || state.folds > start_folds) return false;
-  const EvolutionState cubic_start = make_state(start, objective, Stencil::two_ring_cubic);
-  EvolutionState cubic = make_state(state.patch, objective, Stencil::two_ring_cubic, state.topology);
+  EvolutionState cubic_start, cubic;
+  side_by_side([&] { cubic = make_state(state.patch, objective, Stencil::two_ring_cubic, state.topology); },
+               [&] { cubic_start = make_state(start, objective, Stencil::two_ring_cubic, nullptr, Fits::curvatures); });
   if (!(cubic.measure < cubic_start.measure)) {
     if (!(cubic_start.measure < smooth_start * start_measure) || cubic_start.folds > start_folds) {
       smooth_surroundings = false;
@@ -102,7 +104,9 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
   for (double share : {1.0, 0.5, 0.25}) {
     if (cancel.cancelled()) return trial;
     const Eigen::VectorXd move = std::min(1.0, reach) * share * s;
-    EvolutionState next = displaced(state, objective, stencil, move);
+    // Near the end the next step is probably the last.
+    EvolutionState next =
+        displaced(state, objective, stencil, move, near_the_end() ? Fits::curvatures : Fits::operators);
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();
     if (!good) continue;
@@ -114,11 +118,12 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
 }
 
 void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
+  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   Stopwatch watch;
+  add_weights(state, objective, stencil);
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   StepRecord record;
   record.assemble_seconds = watch.lap();
-  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");

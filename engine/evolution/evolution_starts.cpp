@@ -13,6 +13,7 @@ namespace loopmend {
 namespace {
 
 constexpr double room_beyond_fairing = 0.35;
+constexpr double short_way = 0.2;  ///< of a fairing, in mean edge lengths: the decay rate changes by a few hundredths
 constexpr double least_coarsening = 0.7;       ///< of the free vertices
 constexpr std::size_t most_coarse_steps = 12;  ///< straight ways take fewer; a longer one may lead to a bubble
 
@@ -37,7 +38,10 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
                            : worn && !history.empty()                ? FairingMesh::remeshed
                                                                      : FairingMesh::kept;
   FairedState faired = linearly_faired(state, objective, stencil, mesh, options.start, cancel);
-  if (!acceptable(faired.state, state.measure)) return false;
+  const bool good = acceptable(faired.state, state.measure);
+  const bool nearly_of_present = good ? faired.move < short_way * edge_length() : mesh != FairingMesh::remeshed;
+  linear_part = nearly_of_present ? std::move(faired.before) : LinearPart();
+  if (!good) return false;
   if (faired.state.measure > 0.5 * state.measure && faired.state.folds == 0) fairings_left = 0;
   StepRecord record;
   record.assemble_seconds = faired.assemble_seconds;
@@ -79,7 +83,7 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   record.assemble_seconds = watch.lap();
   if (!acceptable(next, state.measure)) return false;
   if (there.stencil != stencil)
-    initial_energy = shown_energy(options.flow, make_state(start, objective, there.stencil));
+    initial_energy = shown_energy(options.flow, make_state(start, objective, there.stencil, nullptr, Fits::curvatures));
   stencil = there.stencil;
   decay_rate = there.decay_rate;
   fairings_left = 0;
@@ -107,7 +111,7 @@ void Evolution::Impl::blend_step() {
     move = std::max(move, (patch.positions[i] - state.patch.positions[i]).norm());
   record.max_move = move / edge_length();
   --blends_left;
-  state = make_state(std::move(patch), objective, stencil, state.topology);
+  state = make_state(std::move(patch), objective, stencil, state.topology, Fits::curvatures);
   if (state.folds > start_folds && options.triangles == PatchTriangles::free)
     replace_if_good(remeshed(state.patch), std::numeric_limits<double>::max());
   record.energy = shown_energy(options.flow, state);

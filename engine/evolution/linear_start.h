@@ -4,6 +4,7 @@
 #include "core/cancel.h"
 #include "evolution/evolution.h"
 #include "evolution/state.h"
+#include "solvers/linear_solver.h"
 
 namespace loopmend {
 
@@ -13,9 +14,16 @@ enum class FairingMesh {
   remeshed,  ///< brought back to the size of the rim's edges first
 };
 
+/// The linear part of MMCVF, ½M⁻¹K, with K factored (flows/decay_rate.h).
+struct LinearPart {
+  std::unique_ptr<SpdSolver> factors;  ///< null: not known
+  Eigen::VectorXd mass;                ///< n: the diagonal of M
+};
+
 struct FairedState {
   EvolutionState state;
-  double move = 0;  ///< longest way of a vertex, patch frame
+  double move = 0;    ///< longest way of a vertex, patch frame
+  LinearPart before;  ///< at the shape that was faired, if the first attempt was good and solved with its matrix
   double assemble_seconds = 0, solve_seconds = 0;
 };
 

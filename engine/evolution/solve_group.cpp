@@ -1,5 +1,6 @@
 #include "evolution/solve_group.h"
 
+#include "core/threads.h"
 #include "evolution/best_start.h"
 #include "evolution/local_retreat.h"
 #include "evolution/state.h"
@@ -50,12 +51,12 @@ struct JudgedRim {
 };
 
 /// Empty where the options leave nothing to be judged.
-std::optional<JudgedRim> judged_rim(const Patch& filler, const EvolutionOptions& options) {
+std::optional<JudgedRim> judged_rim(const Patch& filler, const EvolutionOptions& options, const RimSurvey* survey) {
   const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
                       options.rim == RimTrust::automatic && !options.bending &&
                       options.continuity == SeamContinuity::curvature;
   if (!judged) return std::nullopt;
-  CalmSurroundings calm = without_strays(filler);
+  CalmSurroundings calm = survey ? without_strays(filler, survey->strays) : without_strays(filler);
   if (calm.strays > 0) {
     const RimRoughness roughness = rim_roughness(calm.patch);
     // White noise is taken off by robust fits, and the rough patch doubts its rim, each with the strays in it.
@@ -111,7 +112,9 @@ bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& opt
     return false;
   }
   Patch patch = run.result_from(evolution.patch());
-  PatchVerdict verdict = judge(site, patch);
+  PatchVerdict verdict;
+  std::vector<SeamReport> seams;
+  side_by_side([&] { verdict = judge(site, patch); }, [&] { seams = seam_reports(patch); });
   const bool clean = verdict.folds == 0 && verdict.total() == 0;
   if (!clean && !no_worse(verdict, judge(site, filler))) {
     result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
@@ -119,6 +122,7 @@ bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& opt
   }
   result.patch = std::move(patch);
   result.verdict = std::move(verdict);
+  result.seams = std::move(seams);
   result.status = status_after(status);
   result.message = evolution.message();
   if (result.message.empty() && run.calm != nullptr) result.message = words_on_strays(run.calm->strays);
@@ -182,11 +186,13 @@ bool evolve_between(const Run& run, const Patch& start, const EvolutionOptions& 
   if (!no_worse(verdict, result.verdict)) return true;
   result.patch = std::move(patch);
   result.verdict = std::move(verdict);
+  result.seams = seam_reports(result.patch);
   result.steps += literal.steps;
   result.assemble += literal.assemble;
   result.solve += literal.solve;
   result.bending = share * result.bending + (1 - share) * literal.bending;
-  result.final_energy = shown_energy(options.flow, make_state(result.patch, {options.flow, 0}, Stencil::two_ring));
+  result.final_energy = shown_energy(
+      options.flow, make_state(result.patch, {options.flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
   return true;
 }
 
@@ -214,9 +220,11 @@ bool fair_and_retreat(const Run& run, const Patch& start, EvolutionOptions optio
   take_figures(evolution, result);
   result.patch = std::move(retreat->patch);
   result.verdict = std::move(retreat->verdict);
+  result.seams = seam_reports(result.patch);
   result.status = status_after(status);
   result.bending = evolution.bending();
-  result.final_energy = shown_energy(options.flow, make_state(result.patch, {options.flow, 0}, Stencil::two_ring));
+  result.final_energy = shown_energy(
+      options.flow, make_state(result.patch, {options.flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
   result.message = retreat->moved == 0
                        ? ""
                        : "the patch would have folded or cut the surface at a few places: there, at " +
@@ -256,7 +264,8 @@ std::vector<EvolutionOptions> gentler_options(Surroundings surroundings, const E
 }  // namespace
 
 Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
-                      const EvolutionOptions& asked_for, const Evolution::OnStep& on_step, const CancelToken& cancel) {
+                      const EvolutionOptions& asked_for, const Evolution::OnStep& on_step, const CancelToken& cancel,
+                      const RimSurvey* survey) {
   Evolved result;
   result.patch = filler;
   if (filler.free_count == 0) {
@@ -264,7 +273,7 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vect
     result.verdict = judge(site, filler);
     return result;
   }
-  const std::optional<JudgedRim> judged = judged_rim(filler, asked_for);
+  const std::optional<JudgedRim> judged = judged_rim(filler, asked_for, survey);
   const std::optional<RimRoughness> rim = judged ? std::optional(judged->roughness) : std::nullopt;
   EvolutionOptions options = asked_for;
   if (rim) options.roughness.reset();  // of the filler as it is: runs whose surroundings are smoothed have another
@@ -320,32 +329,69 @@ std::string why_left_open(const FillSite& site, const BoundaryLoop& loop, int cu
          " places: left open";
 }
 
+/// The loops and what is around them, with nothing in them.
+Patch without_fillers(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<LoopFiller> empty(loops.size());
+  for (std::size_t k = 0; k < loops.size(); ++k) empty[k].points.resize(loops[k].vertices.size());
+  return make_patch(model, loops, empty);
+}
+
+struct SurveyedStart {
+  PatchStart start;
+  RimSurvey survey;  ///< of the patch, if there is one
+};
+
+/// The fillers, and beside that a look at the surroundings.
+SurveyedStart surveyed_start(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
+                             const CancelToken& cancel) {
+  SurveyedStart result;
+  const bool surveyable = std::all_of(group.begin(), group.end(), [](const auto& loop) { return loop.diameter > 0; });
+  side_by_side([&] { result.start = start_patch(site.model, group, options, cancel); },
+               [&] {
+                 if (surveyable) result.survey = survey_rim(without_fillers(site.model, group));
+               });
+  const std::optional<Patch>& patch = result.start.patch;
+  if (patch && (!surveyable || patch->loops.size() < group.size())) result.survey = survey_rim(*patch);
+  return result;
+}
+
+/// @param options  empty: the filler stays.
+Evolved evolved_or_kept(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
+                        const std::optional<EvolutionOptions>& options, const RimRoughness& roughness,
+                        const RimSurvey& survey, const CancelToken& cancel) {
+  if (options) {
+    EvolutionOptions evolution = *options;
+    evolution.roughness = roughness;
+    return evolve_filler(site, filler, loops, evolution, nullptr, cancel, &survey);
+  }
+  Evolved kept;
+  kept.patch = filler;
+  kept.verdict = judge(site, filler);
+  return kept;
+}
+
 GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
                            const CancelToken& cancel) {
   const auto start = std::chrono::steady_clock::now();
   GroupOutcome outcome = failed_group(group, "");
-  const PatchStart first = start_patch(site.model, group, options.filler, cancel);
+  const auto [first, survey] = surveyed_start(site, group, options.filler, cancel);
   for (std::size_t k = 0; k < group.size(); ++k) {
     outcome.results[k].message = first.fillers[k].message;
     outcome.results[k].seconds.filler = seconds_since(start);
   }
   if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
-  const RimRoughness roughness = rim_roughness(*first.patch);
-  if (options.evolution) {
-    EvolutionOptions evolution = *options.evolution;
-    evolution.roughness = roughness;
-    evolved = evolve_filler(site, *first.patch, group, evolution, nullptr, cancel);
-  } else {
-    evolved.patch = *first.patch;
-    evolved.verdict = judge(site, evolved.patch);
-  }
+  const RimRoughness roughness = rim_roughness(*first.patch, survey.fits);
+  std::vector<SeamReport> before;
+  side_by_side(
+      [&] { evolved = evolved_or_kept(site, *first.patch, group, options.evolution, roughness, survey, cancel); },
+      [&] { before = seam_reports(*first.patch); });
   if (cancel.cancelled()) return outcome;
 
   const PatchVerdict& verdict = evolved.verdict;
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
-  const std::vector<SeamReport> before = seam_reports(*first.patch), after = seam_reports(evolved.patch);
-  const std::vector<RimSummary> rims = rim_summaries(*first.patch, roughness);
+  const std::vector<SeamReport>& after = evolved.seams.empty() ? before : evolved.seams;
+  const std::vector<RimSummary> rims = rim_summaries(*first.patch, roughness, survey.loops);
   FinishedPatch finished;
   for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
     const auto found = std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {

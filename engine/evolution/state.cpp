@@ -29,24 +29,39 @@ double measure_of(const Objective& objective, const Patch& patch, const Operator
   return 0;
 }
 
-EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
-                          std::shared_ptr<const Topology> topology) {
-  EvolutionState state;
-  state.topology = topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
+namespace {
+
+OperatorSet fitted(const Patch& patch, const Topology& topology, const Objective& objective, Stencil stencil,
+                   Fits fits) {
   std::vector<char> wanted(patch.vertex_count());
   for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= objective.reach;
-  state.ops = compute_operators(patch.positions, patch.triangles, *state.topology, stencil, wanted);
+  const auto compute =
+      fits == Fits::operators || objective.flow == FlowKind::sdf ? compute_operators : compute_curvatures;
+  return compute(patch.positions, patch.triangles, topology, stencil, wanted);
+}
+
+}  // namespace
+
+EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
+                          std::shared_ptr<const Topology> topology, Fits fits) {
+  EvolutionState state;
+  state.topology = topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
+  state.ops = fitted(patch, *state.topology, objective, stencil, fits);
   state.measure = measure_of(objective, patch, state.ops);
   state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
   state.patch = std::move(patch);
   return state;
 }
 
+void add_weights(EvolutionState& state, const Objective& objective, Stencil stencil) {
+  if (state.ops.offset.empty()) state.ops = fitted(state.patch, *state.topology, objective, stencil, Fits::operators);
+}
+
 EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil,
-                         const Eigen::VectorXd& s) {
+                         const Eigen::VectorXd& s, Fits fits) {
   Patch patch = state.patch;
   for (int i = 0; i < patch.free_count; ++i) patch.positions[i] += s[i] * state.ops.normal[i];
-  return make_state(std::move(patch), objective, stencil, state.topology);
+  return make_state(std::move(patch), objective, stencil, state.topology, fits);
 }
 
 double shown_energy(FlowKind flow, const EvolutionState& state) {

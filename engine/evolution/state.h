@@ -16,7 +16,13 @@ struct Objective {
   int reach = flow_reach;  ///< rings of fixed vertices on which operators are wanted: energy_reach or flow_reach
 };
 
-/// Built once from a patch, never changed afterwards.
+/// What of OperatorSet a state holds.
+enum class Fits {
+  operators,  ///< all, as a step from the state needs
+  curvatures  ///< no weights: enough to judge and to show it
+};
+
+/// Built once from a patch; only weights may be added later.
 struct EvolutionState {
   Patch patch;
   std::shared_ptr<const Topology> topology;  ///< shared between states of the same connectivity
@@ -29,12 +35,16 @@ struct EvolutionState {
 double measure_of(const Objective& objective, const Patch& patch, const OperatorSet& ops);
 
 /// @param topology  of the patch; made anew when null.
+/// @param fits      for SDF, whose measure needs weights, always operators.
 EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
-                          std::shared_ptr<const Topology> topology = nullptr);
+                          std::shared_ptr<const Topology> topology = nullptr, Fits fits = Fits::operators);
+
+/// Adds the weights where they are missing. @param objective, stencil  those that the state was made with.
+void add_weights(EvolutionState& state, const Objective& objective, Stencil stencil);
 
 /// The state after moving the free vertices by s (n, patch frame) along their normals.
 EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil,
-                         const Eigen::VectorXd& s);
+                         const Eigen::VectorXd& s, Fits fits = Fits::operators);
 
 /// The energy to show (StepRecord): MMCVF ∫‖∇H‖², WF ∫H², SDF and MCF area, in mesh units.
 double shown_energy(FlowKind flow, const EvolutionState& state);

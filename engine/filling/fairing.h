@@ -3,6 +3,7 @@
 
 #include "mesh/patch.h"
 #include "operators/operator_set.h"
+#include "solvers/linear_solver.h"
 
 namespace loopmend {
 
@@ -22,6 +23,10 @@ void extend_evenly(const Triangles& triangles, const std::vector<char>& fixed, P
 /// fixed rings as data: to first order, curvature runs through the seam.
 /// @returns positions of all vertices, fixed ones bit-identical; the present positions if the solve fails.
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp);
+
+/// The same by the caller's solver, which then holds the factors of the system: without bending, and where the loops are
+/// surrounded by triangles, that of clamped_polyharmonic (flows/decay_rate.h) for the patch's shape.
+Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp, SpdSolver& solver);
 
 /// The third order with all weights one: the triangles' shapes do not count, so that pinched necks and slivers of the
 /// present shape leave no trace (NUMERICS §7). @returns as linear_fairing.

@@ -4,6 +4,7 @@
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
 #include "operators/operator_set.h"
+#include "solvers/linear_solver.h"
 
 namespace loopmend {
 
@@ -18,5 +19,8 @@ double slowest_decay_rate(FlowKind flow, const Patch& patch);
 
 /// The same of a flat disc of the patch's area: up to a hundred times too small for elongated patches, but it costs nothing.
 double decay_rate_of_disc(FlowKind flow, const Patch& patch);
+
+/// The same where K is factored already. @param mass  n: the diagonal of M.
+double slowest_decay_rate(const SpdSolver& factors_of_K, const Eigen::VectorXd& mass);
 
 }  // namespace loopmend

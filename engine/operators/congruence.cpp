@@ -3,6 +3,7 @@
 #include "core/threads.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace loopmend {
 
@@ -84,15 +85,15 @@ SparseMatrix joined(const std::vector<Columns>& runs, Eigen::Index n) {
 SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q) {
   const SparseMatrix B_by_columns = B;
   const int n = static_cast<int>(B.cols());
-  constexpr int run_length = 256;
-  std::vector<Columns> runs((n + run_length - 1) / run_length);
-#pragma omp parallel if (n > least_for_threads)
-  {
+  const int run_length = n > least_for_threads ? 256 : 64;
+  const int run_count = (n + run_length - 1) / run_length;
+  std::vector<Columns> runs(run_count);
+  std::atomic<int> next{0};
+  share_work(static_cast<int>(B.rows()), [&] {
     Accumulator product(B.rows()), column(n);
     std::vector<int> from(B.outerIndexPtr(), B.outerIndexPtr() + B.rows());
-#pragma omp for schedule(dynamic)
-    for (std::size_t run = 0; run < runs.size(); ++run) {
-      const int begin = static_cast<int>(run) * run_length, end = std::min(n, begin + run_length);
+    for (int run = next++; run < run_count; run = next++) {
+      const int begin = run * run_length, end = std::min(n, begin + run_length);
       for (int j = begin; j < end; ++j) {
         multiply(B, B_by_columns, Q, j, from, product, column);
         runs[run].length.push_back(static_cast<int>(column.entries().size()));
@@ -102,7 +103,7 @@ SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q) {
         }
       }
     }
-  }
+  });
   return joined(runs, n);
 }
 

@@ -126,11 +126,16 @@ bool invert(const double (&N)[size][size], double (&inverse)[size][size]) {
   return true;
 }
 
-/// P, a column for each neighbour: derivatives [∂u ∂v ∂uu ∂uv ∂vv] = P (f_j − f_i), by a polynomial with `terms` terms.
-/// False when the stencil does not determine it. All sizes are known to the compiler: this is the innermost loop.
+/// Derivatives of the surface at the centre: r_u, r_v, r_uu, r_uv, r_vv.
+using SurfaceDerivatives = Eigen::Matrix<double, 3, 5>;
+
+/// Derivatives [∂u ∂v ∂uu ∂uv ∂vv] by a polynomial with `terms` terms: of the surface, and where they are wanted the weights
+/// P, a column for each neighbour, with which those of any f are P (f_j − f_i). False when the stencil does not determine
+/// it. All sizes are known to the compiler: this is the innermost loop.
 template <int terms>
-bool derivative_weights(const std::vector<Eigen::Vector2d>& flat, double mean, int rings,
-                        std::vector<DerivativeWeights>& P) {
+bool differentiate(const Points& points, int centre, const std::vector<int>& neighbors,
+                   const std::vector<Eigen::Vector2d>& flat, double mean, int rings, SurfaceDerivatives& r,
+                   std::vector<DerivativeWeights>* P) {
   if (flat.size() < terms) return false;
   double N[terms][terms], inverse[terms][terms];
   fill_normal_matrix(flat, rings, N);
@@ -140,19 +145,20 @@ bool derivative_weights(const std::vector<Eigen::Vector2d>& flat, double mean, i
   Eigen::Matrix<double, 5, terms> rows;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < terms; ++j) rows(i, j) = inverse[std::max(i, j)][std::min(i, j)] / (i < 2 ? mean : mean * mean);
-  P.resize(flat.size());
+  if (P) P->resize(flat.size());
+  Eigen::Matrix<double, 3, terms> right = Eigen::Matrix<double, 3, terms>::Zero();
   for (std::size_t k = 0; k < flat.size(); ++k) {
     const Eigen::Matrix<double, terms, 1> row = weight_at(flat[k], rings) * monomials<terms>(flat[k]);
-    P[k].noalias() = rows * row;
+    right.noalias() += (points[neighbors[k]] - points[centre]) * row.transpose();
+    if (P) (*P)[k].noalias() = rows * row;
   }
+  r.noalias() = right * rows.transpose();
   return true;
 }
 
-/// Curvatures and weights from the derivatives (NUMERICS §2, paper §2).
-void operator_weights(const Points& points, int i, const std::vector<DerivativeWeights>& P,
-                      const Vec3& reference_normal, LocalFit& fit) {
-  Eigen::Matrix<double, 3, 5> r = Eigen::Matrix<double, 3, 5>::Zero();  // r_u, r_v, r_uu, r_uv, r_vv
-  for (std::size_t k = 0; k < P.size(); ++k) r.noalias() += (points[fit.neighbors[k]] - points[i]) * P[k].transpose();
+/// Curvatures, and where P is given weights, from the derivatives (NUMERICS §2, paper §2).
+void curvatures_and_weights(const SurfaceDerivatives& r, const Vec3& reference_normal,
+                            const std::vector<DerivativeWeights>* P, LocalFit& fit) {
   const Vec3 ru = r.col(0), rv = r.col(1), ruu = r.col(2), ruv = r.col(3), rvv = r.col(4);
   const double g11 = ru.squaredNorm(), g12 = ru.dot(rv), g22 = rv.squaredNorm();
   const double g = g11 * g22 - g12 * g12;
@@ -165,9 +171,9 @@ void operator_weights(const Points& points, int i, const std::vector<DerivativeW
   const Vec3 L = i11 * ruu + 2 * i12 * ruv + i22 * rvv;
   const double G1 = i11 * ru.dot(L) + i12 * rv.dot(L), G2 = i12 * ru.dot(L) + i22 * rv.dot(L);
 
-  fit.resize(P.size());
-  for (std::size_t k = 0; k < P.size(); ++k) {
-    const DerivativeWeights& p = P[k];
+  fit.resize(P ? P->size() : 0);
+  for (std::size_t k = 0; P && k < P->size(); ++k) {
+    const DerivativeWeights& p = (*P)[k];
     fit.laplacian[k] = i11 * p[2] + 2 * i12 * p[3] + i22 * p[4] - G1 * p[0] - G2 * p[1];
     fit.gradient[k] = dual1 * p[0] + dual2 * p[1];
     fit.gauss[k] = (b11 * p[4] + b22 * p[2] - 2 * b12 * p[3]) / (2 * g);
@@ -179,10 +185,9 @@ void operator_weights(const Points& points, int i, const std::vector<DerivativeW
   fit.valid = std::isfinite(fit.H) && std::isfinite(fit.K);
 }
 
-}  // namespace
-
-void fit_quadratic(const Points& points, const Topology& topology, int i, const Vec3& reference_normal, Stencil stencil,
-                   FitScratch& scratch, LocalFit& fit) {
+/// @param P  scratch memory; null where weights are not wanted.
+void fit_at(const Points& points, const Topology& topology, int i, const Vec3& reference_normal, Stencil stencil,
+            FitScratch& scratch, std::vector<DerivativeWeights>* P, LocalFit& fit) {
   fit.valid = false;
   fit.H = fit.K = 0;
   fit.normal = reference_normal;
@@ -193,15 +198,28 @@ void fit_quadratic(const Points& points, const Topology& topology, int i, const 
     topology.k_ring(i, fit.rings, fit.neighbors, scratch.mark);
     const double mean = flatten(points, i, fit.neighbors, reference_normal, scratch.flat);
     if (!(mean > 0)) continue;
-    const bool cubic =
-        stencil == Stencil::two_ring_cubic && derivative_weights<9>(scratch.flat, mean, fit.rings, scratch.derivatives);
-    if (cubic || derivative_weights<5>(scratch.flat, mean, fit.rings, scratch.derivatives))
-      operator_weights(points, i, scratch.derivatives, reference_normal, fit);
+    SurfaceDerivatives r;
+    const bool cubic = stencil == Stencil::two_ring_cubic &&
+                       differentiate<9>(points, i, fit.neighbors, scratch.flat, mean, fit.rings, r, P);
+    if (cubic || differentiate<5>(points, i, fit.neighbors, scratch.flat, mean, fit.rings, r, P))
+      curvatures_and_weights(r, reference_normal, P, fit);
     if (fit.valid) return;
   }
   fit.resize(0);
-  fit.resize(fit.neighbors.size());
+  fit.resize(P ? fit.neighbors.size() : 0);
   fit.H = fit.K = 0;
+}
+
+}  // namespace
+
+void fit_quadratic(const Points& points, const Topology& topology, int i, const Vec3& reference_normal, Stencil stencil,
+                   FitScratch& scratch, LocalFit& fit) {
+  fit_at(points, topology, i, reference_normal, stencil, scratch, &scratch.derivatives, fit);
+}
+
+void fit_curvatures(const Points& points, const Topology& topology, int i, const Vec3& reference_normal,
+                    Stencil stencil, FitScratch& scratch, LocalFit& fit) {
+  fit_at(points, topology, i, reference_normal, stencil, scratch, nullptr, fit);
 }
 
 void LocalFit::resize(std::size_t count) {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -39,7 +40,8 @@ struct Rows {
   Points gradient;
   std::vector<double> gauss;
 
-  void append(int i, const LocalFit& fit) {
+  /// @param place  of vertex i in the run.
+  void append(int i, int place, const LocalFit& fit) {
     index.push_back(i);
     laplacian.push_back(-std::accumulate(fit.laplacian.begin(), fit.laplacian.end(), 0.0));
     gradient.push_back(-std::accumulate(fit.gradient.begin(), fit.gradient.end(), Vec3(Vec3::Zero())));
@@ -48,7 +50,7 @@ struct Rows {
     append_all(laplacian, fit.laplacian);
     append_all(gradient, fit.gradient);
     append_all(gauss, fit.gauss);
-    length.back() = static_cast<int>(fit.neighbors.size()) + 1;
+    length[place] = static_cast<int>(fit.neighbors.size()) + 1;
   }
 };
 
@@ -71,42 +73,75 @@ void join(std::vector<Rows>& runs, OperatorSet& set) {
   }
 }
 
+/// Curvatures and normals of a fit.
+void take(const LocalFit& fit, int i, OperatorSet& set) {
+  set.valid[i] = 1;
+  set.H[i] = fit.H;
+  set.K[i] = fit.K;
+  set.normal[i] = fit.normal;
+  set.second_form[i] = fit.second_form;
+}
+
+/// fit(i, scratch, result) at all wanted vertices; keep(run, i, result) where that is valid. Runs are numbered in order, and
+/// none is worked on by two threads: whoever joins them in order has the same bits for any number of threads.
+template <class Fit, class Keep>
+void fit_in_runs(const std::vector<char>& wanted, int run_length, const Fit& fit, const Keep& keep) {
+  const int n = static_cast<int>(wanted.size()), run_count = (n + run_length - 1) / run_length;
+  std::atomic<int> next{0};
+  share_work(n, [&] {
+    FitScratch scratch(n);
+    LocalFit result;
+    for (int run = next++; run < run_count; run = next++)
+      for (int i = run * run_length; i < std::min(n, (run + 1) * run_length); ++i) {
+        if (!wanted[i]) continue;
+        fit(i, scratch, result);
+        if (result.valid) keep(run, i, result);
+      }
+  });
+}
+
+OperatorSet without_fits(const Points& points, const Triangles& triangles) {
+  OperatorSet set;
+  const auto n = static_cast<Eigen::Index>(points.size());
+  set.normal = angle_weighted_normals(points, triangles);
+  set.H.setZero(n);
+  set.K.setZero(n);
+  set.valid.assign(points.size(), 0);
+  set.second_form.assign(points.size(), Eigen::Matrix3d::Zero());
+  return set;
+}
+
 }  // namespace
 
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
                               Stencil stencil, const std::vector<char>& wanted) {
-  const int n = static_cast<int>(points.size());
-  OperatorSet set;
-  set.normal = angle_weighted_normals(points, triangles);
-  set.H.setZero(n);
-  set.K.setZero(n);
-  set.valid.assign(n, 0);
-  set.second_form.assign(n, Eigen::Matrix3d::Zero());
-  // Runs of fixed length, joined in order: the same bits for any number of threads.
-  constexpr int run_length = 256;
+  const int n = static_cast<int>(points.size()), run_length = n > least_for_threads ? 256 : 32;
+  OperatorSet set = without_fits(points, triangles);
   std::vector<Rows> runs((n + run_length - 1) / run_length);
-#pragma omp parallel if (n > least_for_threads)
-  {
-    FitScratch scratch(n);
-    LocalFit fit;
-#pragma omp for schedule(dynamic)
-    for (std::size_t run = 0; run < runs.size(); ++run) {
-      const int begin = static_cast<int>(run) * run_length, end = std::min(n, begin + run_length);
-      for (int i = begin; i < end; ++i) {
-        runs[run].length.push_back(0);
-        if (!wanted[i]) continue;
+  for (std::size_t run = 0; run < runs.size(); ++run)
+    runs[run].length.assign(std::min<std::size_t>(run_length, n - run * run_length), 0);
+  fit_in_runs(
+      wanted, run_length,
+      [&](int i, FitScratch& scratch, LocalFit& fit) {
         fit_quadratic(points, topology, i, set.normal[i], stencil, scratch, fit);
-        if (!fit.valid) continue;
-        set.valid[i] = 1;
-        set.H[i] = fit.H;
-        set.K[i] = fit.K;
-        set.normal[i] = fit.normal;
-        set.second_form[i] = fit.second_form;
-        runs[run].append(i, fit);
-      }
-    }
-  }
+      },
+      [&](int run, int i, const LocalFit& fit) {
+        take(fit, i, set);
+        runs[run].append(i, i - run * run_length, fit);
+      });
   join(runs, set);
+  return set;
+}
+
+OperatorSet compute_curvatures(const Points& points, const Triangles& triangles, const Topology& topology,
+                               Stencil stencil, const std::vector<char>& wanted) {
+  OperatorSet set = without_fits(points, triangles);
+  fit_in_runs(
+      wanted, wanted.size() > least_for_threads ? 256 : 32,
+      [&](int i, FitScratch& scratch, LocalFit& fit) {
+        fit_curvatures(points, topology, i, set.normal[i], stencil, scratch, fit);
+      },
+      [&](int, int i, const LocalFit& fit) { take(fit, i, set); });
   return set;
 }
 

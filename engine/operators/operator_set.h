@@ -36,6 +36,10 @@ struct OperatorSet {
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
                               Stencil stencil, const std::vector<char>& wanted);
 
+/// The same curvatures and normals without weights, whose arrays, `offset` too, are left empty: about half the work.
+OperatorSet compute_curvatures(const Points& points, const Triangles& triangles, const Topology& topology,
+                               Stencil stencil, const std::vector<char>& wanted);
+
 /// Clamp for cotangent weights where a matrix must stay well-conditioned on slivers (NUMERICS §10).
 struct CotanClamp {
   double low, high;  ///< of the half sum of the two cotangents at an edge

@@ -114,6 +114,13 @@ RimSummary summary_of(const Patch& patch, const std::vector<int>& rim, const std
 
 std::vector<RimFit> rim_fits(const Patch& patch, int loop) { return Around(patch).fits_at(patch.loops[loop]); }
 
+std::vector<std::vector<RimFit>> rim_fits(const Patch& patch) {
+  Around around(patch);
+  std::vector<std::vector<RimFit>> fits;
+  for (const std::vector<int>& rim : patch.loops) fits.push_back(around.fits_at(rim));
+  return fits;
+}
+
 std::vector<float> curvature_uncertainty(const Patch& patch) {
   constexpr int farthest = 4;
   std::vector<int> near;
@@ -127,10 +134,14 @@ std::vector<float> curvature_uncertainty(const Patch& patch) {
 }
 
 std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness) {
-  Around around(patch);
+  return rim_summaries(patch, roughness, rim_fits(patch));
+}
+
+std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness,
+                                      const std::vector<std::vector<RimFit>>& fits) {
   std::vector<RimSummary> summaries;
-  for (const std::vector<int>& rim : patch.loops)
-    summaries.push_back(summary_of(patch, rim, around.fits_at(rim), roughness));
+  for (std::size_t l = 0; l < patch.loops.size(); ++l)
+    summaries.push_back(summary_of(patch, patch.loops[l], fits[l], roughness));
   return summaries;
 }
 

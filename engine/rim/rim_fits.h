@@ -20,6 +20,8 @@ struct RimFit {
 /// Robust cubic fits at the vertices of a loop (Patch::loops), in loop order. Their width, 3 to 5 rings, is the largest
 /// that leaves over no more than white noise does: at most 1.5 times the smallest residual of the narrower ones.
 std::vector<RimFit> rim_fits(const Patch& patch, int loop);
+/// The same for all loops.
+std::vector<std::vector<RimFit>> rim_fits(const Patch& patch);
 
 /// Standard deviation of H, 1/length in mesh units, at each fixed vertex of rings 1 to 4, from the same fits; NaN farther out
 /// and where there is no fit. One value for each fixed vertex, in their order.
@@ -37,6 +39,9 @@ struct RimSummary {
 };
 
 /// One for each loop, in the order of Patch::loops.
+/// @param fits  of rim_fits(patch).
+std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness,
+                                      const std::vector<std::vector<RimFit>>& fits);
 std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness);
 
 }  // namespace loopmend

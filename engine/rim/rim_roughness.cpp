@@ -13,29 +13,22 @@ namespace loopmend {
 
 namespace {
 
-/// Where the curvature of the surroundings is known: H from narrow and from wide fits.
-struct Exterior {
-  std::vector<int> vertices;
-  std::vector<double> H2, H4;
-};
-
-Exterior fit_exterior(const Patch& patch, const FixedSurface& around) {
+/// H from narrow and from wide fits.
+void fit_around(const Patch& patch, const FixedSurface& around, SurroundingFits& fits) {
   const auto& [triangles, topology, normals] = around;
   FitScratch scratch(patch.vertex_count());
   LocalFit fit;
-  Exterior exterior;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
     if (normals[i].isZero()) continue;
-    fit_quadratic(patch.positions, topology, i, normals[i], Stencil::two_ring, scratch, fit);
+    fit_curvatures(patch.positions, topology, i, normals[i], Stencil::two_ring, scratch, fit);
     if (!fit.valid) continue;
     const double narrow = fit.H;
-    fit_quadratic(patch.positions, topology, i, normals[i], Stencil::four_ring, scratch, fit);
+    fit_curvatures(patch.positions, topology, i, normals[i], Stencil::four_ring, scratch, fit);
     if (!fit.valid) continue;
-    exterior.vertices.push_back(i);
-    exterior.H2.push_back(narrow);
-    exterior.H4.push_back(fit.H);
+    fits.vertices.push_back(i - patch.free_count);
+    fits.H2.push_back(narrow);
+    fits.H4.push_back(fit.H);
   }
-  return exterior;
 }
 
 /// Median residual of cubic fits at the four rings next to the patch; 0 where there are none.
@@ -54,10 +47,9 @@ double median_residual(const Patch& patch, const FixedSurface& around, int rings
   return *middle;
 }
 
-void measure_residuals(const Patch& patch, const FixedSurface& around, RimRoughness& rim) {
-  rim.noise = median_residual(patch, around, 2);
-  const double middle = median_residual(patch, around, 3);
-  const double wide = median_residual(patch, around, 4);
+void measure_residuals(const SurroundingFits& fits, RimRoughness& rim) {
+  const auto [narrow, middle, wide] = fits.residual;
+  rim.noise = narrow;
   if (!(rim.noise > 0 && middle > 0 && wide > 0)) return;
   rim.growth = std::log2(wide / rim.noise);
   const double outer = std::log(wide / middle) / std::log(4.0 / 3);
@@ -103,15 +95,16 @@ void judge_kind(RimRoughness& rim, double edge) {
 }
 
 /// Correlation of H₄ between vertices at 0.8 to 1.2 of the distance.
-double correlation_at(const Patch& patch, const Exterior& exterior, double distance) {
+double correlation_at(const Patch& patch, const SurroundingFits& fits, double distance) {
   double product = 0, square = 0;
-  const std::size_t stride = 1 + exterior.vertices.size() / 1500;
-  for (std::size_t a = 0; a < exterior.vertices.size(); a += stride)
+  const Vec3* const fixed = patch.positions.data() + patch.free_count;
+  const std::size_t stride = 1 + fits.vertices.size() / 1500;
+  for (std::size_t a = 0; a < fits.vertices.size(); a += stride)
     for (std::size_t b = 0; b < a; b += stride) {
-      const double d = (patch.positions[exterior.vertices[a]] - patch.positions[exterior.vertices[b]]).norm();
+      const double d = (fixed[fits.vertices[a]] - fixed[fits.vertices[b]]).norm();
       if (d < 0.8 * distance || d > 1.2 * distance) continue;
-      product += exterior.H4[a] * exterior.H4[b];
-      square += (exterior.H4[a] * exterior.H4[a] + exterior.H4[b] * exterior.H4[b]) / 2;
+      product += fits.H4[a] * fits.H4[b];
+      square += (fits.H4[a] * fits.H4[a] + fits.H4[b] * fits.H4[b]) / 2;
     }
   return square > 0 ? std::clamp(product / square, 0.01, 1.0) : 1.0;
 }
@@ -136,25 +129,32 @@ const char* to_string(Surroundings surroundings) {
   return "";
 }
 
-RimRoughness rim_roughness(const Patch& patch) {
+SurroundingFits fit_surroundings(const Patch& patch) {
+  const FixedSurface around(patch);
+  SurroundingFits fits;
+  fit_around(patch, around, fits);
+  for (int k : {0, 1, 2}) fits.residual[k] = median_residual(patch, around, 2 + k);
+  return fits;
+}
+
+RimRoughness rim_roughness(const Patch& patch) { return rim_roughness(patch, fit_surroundings(patch)); }
+
+RimRoughness rim_roughness(const Patch& patch, const SurroundingFits& fits) {
   RimRoughness rim;
   rim.radius = patch_radius(patch);
-  const FixedSurface around(patch);
-  const Exterior exterior = fit_exterior(patch, around);
-  if (exterior.vertices.empty() || !(rim.radius > 0)) return rim;
+  if (fits.vertices.empty() || !(rim.radius > 0)) return rim;
   double sum = 0;
-  for (std::size_t k = 0; k < exterior.H2.size(); ++k)
-    sum += (exterior.H2[k] - exterior.H4[k]) * (exterior.H2[k] - exterior.H4[k]);
-  rim.unevenness = rim.radius * std::sqrt(sum / static_cast<double>(exterior.H2.size()));
+  for (std::size_t k = 0; k < fits.H2.size(); ++k) sum += (fits.H2[k] - fits.H4[k]) * (fits.H2[k] - fits.H4[k]);
+  rim.unevenness = rim.radius * std::sqrt(sum / static_cast<double>(fits.H2.size()));
 
   const double edge = mean_edge_length(patch.positions, patch.triangles, patch.patch_triangles);
   double distance = rim.radius / 4;
   while (distance < edge && distance < rim.radius) distance *= 2;
-  rim.correlation = correlation_at(patch, exterior, distance);
+  rim.correlation = correlation_at(patch, fits, distance);
   const double per_length = rim.radius / distance * std::log(rim.correlation);
   const double gate = std::clamp(std::log(rim.unevenness / 0.1) / std::log(3.0), 0.0, 1.0);
   rim.bending = bending_for(per_length * per_length * gate);
-  measure_residuals(patch, around, rim);
+  measure_residuals(fits, rim);
   judge_kind(rim, edge);
   return rim;
 }

@@ -3,6 +3,8 @@
 
 #include "mesh/patch.h"
 
+#include <array>
+
 namespace loopmend {
 
 /// What a sixth-order patch may make of its surroundings.
@@ -33,6 +35,17 @@ struct RimRoughness {
   double radius = 0;  ///< R = sqrt(patch area / (π · loops)), patch frame
 };
 
+/// What the surroundings alone say: fits at their vertices.
+struct SurroundingFits {
+  std::vector<int> vertices;                ///< with both fits: fixed vertices, counted from the first
+  std::vector<double> H2, H4;               ///< at these: H by two-ring and by four-ring fits, patch frame
+  std::array<double, 3> residual{0, 0, 0};  ///< median, of cubic fits over 2, 3 and 4 rings near the patch, patch frame
+};
+
+SurroundingFits fit_surroundings(const Patch& patch);
+
+/// @param fits  of this patch's surroundings.
+RimRoughness rim_roughness(const Patch& patch, const SurroundingFits& fits);
 RimRoughness rim_roughness(const Patch& patch);
 
 }  // namespace loopmend

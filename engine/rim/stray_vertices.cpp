@@ -66,19 +66,29 @@ class Surround {
   std::vector<int> near_;
 };
 
+double limit_of_strays(double edge, double median) {
+  return std::max(least_distance * edge, many_times_median * median);
+}
+
+std::vector<int> looked_at(const Patch& patch) {
+  std::vector<int> vertices;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
+    if (patch.ring[i] <= looked_at_rings) vertices.push_back(i);
+  return vertices;
+}
+
 /// Distances from what the neighbours say, of the vertices that are looked at; 0 of the others.
 struct Distances {
   std::vector<double> all;  ///< #V
   double limit = 0;         ///< from which a vertex is stray
 
-  Distances(Surround& surround, const std::vector<int>& vertices, double edge, Outliers outliers)
-      : all(surround.points.size(), 0.0) {
+  Distances(Surround& surround, const std::vector<int>& vertices, double edge) : all(surround.points.size(), 0.0) {
     std::vector<double> sorted;
     for (int i : vertices) {
-      all[i] = surround.way_to_neighbours(i, outliers).norm();
+      all[i] = surround.way_to_neighbours(i, Outliers::weighted_down).norm();
       sorted.push_back(all[i]);
     }
-    limit = std::max(least_distance * edge, many_times_median * median_of(std::move(sorted)));
+    limit = limit_of_strays(edge, median_of(std::move(sorted)));
   }
 
   bool beyond(int i) const { return all[i] > limit; }
@@ -100,29 +110,36 @@ std::vector<int> foremost(Surround& surround, const std::vector<int>& vertices, 
 
 }  // namespace
 
-CalmSurroundings without_strays(const Patch& patch) {
-  CalmSurroundings calm{patch, 0};
-  std::vector<int> vertices;
-  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
-    if (patch.ring[i] <= looked_at_rings) vertices.push_back(i);
-  if (vertices.empty()) return calm;
+StrayDistances stray_distances(const Patch& patch) {
+  const std::vector<int> vertices = looked_at(patch);
+  if (vertices.empty()) return {};
   Surround surround(patch);
+  std::vector<double> distances;
+  for (int i : vertices) distances.push_back(surround.way_to_neighbours(i, Outliers::count).norm());
+  return {*std::max_element(distances.begin(), distances.end()), median_of(distances)};
+}
+
+CalmSurroundings without_strays(const Patch& patch) { return without_strays(patch, stray_distances(patch)); }
+
+CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distances) {
+  CalmSurroundings calm{patch, 0};
   const double edge = mean_edge_length(patch.positions, patch.triangles, patch.patch_triangles);
+  if (!(distances.largest > limit_of_strays(edge, distances.median))) return calm;
+
+  const std::vector<int> vertices = looked_at(patch);
   const auto any_beyond = [&](const Distances& d) {
     return std::any_of(vertices.begin(), vertices.end(), [&](int i) { return d.beyond(i); });
   };
-  // Least squares see every stray as well, only less sharply, at a fifth of the time.
-  if (!any_beyond(Distances(surround, vertices, edge, Outliers::count))) return calm;
-
+  Surround surround(patch);
   std::set<int> strays;
-  Distances left(surround, vertices, edge, Outliers::weighted_down);
+  Distances left(surround, vertices, edge);
   for (int round = 0; round < most_rounds && any_beyond(left); ++round) {
     for (int i : foremost(surround, vertices, left)) {
       surround.points[i] += surround.way_to_neighbours(i, Outliers::weighted_down);
       strays.insert(i);
     }
     surround.take_normals();
-    left = Distances(surround, vertices, edge, Outliers::weighted_down);
+    left = Distances(surround, vertices, edge);
   }
   for (int i : strays) {
     const std::vector<int>& near = surround.near(i, feature_rings);

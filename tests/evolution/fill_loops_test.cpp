@@ -90,6 +90,24 @@ TEST(FillLoops, TheResultDoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(points[0], points[2]);
 }
 
+TEST(FillLoops, OneHoleIsFilledTheSameByAnyNumberOfThreads) {
+  std::vector<std::vector<LoopResult>> results;
+  std::vector<Points> points;
+  for (int threads : {1, 2}) {
+    SurfaceModel model = test::rough_open_sphere(4, 0.7);
+    FillOptions options;
+    options.threads = threads;
+    results.push_back(fill_loops(model, find_boundary_loops(model), options, nullptr, {}));
+    points.push_back(model.soup.points);
+  }
+  EXPECT_EQ(points[0], points[1]);
+  const LoopResult &one = results[0].at(0), &two = results[1].at(0);
+  EXPECT_EQ(one.status, LoopStatus::converged);
+  EXPECT_EQ(one.seam_before.h_jump_rms, two.seam_before.h_jump_rms);
+  EXPECT_EQ(one.seam_after.h_jump_rms, two.seam_after.h_jump_rms);
+  EXPECT_EQ(one.rim.H_sigma, two.rim.H_sigma);
+}
+
 TEST(FillLoops, NoFlowLeavesTheFiller) {
   SurfaceModel model = test::open_sphere(4, 0.8);
   FillOptions options;

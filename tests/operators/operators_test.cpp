@@ -1,5 +1,6 @@
 #include "operators/operator_set.h"
 
+#include "core/threads.h"
 #include "known_surfaces.h"
 #include "samples/analytic_surfaces.h"
 
@@ -311,6 +312,47 @@ TEST(Operators, WeightsAnnihilateConstants) {
     EXPECT_NEAR(ops.apply_laplacian(i, one), 0, 1e-9);
     EXPECT_LT(ops.apply_gradient(i, one).norm(), 1e-10);
   }
+}
+
+void expect_same_curvatures(const OperatorSet& a, const OperatorSet& b) {
+  EXPECT_TRUE(a.H == b.H);
+  EXPECT_TRUE(a.K == b.K);
+  EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.valid, b.valid);
+  EXPECT_EQ(a.second_form, b.second_form);
+}
+
+TEST(Operators, CurvaturesAloneAreTheSameToTheBit) {
+  const TriangleSoup soup = roughen(make_icosphere(3), 0.2, 0.25, 3, [](const Vec3& p) { return p.normalized(); });
+  const int n = static_cast<int>(soup.points.size());
+  const Topology topology(n, soup.triangles);
+  std::vector<char> wanted(n, 1);
+  for (int i = 0; i < n; i += 7) wanted[i] = 0;
+  for (Stencil stencil : {Stencil::one_ring, Stencil::two_ring, Stencil::two_ring_cubic, Stencil::four_ring}) {
+    const OperatorSet all = compute_operators(soup.points, soup.triangles, topology, stencil, wanted);
+    const OperatorSet some = compute_curvatures(soup.points, soup.triangles, topology, stencil, wanted);
+    expect_same_curvatures(all, some);
+    EXPECT_TRUE(some.offset.empty() && some.laplacian.empty());
+    EXPECT_GT(all.H.cwiseAbs().maxCoeff(), 0.5);
+  }
+}
+
+TEST(Operators, AreTheSameToTheBitForAnyNumberOfThreads) {
+  const TriangleSoup soup = make_icosphere(3);
+  const int n = static_cast<int>(soup.points.size());
+  ASSERT_GT(n, least_for_two);
+  ASSERT_LT(n, least_for_threads);
+  const auto operators = [&](int threads) {
+    const ThreadAllowance allowance(threads);
+    return compute_operators(soup.points, soup.triangles, Topology(n, soup.triangles), Stencil::two_ring,
+                             std::vector<char>(n, 1));
+  };
+  const OperatorSet one = operators(1), two = operators(2);
+  expect_same_curvatures(one, two);
+  EXPECT_EQ(one.offset, two.offset);
+  EXPECT_EQ(one.index, two.index);
+  EXPECT_EQ(one.laplacian, two.laplacian);
+  EXPECT_EQ(one.gradient, two.gradient);
 }
 
 TEST(Operators, LowValenceTakesTheTwoRing) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All fits to the surroundings of a patch: they do not depend on what fills the loops, and can be made beside it.
+#pragma once
+
+#include "rim/rim_fits.h"
+#include "rim/rim_roughness.h"
+#include "rim/stray_vertices.h"
+
+namespace loopmend {
+
+struct RimSurvey {
+  SurroundingFits fits;
+  StrayDistances strays;
+  std::vector<std::vector<RimFit>> loops;  ///< of Patch::loops
+};
+
+/// @param patch  its free vertices and own triangles are not looked at: there need not be any. The survey of a patch is that
+/// of every patch with the same loops, to the last bit.
+RimSurvey survey_rim(const Patch& patch);
+
+}  // namespace loopmend
