@@ -20,6 +20,9 @@ constexpr std::size_t most_creeping_steps = 8;  ///< in a row
 constexpr double smooth_start = 0.02;           ///< its energy by cubic fits, in that by quadratics
 constexpr int largest_factored =
     300000;  ///< free vertices: beyond, the factors of the step's matrix take many gigabytes
+/// Of steps that are iterated: each iteration lowers the quadratic model, and its minimum is not the energy's. (Nocedal,
+/// Wright, Numerical Optimization, 2nd ed., §7.1: truncated Newton.) On a hundred thousand free vertices 0.05 takes 67.
+constexpr IterationLimits truncated{0.05, 100};
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
 
 EnergyWeights energy_of(const Objective& objective) {
@@ -71,7 +74,7 @@ bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Eigen:
     return system.curvature.selfadjointView<Eigen::Lower>() * x + mu * system.mass.cwiseProduct(x);
   };
   linear.nearby = [&]() { return near_gauss_newton(state.patch, energy_of(objective), mu); };
-  return conjugate_gradients(linear, -system.half_gradient, s).solved;
+  return conjugate_gradients(linear, *spd, truncated, -system.half_gradient, s).solved;
 }
 
 /// Every so many steps one gains a little more than the others: the fall of several together counts.

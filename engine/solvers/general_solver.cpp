@@ -3,68 +3,11 @@
 #include "solvers/linear_solver.h"
 
 #include <Eigen/UmfPackSupport>
-#include <unsupported/Eigen/IterativeSolvers>
-
-#include <limits>
-
-namespace loopmend::internal {
-class MatrixFree;
-}
-
-namespace Eigen::internal {
-
-// Eigen asks for this and the product below to multiply by a type of ours ("Matrix-free solvers" in its manual).
-template <>
-struct traits<loopmend::internal::MatrixFree> : traits<SparseMatrix<double>> {};
-
-}  // namespace Eigen::internal
-
-namespace loopmend::internal {
-
-/// A GeneralSystem as Eigen's iterative solvers want to see it.
-class MatrixFree : public Eigen::EigenBase<MatrixFree> {
- public:
-  using Scalar = double;
-  using RealScalar = double;
-  using StorageIndex = int;
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = 0 };
-
-  MatrixFree(const GeneralSystem& system, Eigen::Index size) : system_(system), size_(size) {}
-  Eigen::Index rows() const { return size_; }
-  Eigen::Index cols() const { return size_; }
-  Eigen::VectorXd times(const Eigen::VectorXd& x) const { return system_.times(x); }
-  template <typename Rhs>
-  Eigen::Product<MatrixFree, Rhs, Eigen::AliasFreeProduct> operator*(const Eigen::MatrixBase<Rhs>& x) const {
-    return Eigen::Product<MatrixFree, Rhs, Eigen::AliasFreeProduct>(*this, x.derived());
-  }
-
- private:
-  const GeneralSystem& system_;
-  Eigen::Index size_;
-};
-
-}  // namespace loopmend::internal
-
-namespace Eigen::internal {
-
-template <typename Rhs>
-struct generic_product_impl<loopmend::internal::MatrixFree, Rhs, SparseShape, DenseShape, GemvProduct>
-    : generic_product_impl_base<loopmend::internal::MatrixFree, Rhs,
-                                generic_product_impl<loopmend::internal::MatrixFree, Rhs>> {
-  using Scalar = double;
-  template <typename Dest>
-  static void scaleAndAddTo(Dest& to, const loopmend::internal::MatrixFree& A, const Rhs& x, const Scalar& alpha) {
-    to += alpha * A.times(x);
-  }
-};
-
-}  // namespace Eigen::internal
 
 namespace loopmend {
 
 namespace {
 
-using internal::MatrixFree;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// UMFPACK.
@@ -88,34 +31,6 @@ class LuSolver : public GeneralSolver {
   SparseMatrix matrix_;  ///< Eigen's wrapper of UMFPACK keeps a reference to it
   Pattern pattern_;
   Eigen::UmfPackLU<SparseMatrix> lu_;
-};
-
-/// Eigen's preconditioner concept over factors that somebody else keeps.
-class KeptFactors {
- public:
-  KeptFactors() = default;
-  template <typename Matrix>
-  explicit KeptFactors(const Matrix&) {}
-  template <typename Matrix>
-  KeptFactors& analyzePattern(const Matrix&) {
-    return *this;
-  }
-  template <typename Matrix>
-  KeptFactors& factorize(const Matrix&) {
-    return *this;
-  }
-  template <typename Matrix>
-  KeptFactors& compute(const Matrix&) {
-    return *this;
-  }
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    Eigen::MatrixXd x = Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
-    factors->solve(b, x);
-    return x;
-  }
-  Eigen::ComputationInfo info() const { return Eigen::Success; }
-
-  const SpdSolver* factors = nullptr;
 };
 
 class GmresSolver : public GeneralSolver {
@@ -166,25 +81,6 @@ class AutomaticSolver : public GeneralSolver {
 };
 
 }  // namespace
-
-SolveReport conjugate_gradients(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
-  constexpr int most_iterations = 400;
-  SolveReport report;
-  const auto factors = make_spd_solver();
-  report.factored = true;
-  if (!factors->factorize(system.nearby())) return report;
-  const MatrixFree A(system, b.size());
-  Eigen::ConjugateGradient<MatrixFree, Eigen::Lower | Eigen::Upper, KeptFactors> cg;
-  cg.preconditioner().factors = factors.get();
-  cg.compute(A);
-  cg.setTolerance(1e-5);
-  cg.setMaxIterations(most_iterations);
-  const Eigen::VectorXd solution = cg.solve(b);
-  report.iterations = static_cast<int>(cg.iterations());
-  report.solved = cg.info() == Eigen::Success && solution.allFinite();
-  if (report.solved) x = solution;
-  return report;
-}
 
 std::unique_ptr<GeneralSolver> make_general_solver(SolverKind kind, double tolerance) {
   switch (kind) {

@@ -39,10 +39,20 @@ struct GeneralSystem {
   std::function<Eigen::SparseMatrix<double>()> nearby;
 };
 
-/// Symmetric positive definite systems too large to be factored, by conjugate gradients to a relative residual of 1e-5,
-/// preconditioned by the factors of the nearby matrix, which has less fill. The matrix itself is not asked for.
-/// @param b  n. @param x  n, written only when solved.
-SolveReport conjugate_gradients(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x);
+/// Until the residual in the norm of the nearby matrix, relative to b, is at most `wanted`; that is near the error of x in
+/// the energy of the system.
+struct IterationLimits {
+  double wanted = 1e-6;
+  int most = 400;
+};
+
+/// Symmetric positive definite systems too large to be factored: conjugate gradients, preconditioned by the factors of the
+/// nearby matrix, which has less fill. The matrix itself is not asked for.
+/// @param factors  of the nearby matrix, made here; its symbolic analysis is kept from call to call
+/// @param b  n. @param x  n: what the iterations came to, each of which has lowered ½xᵀAx − bᵀx; written only when solved.
+/// @returns solved: whether there is such an x. It is not where a matrix is not positive definite.
+SolveReport conjugate_gradients(const GeneralSystem& system, SpdSolver& factors, const IterationLimits& limits,
+                                const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
 /// General systems, again and again for matrices that change a little from call to call.
 class GeneralSolver {

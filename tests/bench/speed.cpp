@@ -116,15 +116,18 @@ void evolve(benchmark::State& state, const EvolutionOptions& options) {
   const Patch& patch = sized(static_cast<int>(state.range(0))).patch;
   double memory = 0;
   std::size_t steps = 0;
+  double energy_left = 1;
   std::string ending;
   for (auto _ : state) {
     Evolution evolution(patch, options);
     measure_once(state, memory, [&] { evolution.run(nullptr, {}); });
     steps = evolution.history().size();
+    energy_left = evolution.energy() / evolution.initial_energy();
     ending = to_string(evolution.status());
   }
   note_memory(state, memory);
   state.counters["steps"] = static_cast<double>(steps);
+  state.counters["energy_left"] = energy_left;
   state.SetLabel(ending);
 }
 

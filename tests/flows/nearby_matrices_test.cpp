@@ -59,7 +59,8 @@ TEST(NearGaussNewton, SolvesTheStepByConjugateGradients) {
       }};
   Eigen::VectorXd iterated;
   Eigen::MatrixXd direct;
-  const SolveReport report = conjugate_gradients(system, -newton.half_gradient, iterated);
+  const auto nearby_factors = make_spd_solver();
+  const SolveReport report = conjugate_gradients(system, *nearby_factors, {1e-5, 101}, -newton.half_gradient, iterated);
   ASSERT_TRUE(report.solved);
   EXPECT_LE(report.iterations, 100);
   const auto factors = make_spd_solver();

@@ -165,10 +165,42 @@ TEST(ConjugateGradients, SolveWhatIsTooLargeToFactor) {
   system.nearby = [] { return grid_matrix(30, 1, 0); };
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 1);
   Eigen::VectorXd x;
-  const SolveReport report = conjugate_gradients(system, b, x);
+  const auto factors = make_spd_solver();
+  const SolveReport report = conjugate_gradients(system, *factors, {1e-8, 400}, b, x);
   ASSERT_TRUE(report.solved);
   EXPECT_GT(report.iterations, 1);
   EXPECT_LT((A * x - b).norm(), 1e-5 * b.norm());
+}
+
+TEST(ConjugateGradients, EachIterationLowersTheQuadraticModel) {
+  const Sparse A = grid_matrix(30, 0.1, 0);
+  GeneralSystem system = system_of(A);
+  system.nearby = [] { return grid_matrix(30, 1, 0); };
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 1);
+  const auto factors = make_spd_solver();
+  double last = 0;
+  for (int most : {1, 2, 4, 8}) {
+    Eigen::VectorXd x;
+    const SolveReport report = conjugate_gradients(system, *factors, {0, most}, b, x);
+    ASSERT_TRUE(report.solved);
+    EXPECT_EQ(report.iterations, most);
+    const double model = 0.5 * x.dot(A * x) - b.dot(x);
+    EXPECT_LT(model, last) << most;
+    last = model;
+  }
+}
+
+TEST(ConjugateGradients, SayWhereAMatrixIsNotPositiveDefinite) {
+  const Sparse A = grid_matrix(30, 0.1, 0), negative = -A;
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(A.rows());
+  Eigen::VectorXd x;
+  GeneralSystem system = system_of(A);
+  system.nearby = [&] { return negative; };
+  EXPECT_FALSE(conjugate_gradients(system, *make_spd_solver(), {}, b, x).solved);
+  system = system_of(negative);
+  system.nearby = [&] { return A; };
+  EXPECT_FALSE(conjugate_gradients(system, *make_spd_solver(), {}, b, x).solved);
+  EXPECT_EQ(x.size(), 0);
 }
 
 TEST(AutomaticSolver, GoesOverToTheDirectWayWhereNothingSymmetricIsNear) {
