@@ -4,6 +4,7 @@
 #include "scene/patch_batch.h"
 #include "scene/still_renderer.h"
 #include "scene/surface_actor.h"
+#include "scene/warm_up.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -25,17 +26,6 @@ constexpr std::size_t most_single_patches = 12;
 constexpr std::size_t small_patch_points = 6000;
 
 using ShapePtr = std::shared_ptr<const SurfaceShape>;
-
-/// A triangle that covers no pixel.
-ShapePtr speck() {
-  constexpr float tiny = 1e-6F;
-  auto shape = std::make_shared<SurfaceShape>();
-  shape->points = {0, 0, 0, tiny, 0, 0, 0, tiny, 0};
-  shape->normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
-  shape->triangles = {0, 1, 2};
-  shape->own_triangles = 1;
-  return shape;
-}
 
 }  // namespace
 
@@ -59,11 +49,9 @@ struct MeshScene::Impl {
   int stripes = 9;
   int width = 1, height = 1;
   bool patches_changed = false, moving = false;
-  std::array<double, 6> depths_for{};     ///< the box that the camera's depths were fitted to
-  vtkMTimeType depths_seen = 0;           ///< the camera's, then
-  std::size_t warmed_up = 0;              ///< how many turns of it are done
-  std::unique_ptr<SurfaceActor> warming;  ///< drawn for its program's sake
-  bool line_for_warmth = false;           ///< among the loops
+  std::array<double, 6> depths_for{};  ///< the box that the camera's depths were fitted to
+  vtkMTimeType depths_seen = 0;        ///< the camera's, then
+  WarmUp warm_up{renderer, table, legend};
 
   void each_surface(const auto& act) {
     for (auto& [index, scan] : scans) act(*scan);
@@ -85,33 +73,6 @@ struct MeshScene::Impl {
             std::any_of(patch_shapes.begin(), patch_shapes.end(),
                         [&](const auto& patch) { return known(patch.second.shape.get()); }));
   }
-  /// What the last turn of warming up has drawn goes.
-  void forget_warmth() {
-    if (warming) renderer->RemoveActor(warming->actor());
-    warming.reset();
-    if (std::exchange(line_for_warmth, false)) {
-      renderer->still_changed();
-      loops.set_lines({});
-    }
-    update_legend();
-  }
-  void warm_up(Shading with, Edges with_edges) {
-    warming = make(SurfaceActor::Role::scan);
-    warming->set_shading(with);
-    warming->set_edges(with_edges);
-    warming->set_shape(speck());
-    warming->actor()->UseBoundsOff();
-  }
-  void warm_up(Legend::Kind kind) {
-    legend.lay_out(width, height);
-    legend.show_only(kind);
-  }
-  void warm_up_lines() {
-    if (!scans.empty()) return;  // their rims have done it
-    renderer->still_changed();
-    loops.set_lines({{speck()->points, LoopStyle::open}, {speck()->points, LoopStyle::selected}});
-    line_for_warmth = true;
-  }
   bool wants_legend() const { return legend_place != LegendPlace::none && colored(); }
   void update_legend() {
     if (wants_legend()) {
@@ -120,6 +81,11 @@ struct MeshScene::Impl {
     } else {
       legend.hide();
     }
+  }
+  /// As it is, and laid out: a part of it may be drawn for its program's sake.
+  void ready_legend() {
+    update_legend();
+    legend.lay_out(width, height);
   }
   void distribute_patches(SurfaceActor::Clock::time_point now) {
     PatchBatch::Shapes together;
@@ -271,25 +237,17 @@ void MeshScene::set_marked(ShapePtr shape) {
 
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
   impl_->renderer->still_changed();
-  impl_->line_for_warmth = false;
   impl_->loops.set_lines(loops);
 }
 
+bool MeshScene::prepare(Shading shading, Edges edges) {
+  impl_->ready_legend();
+  return impl_->warm_up.next_for(shading, edges);
+}
+
 bool MeshScene::warm_up_next() {
-  // What the first picture of a scan needs comes first.
-  using Turn = void (*)(Impl&);
-  constexpr Turn turns[] = {[](Impl& i) { i.warm_up(Shading::curvature, Edges::hidden); },
-                            [](Impl& i) { i.warm_up(Legend::Kind::letters); },
-                            [](Impl& i) { i.warm_up(Legend::Kind::areas); },
-                            [](Impl& i) { i.warm_up(Legend::Kind::colored_areas); },
-                            [](Impl& i) { i.warm_up_lines(); },
-                            [](Impl& i) { i.warm_up(Shading::zebra, Edges::hidden); },
-                            [](Impl& i) { i.warm_up(Shading::curvature, Edges::shown); },
-                            [](Impl& i) { i.warm_up(Shading::zebra, Edges::shown); }};
-  impl_->forget_warmth();
-  if (impl_->warmed_up == std::size(turns)) return false;
-  turns[impl_->warmed_up++](*impl_);
-  return true;
+  impl_->ready_legend();
+  return impl_->warm_up.next();
 }
 
 std::size_t MeshScene::triangle_count() const {

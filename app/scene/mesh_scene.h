@@ -49,8 +49,11 @@ class MeshScene {
   /// drawn anew.
   void fit_depths();
 
-  /// Makes the next of the graphics' programs ready that a scene will need: to be drawn once after each call, before
-  /// there is much to draw. @returns false when all are.
+  /// Lets the next picture make one of the graphics' programs ready that surfaces of this look need, with what belongs to
+  /// them: to be called, and drawn, until it @returns false. Before the first look is ready, surfaces and lines are not
+  /// drawn.
+  bool prepare(Shading shading, Edges edges);
+  /// The same for programs that may be needed later.
   bool warm_up_next();
   /// Of all scans.
   std::size_t triangle_count() const;

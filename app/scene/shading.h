@@ -12,6 +12,7 @@ enum class Shading {
 };
 
 inline bool is_colored(Shading shading) { return shading == Shading::curvature || shading == Shading::gaussian; }
+inline bool has_stripes(Shading shading) { return shading == Shading::zebra || shading == Shading::isophotes; }
 
 enum class Edges { hidden, shown };
 enum class Seams { hidden, shown };

@@ -72,8 +72,6 @@ constexpr const char* lifted = R"(//VTK::PositionVC::Impl
   gl_Position.z -= loopmendLift * gl_Position.w;
 )";
 
-bool has_stripes(Shading shading) { return shading == Shading::zebra || shading == Shading::isophotes; }
-
 vtkNew<vtkFloatArray> wrap(const std::vector<float>& values, int components, const char* name) {
   vtkNew<vtkFloatArray> array;
   array->SetName(name);

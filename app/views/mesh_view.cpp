@@ -16,6 +16,7 @@
 namespace loopmend {
 namespace {
 
+
 LoopStyle style_of(HoleState state) {
   switch (state) {
     case HoleState::open: return LoopStyle::open;
@@ -73,12 +74,13 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
     QElapsedTimer clock;
     clock.start();
+    const bool preparing = !put_on_look();
     const bool moving = impl_->scene.update();
     impl_->scene.fit_depths();
     impl_->window->Render();
     impl_->pause_ms = wait_after_picture(clock.elapsed());
     impl_->last_picture.start();
-    moving ? redraw() : warm_up_soon();
+    preparing || moving ? redraw() : warm_up_soon();
   });
   impl_->warm_up_timer.setSingleShot(true);
   connect(&impl_->warm_up_timer, &QTimer::timeout, this, [this] {
@@ -157,21 +159,31 @@ void MeshView::redraw_at_leisure() {
 
 const Look& MeshView::look() const { return impl_->look; }
 
+bool MeshView::look_is_on() const { return impl_->look_is_on; }
+
 double MeshView::range() const { return impl_->scene.range(); }
 
 void MeshView::set_look(const Look& look) {
   const Look old = std::exchange(impl_->look, look);
   MeshScene& scene = impl_->scene;
-  if (look.shading != old.shading) {
-    scene.set_shading(look.shading);
-    update_legend_words();
-  }
-  if (look.edges != old.edges) scene.set_edges(look.edges);
+  if (look.shading != old.shading || look.edges != old.edges) impl_->look_is_on = false;
   if (look.seams != old.seams) scene.set_seams(look.seams);
   if (look.map != old.map) scene.set_color_map(look.map);
   if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
   update_range();
   redraw();
+}
+
+/// Surfaces are drawn as they were until the graphics are ready for how they shall look.
+/// @returns whether they look so now; otherwise the next picture brings that nearer.
+bool MeshView::put_on_look() {
+  if (impl_->look_is_on) return true;
+  if (impl_->scene.prepare(impl_->look.shading, impl_->look.edges)) return false;
+  impl_->scene.set_shading(impl_->look.shading);
+  impl_->scene.set_edges(impl_->look.edges);
+  update_legend_words();
+  impl_->look_is_on = true;
+  return true;
 }
 
 Viewpoint MeshView::viewpoint() const {

@@ -49,6 +49,7 @@ struct MeshView::Impl {
   bool depth_is_fresh = false;
   QPoint pressed_at;
   Look look;
+  bool look_is_on = false;  ///< the graphics are ready for it, and surfaces are drawn so
   std::optional<Probe> probe;
   bool preview_shown = false;
   bool warm = false;        ///< every program of the graphics is ready

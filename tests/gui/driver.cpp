@@ -94,7 +94,7 @@ GapMeter::GapMeter() {
 
 qint64 GapMeter::report(const char* what) {
   QCoreApplication::processEvents();
-  const qint64 worst = std::exchange(worst_, 0);
+  const qint64 worst = std::max(std::exchange(worst_, 0), clock_.elapsed());
   std::printf("gap %5lld ms, of these %4.0f ms own work  %s\n", static_cast<long long>(worst), worst_cpu_, what);
   worst_cpu_ = 0;
   cpu_ = thread_cpu_ms();
@@ -115,7 +115,8 @@ bool wait_until(const std::function<bool()>& holds, double seconds) {
 }
 
 bool wait_idle(MainWindow& window, double seconds) {
-  return wait_until([&] { return !window.workbench().busy(); }, seconds);
+  const auto drawn = [&] { return !window.isVisible() || window.view().look_is_on(); };
+  return wait_until([&] { return !window.workbench().busy() && drawn(); }, seconds);
 }
 
 void settle(int milliseconds) { QTest::qWait(milliseconds); }
