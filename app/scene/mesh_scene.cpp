@@ -82,11 +82,6 @@ struct MeshScene::Impl {
       legend.hide();
     }
   }
-  /// As it is, and laid out: a part of it may be drawn for its program's sake.
-  void ready_legend() {
-    update_legend();
-    legend.lay_out(width, height);
-  }
   void distribute_patches(SurfaceActor::Clock::time_point now) {
     PatchBatch::Shapes together;
     const bool many = patch_shapes.size() > most_single_patches;
@@ -241,12 +236,12 @@ void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
 }
 
 bool MeshScene::prepare(Shading shading, Edges edges) {
-  impl_->ready_legend();
+  impl_->update_legend();
   return impl_->warm_up.next_for(shading, edges);
 }
 
 bool MeshScene::warm_up_next() {
-  impl_->ready_legend();
+  impl_->update_legend();
   return impl_->warm_up.next();
 }
 

@@ -101,9 +101,9 @@ void WarmUp::begin(const Turn& turn) {
     case Program::striped: return begin_surface(Shading::zebra, Edges::hidden, turn.stage);
     case Program::smooth_edged: return begin_surface(Shading::curvature, Edges::shown, turn.stage);
     case Program::striped_edged: return begin_surface(Shading::zebra, Edges::shown, turn.stage);
-    case Program::letters: return legend_.show_only(Legend::Kind::letters);
-    case Program::areas: return legend_.show_only(Legend::Kind::areas);
-    case Program::colored_areas: return legend_.show_only(Legend::Kind::colored_areas);
+    case Program::letters: return begin_legend(Legend::Kind::letters);
+    case Program::areas: return begin_legend(Legend::Kind::areas);
+    case Program::colored_areas: return begin_legend(Legend::Kind::colored_areas);
     case Program::casings: return begin_lines(lines_.casings(), turn.stage);
     case Program::cores: return begin_lines(lines_.cores(), turn.stage);
   }
@@ -129,7 +129,14 @@ void WarmUp::begin_lines(const std::vector<vtkActor*>& lines, Stage stage) {
   renderer_->rehearse({lines.begin(), lines.end()}, rehearsal(stage));
 }
 
-/// What the last turn has drawn goes.
+/// Left of the picture, where nobody sees it.
+void WarmUp::begin_legend(Legend::Kind kind) {
+  constexpr int no_width = 0, some_height = 400;
+  legend_.lay_out(no_width, some_height);
+  legend_.show_only(kind);
+}
+
+/// What the last turn has drawn goes; but the legend's part, which is the scene's.
 void WarmUp::end() {
   renderer_->rehearse({}, StillRenderer::Rehearsal::whole);
   if (surface_) renderer_->RemoveActor(surface_->actor());

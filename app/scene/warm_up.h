@@ -26,7 +26,8 @@ class WarmUp {
   ~WarmUp();
 
   /// Lets the next picture make one of the programs ready that surfaces of this look, their loops and their legend need.
-  /// Until they are so for the first look, pictures show no surfaces and no lines. @returns false when all are.
+  /// Until they are so for the first look, pictures show no surfaces and no lines. The legend is to be laid out and shown
+  /// or hidden before each call. @returns false when all are.
   bool next_for(Shading shading, Edges edges);
   /// The same for any look.
   bool next();
@@ -50,6 +51,7 @@ class WarmUp {
   static StillRenderer::Rehearsal rehearsal(Stage stage);
   void begin_surface(Shading shading, Edges edges, Stage stage);
   void begin_lines(const std::vector<vtkActor*>& lines, Stage stage);
+  void begin_legend(Legend::Kind kind);
   void end();
 
   StillRenderer* renderer_;

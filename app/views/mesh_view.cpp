@@ -16,7 +16,6 @@
 namespace loopmend {
 namespace {
 
-
 LoopStyle style_of(HoleState state) {
   switch (state) {
     case HoleState::open: return LoopStyle::open;
