@@ -161,8 +161,10 @@ void sweep(const Boxes& boxes, int axis, int count, const Visit& visit) {
   };
   const int second = (axis + 1) % 3, third = (axis + 2) % 3;
   std::vector<Entry> entries;
-  entries.reserve(boxes.size());
+  Eigen::AlignedBox3d own;
+  for (int f = 0; f < count; ++f) own.extend(boxes[f]);
   for (std::size_t f = 0; f < boxes.size(); ++f) {
+    if (!own.intersects(boxes[f])) continue;
     const Vec3 &low = boxes[f].min(), &high = boxes[f].max();
     entries.push_back(
         {low[axis], high[axis], {low[second], low[third]}, {high[second], high[third]}, static_cast<int>(f)});
