@@ -1,4 +1,5 @@
 // loopmend-gui: starts the window.
+#include "core/memory.h"
 #include "document/language.h"
 #include "document/preferences.h"
 #include "io/atomic_file.h"
@@ -73,6 +74,7 @@ bool has_display() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  loopmend::keep_freed_memory();
   if (const int code = answer_options(argc, argv); code >= 0) return code;
   if (!has_display()) {
     std::fputs(

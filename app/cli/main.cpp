@@ -5,6 +5,7 @@
 #include "number_range.h"
 #include "paper/paper_commands.h"
 
+#include "core/memory.h"
 #include "core/version.h"
 
 #include <CLI/CLI.hpp>
@@ -207,6 +208,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  loopmend::keep_freed_memory();
   std::setlocale(LC_NUMERIC, "C");
   loopmend::exit_on_interrupt();
   try {

@@ -81,6 +81,7 @@ void Evolution::Impl::prepare(Patch first) {
 Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   blend = 0;
   smooth_surroundings = false;
+  cubic_start.reset();
   stencil = Stencil::two_ring;
   rim.reset();
   blends_left = 0;

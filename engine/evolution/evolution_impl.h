@@ -50,8 +50,9 @@ struct Evolution::Impl {
 
   Eigen::AlignedBox3d room;  ///< no vertex may leave it: inflating a patch lowers the energy (NUMERICS §9.2)
   int start_folds = 0;
-  int allowed_folds = 0;             ///< in between; whoever takes the result looks at what is left
-  double start_edge_length = 0;      ///< mean, of the patch
+  int allowed_folds = 0;                      ///< in between; whoever takes the result looks at what is left
+  double start_edge_length = 0;               ///< mean, of the patch
+  std::optional<EvolutionState> cubic_start;  ///< the start by cubic fits, once it is known; without weights
   bool smooth_surroundings = false;  ///< fits of all widths agree on the curvature: it can be trusted to high order
   double blend = 0;                  ///< αR² of the order blend in force
   std::optional<RimRoughness> rim;   ///< of the surroundings; MMCVF to the steady state only
@@ -88,6 +89,7 @@ struct Evolution::Impl {
   void take_start(EvolutionState next, StepRecord record, double move);
   double decay();
   bool near_the_end() const { return last_bold_move > 0 && last_bold_move < near_the_end_move; }
+  EvolutionState state_of_start_by_cubic_fits() const;
   bool go_over_to_cubic_fits();
   bool only_creeps(double move, double energy_before);
   void finish();

@@ -31,26 +31,34 @@ EnergyWeights energy_of(const Objective& objective) {
 
 }  // namespace
 
+EvolutionState Evolution::Impl::state_of_start_by_cubic_fits() const {
+  return make_state(start, objective, Stencil::two_ring_cubic, nullptr, Fits::curvatures);
+}
+
 /// Near the steady state of smooth surroundings: the same energy from fits whose H is more accurate by an order. Where
 /// these find the start better than what came of it, the mesh is too coarse for them; but for a start that they find far
 /// better than quadratics do, as they find any smooth surface: then they go on from there.
 bool Evolution::Impl::go_over_to_cubic_fits() {
   if (stencil == Stencil::two_ring_cubic || !smooth_surroundings || state.folds > start_folds) return false;
-  EvolutionState cubic_start, cubic;
-  side_by_side([&] { cubic = make_state(state.patch, objective, Stencil::two_ring_cubic, state.topology); },
-               [&] { cubic_start = make_state(start, objective, Stencil::two_ring_cubic, nullptr, Fits::curvatures); });
-  if (!(cubic.measure < cubic_start.measure)) {
-    if (!(cubic_start.measure < smooth_start * start_measure) || cubic_start.folds > start_folds) {
+  EvolutionState cubic;
+  const auto fit_here = [&] { cubic = make_state(state.patch, objective, Stencil::two_ring_cubic, state.topology); };
+  if (cubic_start)
+    fit_here();
+  else
+    side_by_side(fit_here, [&] { cubic_start = state_of_start_by_cubic_fits(); });
+  if (!(cubic.measure < cubic_start->measure)) {
+    if (!(cubic_start->measure < smooth_start * start_measure) || cubic_start->folds > start_folds) {
       smooth_surroundings = false;
       return false;
     }
-    cubic = cubic_start;  // it lay on a smooth surface, from which the quadratics only led away
+    cubic = *cubic_start;  // it lay on a smooth surface, from which the quadratics only led away
   }
   stencil = Stencil::two_ring_cubic;
   state = std::move(cubic);
   small_moves = 0;
   creeping_from.clear();
-  initial_energy = shown_energy(options.flow, cubic_start);
+  initial_energy = shown_energy(options.flow, *cubic_start);
+  cubic_start.reset();
   history.back().energy = shown_energy(options.flow, state);
   return true;
 }

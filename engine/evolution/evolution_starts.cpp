@@ -1,3 +1,4 @@
+#include "core/threads.h"
 #include "evolution/coarse_patch.h"
 #include "evolution/evolution_impl.h"
 #include "evolution/linear_start.h"
@@ -37,7 +38,13 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   const FairingMesh mesh = options.triangles == PatchTriangles::kept ? FairingMesh::fixed
                            : worn && !history.empty()                ? FairingMesh::remeshed
                                                                      : FairingMesh::kept;
-  FairedState faired = linearly_faired(state, objective, stencil, mesh, options.start, cancel);
+  FairedState faired;
+  const auto fair = [&] { faired = linearly_faired(state, objective, stencil, mesh, options.start, cancel); };
+  // Fairings leave the other core half idle, and what comes after them will need the start by cubic fits.
+  if (smooth_surroundings && !cubic_start && ThreadAllowance::now() > 1)
+    side_by_side(fair, [&] { cubic_start = state_of_start_by_cubic_fits(); });
+  else
+    fair();
   const bool good = acceptable(faired.state, state.measure);
   const bool nearly_of_present = good ? faired.move < short_way * edge_length() : mesh != FairingMesh::remeshed;
   linear_part = nearly_of_present ? std::move(faired.before) : LinearPart();

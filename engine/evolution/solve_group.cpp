@@ -381,10 +381,13 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   }
   if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
-  const RimRoughness roughness = rim_roughness(*first.patch, survey.fits);
+  RimRoughness roughness;
   std::vector<SeamReport> before;
   side_by_side(
-      [&] { evolved = evolved_or_kept(site, *first.patch, group, options.evolution, roughness, survey, cancel); },
+      [&] {
+        roughness = rim_roughness(*first.patch, survey.fits);
+        evolved = evolved_or_kept(site, *first.patch, group, options.evolution, roughness, survey, cancel);
+      },
       [&] { before = seam_reports(*first.patch); });
   if (cancel.cancelled()) return outcome;
 

@@ -258,14 +258,15 @@ int GuardedMesh::split_long_edges() {
 
 bool GuardedMesh::collapse_guarded(HH h) {
   const VH v = mesh_.from_vertex_handle(h), u = mesh_.to_vertex_handle(h);
-  if (is_locked(v) || !mesh_.is_collapse_ok(h)) return false;
+  if (is_locked(v)) return false;
   const Vec3 place = is_locked(u) ? Vec3(mesh_.point(u)) : Vec3((mesh_.point(u) + mesh_.point(v)) / 2);
   for (const auto w : mesh_.vv_range(v)) {
     if (w == u) continue;
     if (is_locked(u) && is_locked(w) && !mesh_.find_halfedge(u, w).is_valid()) return false;
     if ((mesh_.point(w) - place).norm() > 4.0 / 3 * (size_[w.idx()] + size_[u.idx()]) / 2) return false;
   }
-  if (!allowed(pair_worst(h, &place), pair_worst(h, nullptr))) return false;
+  // The dearer questions last.
+  if (!mesh_.is_collapse_ok(h) || !allowed(pair_worst(h, &place), pair_worst(h, nullptr))) return false;
   mesh_.collapse(h);
   mesh_.set_point(u, place);
   update_normals_around(u);

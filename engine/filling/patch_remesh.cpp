@@ -1,9 +1,8 @@
 #include "filling/patch_remesh.h"
 
 #include "filling/size_field.h"
+#include "mesh/directed_edges.h"
 #include "mesh/quality.h"
-
-#include <set>
 
 namespace loopmend {
 
@@ -54,20 +53,18 @@ GuardedMesh open_for_remeshing(const Patch& patch) {
   Points points(patch.positions.begin() + n, patch.positions.begin() + n + rim);
   points.insert(points.end(), patch.positions.begin(), patch.positions.begin() + n);
   Triangles triangles;
-  std::set<std::pair<int, int>> open;  // directed edges of the patch without a partner: its rim
   for (int f = 0; f < patch.patch_triangles; ++f) {
     Triangle t = patch.triangles[f];
     for (int& v : t) v = renumber(v);
     triangles.push_back(t);
-    for (int k = 0; k < 3; ++k)
-      if (!open.erase({t[(k + 1) % 3], t[k]})) open.insert({t[k], t[(k + 1) % 3]});
   }
+  const DirectedEdges edges(triangles, patch.patch_triangles);
   RimNormals normals;
   for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
     const Triangle& t = patch.triangles[f];
     for (int k = 0; k < 3; ++k) {
       const std::pair<int, int> edge{renumber(t[(k + 1) % 3]), renumber(t[k])};
-      if (open.count(edge))
+      if (edge.first < rim && edge.second < rim && edges.is_open(edge))
         normals[edge] = unit_normal(patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]);
     }
   }

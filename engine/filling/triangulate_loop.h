@@ -1,4 +1,4 @@
-// The first triangulation of a loop, by CGAL: no new vertices, n − 2 triangles.
+// The first triangulation of a loop: no new vertices, n − 2 triangles.
 #pragma once
 
 #include "core/types.h"
@@ -7,9 +7,9 @@
 
 namespace loopmend {
 
-/// How CGAL is asked. Measured in FILLING.md: cubic search is right more often, Delaunay-guided search scales.
+/// Measured in FILLING.md: cubic search is right more often, Delaunay-guided search scales.
 enum class TriangulationMethod {
-  cubic,          ///< all triangulations, O(n³): up to a few hundred edges
+  cubic,          ///< the best of all triangulations, O(n³): up to a few hundred edges
   delaunay,       ///< guided by a 3D Delaunay triangulation, with the cubic search where that fails
   delaunay_only,  ///< the same without the cubic search: for long loops
   planar,         ///< constrained Delaunay in the loop's plane, where its projection is simple

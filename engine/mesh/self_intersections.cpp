@@ -145,31 +145,76 @@ class PairTest {
   std::vector<int> merged_;
 };
 
+/// Up to here a sweep is faster than trees, and cannot take long however the triangles lie.
+constexpr std::size_t most_for_sweep = 20000;
+
+using Boxes = std::vector<Eigen::AlignedBox3d>;
+
+/// visit(f, g) for all pairs of boxes that touch and of which one at least is among the first `count`; f < g. Along the
+/// axis they are passed in order; each is compared with those that begin before it ends.
+template <class Visit>
+void sweep(const Boxes& boxes, int axis, int count, const Visit& visit) {
+  struct Entry {
+    double begin, end;  ///< along the axis
+    Eigen::Array2d low, high;
+    int number;
+  };
+  const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+  std::vector<Entry> entries;
+  Eigen::AlignedBox3d own;
+  for (int f = 0; f < count; ++f) own.extend(boxes[f]);
+  for (std::size_t f = 0; f < boxes.size(); ++f) {
+    if (!own.intersects(boxes[f])) continue;
+    const Vec3 &low = boxes[f].min(), &high = boxes[f].max();
+    entries.push_back(
+        {low[axis], high[axis], {low[second], low[third]}, {high[second], high[third]}, static_cast<int>(f)});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.begin < b.begin; });
+  for (auto a = entries.begin(); a != entries.end(); ++a)
+    for (auto b = a + 1; b != entries.end() && b->begin <= a->end; ++b) {
+      // No branches: none of these can be foretold.
+      const bool touch = (a->low[0] <= b->high[0]) & (b->low[0] <= a->high[0]) & (a->low[1] <= b->high[1]) &
+                         (b->low[1] <= a->high[1]) & (std::min(a->number, b->number) < count);
+      if (touch) visit(std::min(a->number, b->number), std::max(a->number, b->number));
+    }
+}
+
+/// The same by CGAL, which scans along the first axis and builds trees over the others.
+template <class Visit>
+void search_trees(const Boxes& boxes, const std::array<int, 3>& axis, int count, const Visit& visit) {
+  std::vector<Box> first, others;
+  for (std::size_t f = 0; f < boxes.size(); ++f) {
+    const Vec3 &low = boxes[f].min(), &high = boxes[f].max();
+    const CGAL::Bbox_3 box(low[axis[0]], low[axis[1]], low[axis[2]], high[axis[0]], high[axis[1]], high[axis[2]]);
+    (static_cast<int>(f) < count ? first : others).emplace_back(box, static_cast<int>(f));
+  }
+  const auto look = [&](const Box& a, const Box& b) {
+    visit(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
+  };
+  CGAL::box_self_intersection_d(first.begin(), first.end(), look);
+  CGAL::box_intersection_d(first.begin(), first.end(), others.begin(), others.end(), look);
+}
+
 }  // namespace
 
 std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count) {
-  // CGAL scans along the first axis and builds trees over the others: on a nearly flat patch the first must be the thin one.
   Eigen::AlignedBox3d extent;
   for (const Vec3& p : points) extent.extend(p);
   std::array<int, 3> axis{0, 1, 2};
   std::sort(axis.begin(), axis.end(), [&](int a, int b) { return extent.sizes()[a] < extent.sizes()[b]; });
-  std::vector<Box> first, others;
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    CGAL::Bbox_3 box;
-    for (int v : triangles[f]) {
-      const Vec3& p = points[v];
-      box += to_cgal({p[axis[0]], p[axis[1]], p[axis[2]]}).bbox();
-    }
-    (static_cast<int>(f) < count ? first : others).emplace_back(box, static_cast<int>(f));
-  }
+  Boxes boxes(triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (int v : triangles[f]) boxes[f].extend(points[v]);
   std::vector<std::pair<int, int>> pairs;
   const PairTest test(points, triangles);
-  const auto look = [&](const Box& a, const Box& b) {
-    const int f = std::min(a.info(), b.info()), g = std::max(a.info(), b.info());
+  const auto look = [&](int f, int g) {
     if (test.cut(f, g)) pairs.emplace_back(f, g);
   };
-  CGAL::box_self_intersection_d(first.begin(), first.end(), look);
-  CGAL::box_intersection_d(first.begin(), first.end(), others.begin(), others.end(), look);
+  // On a nearly flat patch the trees have the least to search over the long axes, and a sweep along the longest.
+  if (triangles.size() <= most_for_sweep)
+    sweep(boxes, axis[2], count, look);
+  else
+    search_trees(boxes, axis, count, look);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

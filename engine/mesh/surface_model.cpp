@@ -1,6 +1,7 @@
 #include "mesh/surface_model.h"
 
 #include "core/error.h"
+#include "mesh/directed_edges.h"
 #include "mesh/orient_soup.h"
 
 #include <algorithm>
@@ -215,16 +216,13 @@ namespace {
 void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
   const int rim_size = static_cast<int>(patch.rim.size());
   const int vertex_count = rim_size + static_cast<int>(patch.points.size());
-  std::set<std::pair<int, int>> directed;
-  for (const Triangle& t : patch.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      if (a < 0 || a >= vertex_count || a == b)
-        throw InvalidArgument("a patch triangle names a vertex that is not there");
-      if (!directed.insert({a, b}).second) throw InvalidArgument("the patch is not an oriented manifold");
-    }
-  for (const auto& [a, b] : directed) {
-    const bool open = !directed.count({b, a});
+  const DirectedEdges directed(patch.triangles, static_cast<int>(patch.triangles.size()));
+  for (const auto& [a, b] : directed.all())
+    if (a < 0 || a >= vertex_count || a == b)
+      throw InvalidArgument("a patch triangle names a vertex that is not there");
+  if (directed.any_twice()) throw InvalidArgument("the patch is not an oriented manifold");
+  for (const auto& [a, b] : directed.all()) {
+    const bool open = !directed.contains({b, a});
     const bool on_rim = a < rim_size && b < rim_size;
     if (open && !on_rim) throw InvalidArgument("the patch has an open edge away from its rim");
     if (!on_rim) continue;

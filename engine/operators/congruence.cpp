@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
+#include <cstdint>
+#include <utility>
 
 namespace loopmend {
 
 namespace {
 
-/// A sparse vector that is being summed up; its entries in no order.
-class Accumulator {
+/// A sparse vector that is being summed up; its entries in the order in which they came.
+class Product {
  public:
-  explicit Accumulator(Eigen::Index size) : value_(size, 0.0), present_(size, 0) {}
+  explicit Product(Eigen::Index size) : value_(size, 0.0), present_(size, 0) {}
   void add(int i, double value) {
     if (!present_[i]) {
       present_[i] = 1;
@@ -20,11 +23,11 @@ class Accumulator {
     }
     value_[i] += value;
   }
-  std::vector<int>& entries() { return entries_; }
-  double value(int i) const { return value_[i]; }
-  void clear() {
+  /// visit(i, value) for all entries; leaves zero.
+  template <class Visit>
+  void drain(const Visit& visit) {
     for (int i : entries_) {
-      value_[i] = 0;
+      visit(i, std::exchange(value_[i], 0.0));
       present_[i] = 0;
     }
     entries_.clear();
@@ -36,30 +39,59 @@ class Accumulator {
   std::vector<int> entries_;
 };
 
+/// The same, but its entries come out by their numbers: a bit for each that is present, and a bit for each word of those.
+/// To sort them would take most of the time.
+class Column {
+ public:
+  explicit Column(Eigen::Index size)
+      : value_(size, 0.0),
+        words_(size / 64 + 1, 0),
+        filled_(words_.size() / 64 + 1, 0) {}
+  void add(int i, double value) {
+    words_[i / 64] |= bit(i);
+    filled_[i / 4096] |= bit(i / 64);
+    value_[i] += value;
+  }
+  template <class Visit>
+  void drain(const Visit& visit) {
+    for (std::size_t block = 0; block < filled_.size(); ++block)
+      for (std::uint64_t& filled = filled_[block]; filled != 0; filled &= filled - 1) {
+        const std::size_t word = 64 * block + std::countr_zero(filled);
+        for (std::uint64_t& left = words_[word]; left != 0; left &= left - 1) {
+          const int i = static_cast<int>(64 * word) + std::countr_zero(left);
+          visit(i, std::exchange(value_[i], 0.0));
+        }
+      }
+  }
+
+ private:
+  static std::uint64_t bit(int i) { return std::uint64_t{1} << (i % 64); }
+
+  std::vector<double> value_;
+  std::vector<std::uint64_t> words_, filled_;
+};
+
 /// Columns of the result, one after another.
 struct Columns {
   std::vector<int> length, index;
   std::vector<double> value;
 };
 
-/// Column j of Q B into `product`, then rows j and beyond of Bᵀ times that into `column`.
+/// Column j of Q B into `product`, then rows j and beyond of Bᵀ times that into `column`. Both are empty before; `product`
+/// is so afterwards.
 /// @param from  for each row of B a place among its entries; moved to the first at j or beyond, which is never far.
 void multiply(const RowSparseMatrix& B, const SparseMatrix& B_by_columns, const SparseMatrix& Q, int j,
-              std::vector<int>& from, Accumulator& product, Accumulator& column) {
-  product.clear();
-  column.clear();
+              std::vector<int>& from, Product& product, Column& column) {
   for (SparseMatrix::InnerIterator b(B_by_columns, j); b; ++b)
     for (SparseMatrix::InnerIterator q(Q, b.row()); q; ++q)
       product.add(static_cast<int>(q.row()), q.value() * b.value());
-  for (int k : product.entries()) {
+  product.drain([&](int k, double factor) {
     const int begin = B.outerIndexPtr()[k], end = B.outerIndexPtr()[k + 1];
     int& e = from[k];
     while (e < end && B.innerIndexPtr()[e] < j) ++e;
     while (e > begin && B.innerIndexPtr()[e - 1] >= j) --e;
-    const double factor = product.value(k);
     for (int place = e; place < end; ++place) column.add(B.innerIndexPtr()[place], factor * B.valuePtr()[place]);
-  }
-  std::sort(column.entries().begin(), column.entries().end());
+  });
 }
 
 SparseMatrix joined(const std::vector<Columns>& runs, Eigen::Index n) {
@@ -90,17 +122,19 @@ SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q) {
   std::vector<Columns> runs(run_count);
   std::atomic<int> next{0};
   share_work(static_cast<int>(B.rows()), [&] {
-    Accumulator product(B.rows()), column(n);
+    Product product(B.rows());
+    Column column(n);
     std::vector<int> from(B.outerIndexPtr(), B.outerIndexPtr() + B.rows());
     for (int run = next++; run < run_count; run = next++) {
       const int begin = run * run_length, end = std::min(n, begin + run_length);
       for (int j = begin; j < end; ++j) {
         multiply(B, B_by_columns, Q, j, from, product, column);
-        runs[run].length.push_back(static_cast<int>(column.entries().size()));
-        for (int i : column.entries()) {
+        const std::size_t before = runs[run].index.size();
+        column.drain([&](int i, double value) {
           runs[run].index.push_back(i);
-          runs[run].value.push_back(column.value(i));
-        }
+          runs[run].value.push_back(value);
+        });
+        runs[run].length.push_back(static_cast<int>(runs[run].index.size() - before));
       }
     }
   });

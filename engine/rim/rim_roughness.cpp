@@ -96,13 +96,15 @@ void judge_kind(RimRoughness& rim, double edge) {
 
 /// Correlation of H₄ between vertices at 0.8 to 1.2 of the distance.
 double correlation_at(const Patch& patch, const SurroundingFits& fits, double distance) {
+  const auto squared = [](double x) { return x * x; };
+  const double nearest = squared(0.8 * distance), farthest = squared(1.2 * distance);
   double product = 0, square = 0;
   const Vec3* const fixed = patch.positions.data() + patch.free_count;
   const std::size_t stride = 1 + fits.vertices.size() / 1500;
   for (std::size_t a = 0; a < fits.vertices.size(); a += stride)
     for (std::size_t b = 0; b < a; b += stride) {
-      const double d = (fixed[fits.vertices[a]] - fixed[fits.vertices[b]]).norm();
-      if (d < 0.8 * distance || d > 1.2 * distance) continue;
+      const double d = (fixed[fits.vertices[a]] - fixed[fits.vertices[b]]).squaredNorm();
+      if (d < nearest || d > farthest) continue;
       product += fits.H4[a] * fits.H4[b];
       square += (fits.H4[a] * fits.H4[a] + fits.H4[b] * fits.H4[b]) / 2;
     }

@@ -4,6 +4,7 @@
 //   --large          also 100k, 250k and 1M free vertices (needs some 12 GB and many minutes)
 //   --cpu            processor time of all threads instead of time on the wall: for a machine that is not idle
 //   --markdown FILE  tables with ratios and growth exponents
+#include "core/memory.h"
 #include "evolution/evolution.h"
 #include "flows/decay_rate.h"
 #include "flows/flow_terms.h"
@@ -19,6 +20,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstring>
+#include <map>
 #include <memory>
 
 namespace {
@@ -47,18 +49,30 @@ const Sized& sized(int free) {
   return *kept;
 }
 
-/// Times work() alone, and notes its memory beyond what was there before.
+/// Most memory of the measurement beyond what was there before, bytes.
+std::map<std::string, double>& memory_book() {
+  static std::map<std::string, double> book;
+  return book;
+}
+
+std::string key_of(const char* name, const benchmark::State& state) { return name + std::to_string(state.range(0)); }
+
+/// Times work() alone. The first time, which is reported only where a measurement is made once, its memory is noted as
+/// well: for that all free pages are given back, and to get them again takes time that CGAL's calls do not need either.
 template <class Work>
-void measure_once(benchmark::State& state, double& most_memory, const Work& work) {
-  start_memory_peak();
-  const double before = memory_now();
+void measure_once(benchmark::State& state, const char* name, const Work& work) {
+  const std::string key = key_of(name, state);
+  const bool first = memory_book().count(key) == 0;
+  if (first) start_memory_peak();
+  const double before = first ? memory_now() : 0;
   const Stopwatch watch;
   work();
   state.SetIterationTime(watch.seconds());
-  most_memory = std::max(most_memory, memory_peak() - before);
+  if (first) memory_book()[key] = memory_peak() - before;
 }
 
-void note_memory(benchmark::State& state, double bytes) {
+void note_memory(benchmark::State& state, const char* name) {
+  const double bytes = memory_book()[key_of(name, state)];
   state.counters["bytes"] = bytes;
   state.counters["bytes_per_vertex"] = bytes / static_cast<double>(state.range(0));
 }
@@ -79,53 +93,49 @@ SparseMatrix step_matrix(const Patch& patch, const GaussNewtonSystem& system) {
 /// Fits, operators and the matrix of one Gauss-Newton step.
 void form(benchmark::State& state) {
   const Patch& patch = sized(static_cast<int>(state.range(0))).patch;
-  double memory = 0;
   for (auto _ : state)
-    measure_once(state, memory, [&] {
+    measure_once(state, "form", [&] {
       benchmark::DoNotOptimize(assemble_gauss_newton(patch, operators_of(patch), {1, 0}));
     });
-  note_memory(state, memory);
+  note_memory(state, "form");
 }
 
 /// Symbolic and numeric factorisation, as at the first step.
 void factor(benchmark::State& state) {
   const Patch& patch = sized(static_cast<int>(state.range(0))).patch;
   const SparseMatrix A = step_matrix(patch, assemble_gauss_newton(patch, operators_of(patch), {1, 0}));
-  double memory = 0;
   for (auto _ : state) {
     const std::unique_ptr<SpdSolver> solver = make_spd_solver();
-    measure_once(state, memory, [&] {
+    measure_once(state, "factor", [&] {
       if (!solver->factorize(A)) state.SkipWithError("not positive definite");
     });
   }
-  note_memory(state, memory);
+  note_memory(state, "factor");
 }
 
 void solve(benchmark::State& state) {
   const Patch& patch = sized(static_cast<int>(state.range(0))).patch;
   const GaussNewtonSystem system = assemble_gauss_newton(patch, operators_of(patch), {1, 0});
   const std::unique_ptr<SpdSolver> solver = make_spd_solver();
-  double memory = 0;
   if (!solver->factorize(step_matrix(patch, system))) return state.SkipWithError("not positive definite");
   Eigen::MatrixXd s;
-  for (auto _ : state) measure_once(state, memory, [&] { solver->solve(-system.half_gradient, s); });
+  for (auto _ : state) measure_once(state, "solve", [&] { solver->solve(-system.half_gradient, s); });
 }
 
 /// The flow as far as `options` say, from the bump; making the evolution is not counted.
-void evolve(benchmark::State& state, const EvolutionOptions& options) {
+void evolve(benchmark::State& state, const char* name, const EvolutionOptions& options) {
   const Patch& patch = sized(static_cast<int>(state.range(0))).patch;
-  double memory = 0;
   std::size_t steps = 0;
   double energy_left = 1;
   std::string ending;
   for (auto _ : state) {
     Evolution evolution(patch, options);
-    measure_once(state, memory, [&] { evolution.run(nullptr, {}); });
+    measure_once(state, name, [&] { evolution.run(nullptr, {}); });
     steps = evolution.history().size();
     energy_left = evolution.energy() / evolution.initial_energy();
     ending = to_string(evolution.status());
   }
-  note_memory(state, memory);
+  note_memory(state, name);
   state.counters["steps"] = static_cast<double>(steps);
   state.counters["energy_left"] = energy_left;
   state.SetLabel(ending);
@@ -163,10 +173,9 @@ EvolutionOptions to_the_end() {
 /// The one call: filler, remeshing, flow, checks, report, paste.
 void fill(benchmark::State& state) {
   const HoleProblem& problem = sized(static_cast<int>(state.range(0))).cap.problem;
-  double memory = 0;
   Filling filling;
-  for (auto _ : state) measure_once(state, memory, [&] { filling = fill_by_engine(problem); });
-  note_memory(state, memory);
+  for (auto _ : state) measure_once(state, "fill", [&] { filling = fill_by_engine(problem); });
+  note_memory(state, "fill");
   state.counters["new"] = static_cast<double>(filling.points.size());
   state.counters["steps"] = filling.steps;
   state.SetLabel(filling.status);
@@ -214,12 +223,12 @@ void register_all(bool large) {
     add("form", {free}, form);
     add("factor", {free}, factor);
     add("solve", {free}, solve);
-    add("step", {free}, [](benchmark::State& s) { evolve(s, one_step_of(EvolutionMode::steady)); });
+    add("step", {free}, [](benchmark::State& s) { evolve(s, "step", one_step_of(EvolutionMode::steady)); });
     if (has(moderate)) {
-      add("flow_step", {free}, [](benchmark::State& s) { evolve(s, one_step_of(EvolutionMode::steps)); });
+      add("flow_step", {free}, [](benchmark::State& s) { evolve(s, "flow_step", one_step_of(EvolutionMode::steps)); });
       add("flow_steps", {free}, flow_steps);
     }
-    if (has(steady)) add("steady", {free}, [](benchmark::State& s) { evolve(s, to_the_end()); });
+    if (has(steady)) add("steady", {free}, [](benchmark::State& s) { evolve(s, "steady", to_the_end()); });
     if (has(steady)) add("fill", {free}, fill);
     if (!has(moderate)) continue;
     add("cgal_c1_fair", {free}, [](benchmark::State& s) { peer_fair(s, 1); });
@@ -245,6 +254,7 @@ std::string take_option(int& argc, char** argv, const char* name, bool with_valu
 }  // namespace
 
 int main(int argc, char** argv) try {
+  keep_freed_memory();
   const bool large = !take_option(argc, argv, "--large", false).empty();
   const bool cpu = !take_option(argc, argv, "--cpu", false).empty();
   if (cpu) measure_by(TimeSource::processor);

@@ -23,6 +23,28 @@ TEST(SideBySide, DoesBothAndSharesTheThreads) {
   }
 }
 
+TEST(SideBySide, TheFirstHasAllThreadsOnceTheSecondHasEnded) {
+  const ThreadAllowance allowance(4);
+  int within = 0, set_by_hand = 0, shared = 0;
+  side_by_side(
+      [&] {
+        while (ThreadAllowance::now() < 4) std::this_thread::yield();
+        {
+          const ThreadAllowance alone(1);
+          set_by_hand = ThreadAllowance::now();
+        }
+        side_by_side([&] { within = omp_get_max_threads(); }, [] {});
+        std::atomic<int> workers{0};
+        share_work(least_for_threads + 1, [&] { ++workers; });
+        shared = workers;
+      },
+      [] {});
+  EXPECT_EQ(within, 2);
+  EXPECT_EQ(set_by_hand, 1);
+  EXPECT_EQ(shared, 4);
+  EXPECT_EQ(ThreadAllowance::now(), 4);
+}
+
 TEST(SideBySide, OneThreadKeepsTheOrder) {
   const ThreadAllowance allowance(1);
   std::vector<int> order;
