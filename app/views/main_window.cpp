@@ -1,6 +1,7 @@
 #include "views/main_window.h"
 
 #include "compare/compare_desk.h"
+#include "core/memory.h"
 #include "panels/banner.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
@@ -26,6 +27,7 @@
 #include <QMimeData>
 #include <QStackedLayout>
 #include <QStatusBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace loopmend {
@@ -51,6 +53,7 @@ MainWindow::MainWindow(QWidget* parent)
   statusBar()->addWidget(status_, 1);
   connect_workbench();
   connect_document();
+  connect_leisure();
   connect_panels();
   connect_file_actions();
   connect_view_actions();
@@ -146,6 +149,19 @@ void MainWindow::connect_workbench() {
     view_->set_viewpoint(seen.from);
   });
   connect(&workbench_, &Workbench::session_saved, this, &MainWindow::update_title);
+}
+
+/// Between the steps of a flow memory is kept; after undo or close it goes back, as soon as nobody waits.
+void MainWindow::connect_leisure() {
+  constexpr int leisure_ms = 1500;
+  auto* leisure = new QTimer(this);
+  leisure->setSingleShot(true);
+  leisure->setInterval(leisure_ms);
+  connect(leisure, &QTimer::timeout, this, [this] {
+    if (!workbench_.busy()) give_back_freed_memory();
+  });
+  connect(&workbench_, &Workbench::activity_changed, leisure, qOverload<>(&QTimer::start));
+  connect(&undo_, &UndoHistory::changed, leisure, qOverload<>(&QTimer::start));
 }
 
 void MainWindow::connect_document() {

@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
   void build_docks();
   void connect_workbench();
   void connect_document();
+  void connect_leisure();
   void connect_panels();
   void connect_file_actions();
   void connect_view_actions();

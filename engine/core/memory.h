@@ -10,4 +10,7 @@ namespace loopmend {
 /// glibc.
 void keep_freed_memory();
 
+/// What was kept goes back to the system: for a program at leisure. Takes some milliseconds.
+void give_back_freed_memory();
+
 }  // namespace loopmend

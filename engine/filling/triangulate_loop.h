@@ -9,7 +9,7 @@ namespace loopmend {
 
 /// Measured in FILLING.md: cubic search is right more often, Delaunay-guided search scales.
 enum class TriangulationMethod {
-  cubic,          ///< the best of all triangulations, O(n³): up to a few hundred edges
+  cubic,          ///< the least folded of all triangulations by dynamic programming, O(n³): up to a few hundred edges
   delaunay,       ///< guided by a 3D Delaunay triangulation, with the cubic search where that fails
   delaunay_only,  ///< the same without the cubic search: for long loops
   planar,         ///< constrained Delaunay in the loop's plane, where its projection is simple
