@@ -4,6 +4,7 @@
 #include "evolution/linear_start.h"
 #include "evolution/mesh_care.h"
 #include "evolution/stopwatch.h"
+#include "mesh/quality.h"
 #include "rim/rim_blend.h"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ double way_of_centroid(const Patch& from, const Patch& to) {
   };
   return (centroid(from) - centroid(to)).norm();
 }
+
+int folds_of(const Patch& patch) { return count_folds(patch.positions, patch.triangles, patch.patch_triangles); }
 
 }  // namespace
 
@@ -110,6 +113,11 @@ void Evolution::Impl::blend_step() {
                             : blend_once(patch, options.continuity,
                                          judged ? rim_trust(patch, R, rim_data_trust) : Eigen::VectorXd(), R);
   if (!solved) return stop(EvolutionStatus::failed, "stopped early: the patch is too degenerate to be faired");
+  // The first spreads the vertices over the new shape; those after it mend that, and spread them anew where that unfolds.
+  if (judged && !first) {
+    Patch mended = along_normals(state.patch, patch);
+    if (folds_of(mended) <= folds_of(patch)) patch = std::move(mended);
+  }
   StepRecord record;
   record.step = static_cast<int>(history.size()) + 1;
   record.solve_seconds = watch.lap();

@@ -20,8 +20,9 @@ enum class SeamContinuity {
 Eigen::VectorXd data_trust(const Patch& patch, double radius);
 
 /// Trust in each vertex, 0..1, #V: 1 everywhere but on rings 1 and 2, where it is the lesser of the vertex's `data` and
-/// min(1, (T / |Δr|)²) with 1/T = 1/(8 m) + R/8, m the median of |Δr| over the two rings, R the patch's radius: what is
-/// bent much more than its neighbours, or than anything that could run through the hole, counts little.
+/// min(1, (T / |Δr|)²) with 1/T = 1/(8 m) + R/8, m the median of |Δr| along the two rings, R the patch's radius: what is
+/// bent much more than its neighbours, or than anything that could run through the hole, counts little. Each vertex has the
+/// weight of its edges along the rim, so that the part with the finest triangles does not decide for all others.
 /// @param data  of data_trust.
 Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::VectorXd& data);
 
@@ -30,6 +31,11 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
 /// literal patch is kept beside it; s runs harmonically into the patch.
 /// @param share  0..1. @param trust  #V, 0..1, as of rim_trust. @returns `literal` with its free vertices moved.
 Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust);
+
+/// `from`, its free vertices moved as far towards `to` as its normals go there: a fairing spreads the vertices as the metric
+/// of the shape before asks, and repeated, that squeezes triangles until the shape suffers.
+/// @param to  with the same triangles.
+Patch along_normals(const Patch& from, const Patch& to);
 
 /// αR² of the order blend on rough surroundings. Measured: 0, 10 and 30 differ by 2 %.
 inline constexpr double rough_bending = 10;

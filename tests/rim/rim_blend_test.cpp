@@ -2,11 +2,20 @@
 
 #include "analysis/seam_report.h"
 #include "evolution/evolution.h"
+#include "operators/local_fit.h"
+#include "operators/operator_set.h"
 #include "rim/rim_roughness.h"
 #include "samples/random.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -41,6 +50,29 @@ Eigen::VectorXd trust_of(const Patch& patch) {
 TEST(RimBlend, EvenRimIsTrusted) {
   const Patch patch = test::exact_sphere_patch(4, 0.8);
   EXPECT_GT(trust_of(patch).minCoeff(), 0.999);
+}
+
+/// A patch in the unit sphere with ever finer triangles towards x = 1, where alone the surroundings are scattered.
+Patch patch_with_fine_and_scattered_side() {
+  TriangleSoup soup = make_icosphere(5);
+  Random random(4);
+  constexpr double pull = 0.8;  // conformal: the sphere is mapped to itself
+  for (Vec3& p : soup.points) {
+    const double x = (p.x() + pull) / (1 + pull * p.x()), shrink = std::sqrt(1 - pull * pull) / (1 + pull * p.x());
+    p = Vec3(x, shrink * p.y(), shrink * p.z()).normalized();
+    if (p.x() > 0.3) p *= 1 + 0.02 * random.bell();
+  }
+  return test::start_of(make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.8; }))));
+}
+
+Eigen::VectorXd bend_of(const Patch& patch) {
+  std::vector<int> all(patch.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  Eigen::MatrixX3d x(patch.vertex_count(), 3);
+  for (int i = 0; i < patch.vertex_count(); ++i) x.row(i) = patch.positions[i].transpose();
+  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, all, robust_clamp);
+  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
+  return (mass.cwiseInverse().asDiagonal() * Eigen::MatrixX3d(C * x)).rowwise().norm();
 }
 
 /// One half of the surroundings is left as it is: there the curvature is known, and on the other it is not.
@@ -92,6 +124,50 @@ TEST(RimBlend, OneSpikeAtTheRimLosesItsTrustAndTheRestKeepsIt) {
   int doubted = 0;
   for (int i = 0; i < patch.vertex_count(); ++i) doubted += trust[i] < 0.5;
   EXPECT_LE(doubted, 9);  // the spike and what has an edge to it
+}
+
+/// Most vertices of the rim lie on its fine side, most of its length on the other.
+TEST(RimBlend, TheFinestPartOfTheRimDoesNotDecideWhatIsUsual) {
+  Patch patch = patch_with_fine_and_scattered_side();
+  const double radius = rim_roughness(patch).radius;
+  ASSERT_TRUE(blend_once(patch, SeamContinuity::tangent, {}, radius));  // no crease at the loop
+  const Eigen::VectorXd bend = bend_of(patch);
+  std::vector<double> rim;
+  for (int v = patch.free_count; v < patch.vertex_count(); ++v)
+    if (patch.ring[v] <= 2) rim.push_back(bend[v]);
+  std::nth_element(rim.begin(), rim.begin() + static_cast<long>(rim.size() / 2), rim.end());
+  const double limit_by_vertices = 1 / (1 / (8 * rim[rim.size() / 2]) + radius / 8);
+  const Eigen::VectorXd known = Eigen::VectorXd::Ones(patch.vertex_count() - patch.free_count);
+  const Eigen::VectorXd trust = rim_trust(patch, radius, known);
+  int doubted = 0;
+  for (int v : patch.loops[0]) {
+    if (trust[v] == 1) continue;
+    ++doubted;
+    EXPECT_LT(std::sqrt(trust[v]) * bend[v], 0.9 * limit_by_vertices);
+  }
+  EXPECT_GT(doubted, 0);
+}
+
+TEST(RimBlend, FairingsAfterTheFirstMoveAlongNormals) {
+  EvolutionOptions options;
+  options.triangles = PatchTriangles::kept;
+  Evolution evolution(rough_start(), options);
+  evolution.step({});
+  for (int k = 1; k < 3; ++k) {
+    const Patch before = evolution.patch();
+    evolution.step({});
+    const Patch& after = evolution.patch();
+    ASSERT_EQ(after.triangles, before.triangles);
+    const Points normals = angle_weighted_normals(after.positions, after.triangles);
+    double along = 0, across = 0;
+    for (int i = 0; i < after.free_count; ++i) {
+      const Vec3 way = after.positions[i] - before.positions[i];
+      along += std::pow(normals[i].dot(way), 2);
+      across += normals[i].cross(way).squaredNorm();
+    }
+    EXPECT_GT(along, 0);
+    EXPECT_LT(across, 0.05 * along);
+  }
 }
 
 TEST(RimBlend, ASpikeDoesNotBendThePatch) {
