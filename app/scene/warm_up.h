@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the graphics' programs ready one by one, each in pictures of its own, so that nobody waits for all of them: on
-// the very first start software graphics take 70 to 200 ms for each. Mesa keeps them for later starts.
+// the very first start software graphics take 60 to 180 ms for each. Mesa keeps them for later starts.
 #pragma once
 
 #include "scene/legend.h"

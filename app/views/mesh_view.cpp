@@ -76,13 +76,17 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
     const bool preparing = !put_on_look();
     const bool moving = impl_->scene.update();
     impl_->scene.fit_depths();
+    // What is drawn for a program's sake is not to be seen: the whole window need not be put together anew for it.
+    impl_->window->SetSwapBuffers(preparing || std::exchange(impl_->warming, false) ? 0 : 1);
     impl_->window->Render();
+    impl_->window->SetSwapBuffers(1);
     impl_->pause_ms = wait_after_picture(clock.elapsed());
     impl_->last_picture.start();
     preparing || moving ? redraw() : warm_up_soon();
   });
   impl_->warm_up_timer.setSingleShot(true);
   connect(&impl_->warm_up_timer, &QTimer::timeout, this, [this] {
+    impl_->warming = !impl_->redraw_timer.isActive();
     impl_->warm = !impl_->scene.warm_up_next();
     redraw();
   });
@@ -130,14 +134,14 @@ void MeshView::follow_document() {
   connect(&selection, &HoleSelection::hover_changed, this, &MeshView::update_highlight);
 }
 
-/// One program after another, each in a picture of its own, so that nobody waits for all of them; beside a scan only
-/// where the window is at leisure.
+/// One program after another, each in a picture of its own, so that nobody waits for all of them; and only where the window
+/// is at leisure, since some take a fifth of a second. Whoever wants a look before, waits for its program alone.
 void MeshView::warm_up_soon() {
-  constexpr std::size_t light_scene = 200'000;  // triangles: drawing it again is soon done
-  constexpr int leisure_ms = 100;
+  constexpr std::size_t light_scene = 200'000;             // triangles: drawing it again is soon done
+  constexpr int leisure_ms = 1000, nothing_open_ms = 300;  // a file may be about to be shown
   const std::size_t triangles = impl_->scene.triangle_count();
   if (impl_->warm || triangles > light_scene) return;
-  impl_->warm_up_timer.start(triangles == 0 ? 0 : leisure_ms);
+  impl_->warm_up_timer.start(triangles == 0 ? nothing_open_ms : leisure_ms);
 }
 
 QWidget* MeshView::canvas() const { return impl_->canvas; }

@@ -52,6 +52,7 @@ struct MeshView::Impl {
   bool look_is_on = false;  ///< the graphics are ready for it, and surfaces are drawn so
   std::optional<Probe> probe;
   bool preview_shown = false;
+  bool warming = false;     ///< the next picture is drawn for a program's sake alone
   bool warm = false;        ///< every program of the graphics is ready
   bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
   TrialPicture trial;
