@@ -133,6 +133,13 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   stop(EvolutionStatus::ready, "");
 }
 
+/// On another core, if nothing is known that it comes from at once.
+void Evolution::Impl::look_for_decay_rate() {
+  if (decay_rate > 0 || coming_decay_rate.valid() || linear_part.factors) return;
+  coming_decay_rate = std::async(
+      std::launch::async, [flow = options.flow, patch = state.patch] { return slowest_decay_rate(flow, patch); });
+}
+
 /// The slowest decay rate, found when it is first asked for.
 double Evolution::Impl::decay() {
   if (decay_rate > 0) return decay_rate;
@@ -203,26 +210,29 @@ bool Evolution::Impl::mesh_has_suffered() {
 SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, Eigen::VectorXd& s) {
   const Eigen::VectorXd mass =
       barycentric_areas(state.patch.positions, state.patch.triangles).head(state.patch.free_count);
-  const SparseMatrix M(mass.asDiagonal());
   GeneralSystem linear;
   linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     return mass.cwiseProduct(decay() / sigma * x - system.times_jacobian(x));
   };
-  linear.matrix = [&]() -> SparseMatrix { return decay() / sigma * M - M * system.jacobian(); };
+  linear.matrix = [&]() -> SparseMatrix {
+    const SparseMatrix M(mass.asDiagonal());
+    return decay() / sigma * M - M * system.jacobian();
+  };
   linear.nearby = [&]() -> SparseMatrix {
     // While the rate is being found on the other core, a rough one will do: it only touches the lowest frequencies.
     const bool rough = decay_rate == 0 && sigma >= least_sigma_for_rough_rate;
     const double rate = rough ? decay_rate_of_disc(options.flow, state.patch) : decay();
-    return rate / sigma * M + symmetric_part(options.flow, state.patch, state.ops);
+    SparseMatrix K = symmetric_part(options.flow, state.patch, state.ops);
+    K.diagonal() += rate / sigma * mass;
+    K.makeCompressed();  // should a vertex be seen by no fit
+    return K;
   };
   return general->solve(linear, mass.cwiseProduct(system.velocity()), s);
 }
 
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   Stopwatch watch;
-  if (decay_rate == 0 && !coming_decay_rate.valid())
-    coming_decay_rate = std::async(
-        std::launch::async, [flow = options.flow, patch = state.patch] { return slowest_decay_rate(flow, patch); });
+  look_for_decay_rate();
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   add_weights(state, objective, stencil);
   const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));

@@ -87,6 +87,7 @@ struct Evolution::Impl {
   void blend_step();
   bool coarse_step(const CancelToken& cancel);
   void take_start(EvolutionState next, StepRecord record, double move);
+  void look_for_decay_rate();
   double decay();
   bool near_the_end() const { return last_bold_move > 0 && last_bold_move < near_the_end_move; }
   EvolutionState state_of_start_by_cubic_fits() const;

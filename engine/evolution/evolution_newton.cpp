@@ -70,10 +70,12 @@ void Evolution::Impl::finish() {
 
 /// (μM + BᵀQB) s = −½∇E.
 bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s) {
-  const SparseMatrix M(system.mass.asDiagonal());
   if (state.patch.free_count <= largest_factored) {
     Eigen::MatrixXd solution;
-    if (!spd->factorize(system.curvature + mu * M) || !spd->solve(-system.half_gradient, solution)) return false;
+    SparseMatrix damped = system.curvature;
+    damped.diagonal() += mu * system.mass;
+    damped.makeCompressed();  // should a vertex be seen by no fit
+    if (!spd->factorize(damped) || !spd->solve(-system.half_gradient, solution)) return false;
     s = solution;
     return true;
   }
@@ -129,10 +131,11 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
 }
 
 void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
-  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   Stopwatch watch;
+  look_for_decay_rate();
   add_weights(state, objective, stencil);
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   StepRecord record;
   record.assemble_seconds = watch.lap();
   double promised = 0;  // by the first, boldest trial

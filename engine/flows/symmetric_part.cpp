@@ -16,7 +16,7 @@ SparseMatrix symmetric_part(FlowKind flow, const Patch& patch, const OperatorSet
     return 0.5 * C.topLeftCorner(n, n).triangularView<Eigen::Lower>();
   }
   const EnergyWeights weights = flow == FlowKind::mmcvf ? EnergyWeights{1, 0} : EnergyWeights{0, 1};
-  return 2 * lower_congruence(curvature_jacobian(ops, n), curvature_energy(patch, weights).Q);
+  return lower_congruence(curvature_jacobian(ops, n), 2 * curvature_energy(patch, weights).Q);
 }
 
 }  // namespace loopmend

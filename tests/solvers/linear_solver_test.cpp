@@ -1,10 +1,13 @@
 #include "solvers/linear_solver.h"
 
+#include "core/threads.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <thread>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -69,6 +72,63 @@ TEST(SpdSolver, FollowsAChangeOfPattern) {
     ASSERT_TRUE(solver->solve(b, x));
     EXPECT_LT((A * x - b).norm(), 1e-10);
   }
+}
+
+/// So large that it is factored in halves.
+constexpr int halved_side = 60;
+
+TEST(SpdSolver, GivesTheSameBitsForAnyNumberOfThreads) {
+  const Sparse L = grid_matrix(halved_side, 0.1, 0), A = Sparse(L * L) * L;
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Random(A.rows(), 3);
+  std::vector<Eigen::MatrixXd> solutions;
+  for (int threads : {1, 2, 5}) {
+    const ThreadAllowance allowance(threads);
+    const auto solver = make_spd_solver();
+    ASSERT_TRUE(solver->factorize(A));
+    ASSERT_TRUE(solver->solve(b, solutions.emplace_back()));
+  }
+  EXPECT_LT((A * solutions[0] - b).norm(), 1e-9 * b.norm());
+  EXPECT_EQ(solutions[0], solutions[1]);
+  EXPECT_EQ(solutions[0], solutions[2]);
+}
+
+TEST(SpdSolver, FactorsOtherValuesOfTheSamePattern) {
+  const auto solver = make_spd_solver();
+  Eigen::MatrixXd x;
+  for (double shift : {0.1, 1.0, 0.1}) {
+    const Sparse A = grid_matrix(halved_side, shift, 0);
+    const Eigen::MatrixXd exact = Eigen::MatrixXd::Random(A.rows(), 2);
+    ASSERT_TRUE(solver->factorize(A));
+    ASSERT_TRUE(solver->solve(A * exact, x));
+    EXPECT_LT((x - exact).norm(), 1e-10 * exact.norm());
+  }
+}
+
+TEST(SpdSolver, SeesThatAMatrixIsIndefiniteWhereItsHalvesAreNot) {
+  // The lowest eigenvalue of the grid is 0.0053, that of half of it 0.013.
+  const auto solver = make_spd_solver();
+  EXPECT_FALSE(solver->factorize(grid_matrix(halved_side, -0.01, 0)));
+  EXPECT_TRUE(solver->factorize(grid_matrix(halved_side, -0.005, 0)));
+  EXPECT_FALSE(solver->factorize(grid_matrix(halved_side, -1, 0)));
+}
+
+TEST(SpdSolver, FactorsWhatDoesNotFallIntoHalves) {
+  // An arrow: all rows are coupled to the first alone.
+  const int n = 5000;
+  std::vector<Eigen::Triplet<double>> triplets{{0, 0, n}};
+  for (int i = 1; i < n; ++i) {
+    triplets.emplace_back(i, i, 2);
+    triplets.emplace_back(i, 0, 1);
+    triplets.emplace_back(0, i, 1);
+  }
+  Sparse A(n, n);
+  A.setFromTriplets(triplets.begin(), triplets.end());
+  const Eigen::MatrixXd exact = Eigen::MatrixXd::Random(n, 1);
+  Eigen::MatrixXd x;
+  const auto solver = make_spd_solver();
+  ASSERT_TRUE(solver->factorize(A));
+  ASSERT_TRUE(solver->solve(A * exact, x));
+  EXPECT_LT((x - exact).norm(), 1e-10 * exact.norm());
 }
 
 class GeneralSolverTest : public testing::TestWithParam<SolverKind> {};
@@ -147,11 +207,12 @@ int threads_of_this_process() {
   return static_cast<int>(std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}));
 }
 
-TEST(SpdSolver, StartsNoThreads) {
+TEST(SpdSolver, StartsNoThreadsThatTheCallerDoesNotHave) {
   const Sparse L = grid_matrix(60, 0.1, 0), A = Sparse(L * L) * L;
   int before = 0, after = 0;
   // In a thread of its own, which has no team from earlier on.
   std::thread([&] {
+    const ThreadAllowance one(1);
     before = threads_of_this_process();
     EXPECT_TRUE(make_spd_solver()->factorize(A));
     after = threads_of_this_process();
