@@ -95,8 +95,8 @@ struct Evolution::Impl {
   bool only_creeps(double move, double energy_before);
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
-  bool solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s);
-  GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
+  bool solve_gauss_newton(GaussNewtonSystem& system, Eigen::VectorXd& s);
+  GaussNewtonTrial try_gauss_newton(GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
   SolveReport solve_flow_step(const FlowSystem& system, Eigen::VectorXd& s);
   void semi_implicit_step(const CancelToken& cancel);
   double edge_length() const {

@@ -69,13 +69,16 @@ void Evolution::Impl::finish() {
 }
 
 /// (μM + BᵀQB) s = −½∇E.
-bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Eigen::VectorXd& s) {
+bool Evolution::Impl::solve_gauss_newton(GaussNewtonSystem& system, Eigen::VectorXd& s) {
   if (state.patch.free_count <= largest_factored) {
     Eigen::MatrixXd solution;
-    SparseMatrix damped = system.curvature;
-    damped.diagonal() += mu * system.mass;
-    damped.makeCompressed();  // should a vertex be seen by no fit
-    if (!spd->factorize(damped) || !spd->solve(-system.half_gradient, solution)) return false;
+    // The damping comes and goes in place: a copy of the matrix would be of the size of all else but its factors.
+    const Eigen::VectorXd undamped = system.curvature.diagonal();
+    system.curvature.diagonal() += mu * system.mass;
+    system.curvature.makeCompressed();  // should a vertex be seen by no fit
+    const bool solved = spd->factorize(system.curvature) && spd->solve(-system.half_gradient, solution);
+    system.curvature.diagonal() = undamped;
+    if (!solved) return false;
     s = solution;
     return true;
   }
@@ -101,7 +104,7 @@ bool Evolution::Impl::only_creeps(double move, double energy_before) {
 }
 
 /// One trial with the present mu: the whole step, a half, a quarter.
-GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, StepRecord& record,
+GaussNewtonTrial Evolution::Impl::try_gauss_newton(GaussNewtonSystem& system, StepRecord& record,
                                                    const CancelToken& cancel) {
   Stopwatch watch;
   GaussNewtonTrial trial;
@@ -134,7 +137,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   Stopwatch watch;
   look_for_decay_rate();
   add_weights(state, objective, stencil);
-  const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+  GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   StepRecord record;
   record.assemble_seconds = watch.lap();
