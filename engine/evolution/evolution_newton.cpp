@@ -19,7 +19,8 @@ constexpr double creeping_fall = 1e-4;  ///< relative, on average; the frozen fi
 constexpr std::size_t most_creeping_steps = 8;  ///< in a row
 constexpr double smooth_start = 0.02;           ///< its energy by cubic fits, in that by quadratics
 constexpr int largest_factored =
-    300000;  ///< free vertices: beyond, the factors of the step's matrix take many gigabytes
+    300000;                           ///< free vertices: beyond, the factors of the step's matrix take many gigabytes
+constexpr int largest_kept = 100000;  ///< free vertices: beyond, factors make room for the next state
 /// Of steps that are iterated: each iteration lowers the quadratic model, and its minimum is not the energy's. (Nocedal,
 /// Wright, Numerical Optimization, 2nd ed., §7.1: truncated Newton.) On a hundred thousand free vertices 0.05 takes 67.
 constexpr IterationLimits truncated{0.05, 100};
@@ -110,6 +111,7 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(GaussNewtonSystem& system, St
   GaussNewtonTrial trial;
   Eigen::VectorXd s;
   const bool solved = solve_gauss_newton(system, s);
+  if (state.patch.free_count > largest_kept) spd = make_spd_solver();
   record.solve_seconds += watch.lap();
   if (!solved) return trial;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
@@ -138,6 +140,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   look_for_decay_rate();
   add_weights(state, objective, stencil);
   GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+  drop_weights(state);  // all that is asked of them
   if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   StepRecord record;
   record.assemble_seconds = watch.lap();

@@ -57,6 +57,15 @@ void add_weights(EvolutionState& state, const Objective& objective, Stencil sten
   if (state.ops.offset.empty()) state.ops = fitted(state.patch, *state.topology, objective, stencil, Fits::operators);
 }
 
+void drop_weights(EvolutionState& state) {
+  OperatorSet& ops = state.ops;
+  ops.offset = {};
+  ops.index = {};
+  ops.laplacian = {};
+  ops.gradient = {};
+  ops.gauss = {};
+}
+
 EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil,
                          const Eigen::VectorXd& s, Fits fits) {
   Patch patch = state.patch;

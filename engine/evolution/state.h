@@ -22,7 +22,7 @@ enum class Fits {
   curvatures  ///< no weights: enough to judge and to show it
 };
 
-/// Built once from a patch; only weights may be added later.
+/// Built once from a patch; only weights may come and go later.
 struct EvolutionState {
   Patch patch;
   std::shared_ptr<const Topology> topology;  ///< shared between states of the same connectivity
@@ -41,6 +41,9 @@ EvolutionState make_state(Patch patch, const Objective& objective, Stencil stenc
 
 /// Adds the weights where they are missing. @param objective, stencil  those that the state was made with.
 void add_weights(EvolutionState& state, const Objective& objective, Stencil stencil);
+
+/// Takes them away again: on a large patch they need as much memory as a tenth of the factors.
+void drop_weights(EvolutionState& state);
 
 /// The state after moving the free vertices by s (n, patch frame) along their normals.
 EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil,

@@ -80,8 +80,8 @@ class Half {
   double entries() const { return static_cast<double>(factor_->xsize); }
   /// S Sᵀ, of the border in reverse order: upper triangle.
   Eigen::MatrixXd left_for_border() const {
-    Eigen::MatrixXd left =
-        border_factor_.reverse();  // upper, and the product of such with its transpose is what LAPACK has
+    // Reversed it is an upper triangle U, and U Uᵀ is what LAPACK has.
+    Eigen::MatrixXd left = border_factor_.reverse();
     const int n = static_cast<int>(left.rows());
     int info = 0;
     if (n > 0) dlauum_("U", &n, left.data(), &n, &info);
@@ -222,7 +222,8 @@ class HalvedCholesky : public SpdSolver {
       if (good[k]) left[k] = halves_[k].left_for_border();
     });
     if (!good[0] || !good[1]) return false;
-    border_factor_ = left[0] + left[1];
+    border_factor_ = std::move(left[0]);
+    border_factor_ += left[1];
     halves_[0].subtract_border(border_factor_);
     return cholesky_of_upper(border_factor_);
   }
