@@ -126,28 +126,21 @@ class Dissector {
 
 MatrixGraph graph_of(const Eigen::SparseMatrix<double>& lower) {
   const int n = static_cast<int>(lower.rows());
-  const int *outer = lower.outerIndexPtr(), *inner = lower.innerIndexPtr();
   MatrixGraph graph;
   graph.begin.assign(n + 1, 0);
-  graph.diagonal.assign(n, -1);
   const auto for_couplings = [&](const auto& visit) {
     for (int j = 0; j < n; ++j)
-      for (int k = outer[j]; k < outer[j + 1]; ++k)
-        if (inner[k] > j)
-          visit(inner[k], j, k);
-        else if (inner[k] == j)
-          graph.diagonal[j] = k;
+      for (Eigen::SparseMatrix<double>::InnerIterator it(lower, j); it; ++it)
+        if (it.row() > j) visit(static_cast<int>(it.row()), j);
   };
-  for_couplings([&](int i, int j, int) { ++graph.begin[i + 1], ++graph.begin[j + 1]; });
+  for_couplings([&](int i, int j) { ++graph.begin[i + 1], ++graph.begin[j + 1]; });
   std::partial_sum(graph.begin.begin(), graph.begin.end(), graph.begin.begin());
   graph.neighbour.resize(graph.begin[n]);
-  graph.entry.resize(graph.begin[n]);
   std::vector<int> put(graph.begin.begin(), graph.begin.end() - 1);
-  const auto add = [&](int i, int j, int k) {
-    graph.neighbour[put[i]] = j;
-    graph.entry[put[i]++] = k;
-  };
-  for_couplings([&](int i, int j, int k) { add(i, j, k), add(j, i, k); });
+  for_couplings([&](int i, int j) {
+    graph.neighbour[put[i]++] = j;
+    graph.neighbour[put[j]++] = i;
+  });
   return graph;
 }
 

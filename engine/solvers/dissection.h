@@ -8,10 +8,9 @@
 namespace loopmend {
 
 /// Who is coupled to whom in a symmetric matrix: the neighbours of i are `neighbour[k]`, begin[i] <= k < begin[i + 1], in
-/// ascending order and without i itself, and `entry[k]` is where the matrix holds the coupling.
+/// ascending order and without i itself.
 struct MatrixGraph {
-  std::vector<int> begin, neighbour, entry;
-  std::vector<int> diagonal;  ///< n: where the matrix holds it, or -1
+  std::vector<int> begin, neighbour;
 };
 
 /// @param lower  n by n, compressed; only the lower triangle is read.

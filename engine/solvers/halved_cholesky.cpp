@@ -55,116 +55,135 @@ struct FreeDense {
 /// there were no other half.
 class Half {
  public:
-  /// Symbolic. @param place  of each row of A: where it stands in `rows`, or -1
-  void analyze(const MatrixGraph& graph, const std::vector<int>& rows, const std::vector<int>& place, int border) {
-    take_pattern(graph, rows, place);
-    border_factor_.resize(border, border);
-    cholmod_sparse A = view();
+  /// Symbolic. @param rows  of A
+  void analyze(const SparseMatrix& A, const std::vector<int>& rows, int border) {
+    border_ = border;
+    size_ = static_cast<int>(rows.size());
+    place_.assign(A.rows(), -1);
+    for (int i = 0; i < size_; ++i) place_[rows[i]] = i;
+    SparseMatrix part = part_of(A);
+    cholmod_sparse pattern = view(part);
     const NoThreadsWithin alone;
-    factor_ = {cholmod_analyze(&A, common_.get()), FreeFactor{common_.get()}};
+    factor_ = {cholmod_analyze(&pattern, common_.get()), FreeFactor{common_.get()}};
     if (!factor_) throw std::bad_alloc();
   }
 
   /// @returns false if this half is not positive definite.
   bool factorize(const SparseMatrix& A) {
-    for (std::size_t k = 0; k < from_.size(); ++k) part_.valuePtr()[k] = A.valuePtr()[from_[k]];
-    cholmod_sparse values = view();
+    SparseMatrix part = part_of(A);
+    cholmod_sparse values = view(part);
     const NoThreadsWithin alone;
     cholmod_factorize(&values, factor_.get(), common_.get());
-    if (common_->status != CHOLMOD_OK || factor_->minor != factor_->n) return false;
-    copy_border_factor();
-    return true;
+    return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
 
-  int inner() const { return static_cast<int>(part_.rows() - border_factor_.rows()); }
   double entries() const { return static_cast<double>(factor_->xsize); }
-  /// S Sᵀ, of the border in reverse order: upper triangle.
+
+  /// S Sᵀ, where S is what of L belongs to the border; the border in reverse order, upper triangle.
   Eigen::MatrixXd left_for_border() const {
-    // Reversed it is an upper triangle U, and U Uᵀ is what LAPACK has.
-    Eigen::MatrixXd left = border_factor_.reverse();
-    const int n = static_cast<int>(left.rows());
+    // Reversed, S is an upper triangle U, and U Uᵀ is what LAPACK has.
+    Eigen::MatrixXd left = Eigen::MatrixXd::Zero(border_, border_);
+    for_border_blocks([&](int begin, const auto& block, const int* rows) {
+      for (Eigen::Index j = 0; j < block.cols(); ++j)
+        for (Eigen::Index k = j; k < block.rows(); ++k)
+          left(border_ - 1 - rows[k], border_ - 1 - begin - j) = block(k, j);
+    });
     int info = 0;
-    if (n > 0) dlauum_("U", &n, left.data(), &n, &info);
+    if (border_ > 0) dlauum_("U", &border_, left.data(), &border_, &info);
     return left;
-  }
-  /// From a matrix of the border in reverse order, upper triangle.
-  void subtract_border(Eigen::MatrixXd& from) const {
-    const Eigen::Index first = inner(), last = part_.rows() - 1;
-    for (Eigen::Index j = first; j <= last; ++j)
-      for (SparseMatrix::InnerIterator it(part_, j); it; ++it) from(last - it.row(), last - j) -= it.value();
   }
 
   /// @param y  b of the inner rows by any number; becomes what backward() goes on with. @returns −B A⁻¹ b, which the border's
   /// right-hand sides get
   Eigen::MatrixXd forward(Eigen::MatrixXd& y) const {
-    y.conservativeResizeLike(Eigen::MatrixXd::Zero(part_.rows(), y.cols()));
+    y.conservativeResizeLike(Eigen::MatrixXd::Zero(size_, y.cols()));
     solve(CHOLMOD_L, y);
-    Eigen::MatrixXd share(border_factor_.rows(), y.cols());
+    Eigen::MatrixXd share = Eigen::MatrixXd::Zero(border_, y.cols());
     for (Eigen::Index c = 0; c < y.cols(); ++c)  // one by one: Eigen is slow with a few columns
-      share.col(c) = border_factor_.triangularView<Eigen::Lower>() * y.col(c).tail(share.rows());
+      for_border_blocks([&](int begin, const auto& block, const int* rows) {
+        const Eigen::Index width = block.cols(), below = block.rows() - width;
+        const auto z = y.col(c).tail(border_).segment(begin, width);
+        share.col(c).segment(begin, width) += block.topRows(width).template triangularView<Eigen::Lower>() * z;
+        const Eigen::VectorXd reached = block.bottomRows(below) * z;
+        for (Eigen::Index k = 0; k < below; ++k) share(rows[width + k], c) += reached[k];
+      });
     return share;
   }
   /// @param x_border  of the border rows. @param y  of forward(); becomes x of the inner and the border rows
   void backward(const Eigen::MatrixXd& x_border, Eigen::MatrixXd& y) const {
     for (Eigen::Index c = 0; c < y.cols(); ++c)
-      y.col(c).tail(x_border.rows()) = border_factor_.triangularView<Eigen::Lower>().transpose() * x_border.col(c);
+      for_border_blocks([&](int begin, const auto& block, const int* rows) {
+        const Eigen::Index width = block.cols(), below = block.rows() - width;
+        Eigen::VectorXd reached(below);
+        for (Eigen::Index k = 0; k < below; ++k) reached[k] = x_border(rows[width + k], c);
+        auto z = y.col(c).tail(border_).segment(begin, width);
+        z = block.topRows(width).template triangularView<Eigen::Lower>().transpose() *
+            x_border.col(c).segment(begin, width);
+        z += block.bottomRows(below).transpose() * reached;
+      });
     solve(CHOLMOD_Lt, y);
   }
 
  private:
-  void take_pattern(const MatrixGraph& graph, const std::vector<int>& rows, const std::vector<int>& place) {
-    const int n = static_cast<int>(rows.size());
-    const auto for_lower = [&](int i, const auto& visit) {
-      for (int k = graph.begin[rows[i]]; k < graph.begin[rows[i] + 1]; ++k) {
-        const int j = place[graph.neighbour[k]];
-        if (j >= 0 && j < i) visit(j, graph.entry[k]);
+  /// A(rows, rows), lower triangle.
+  SparseMatrix part_of(const SparseMatrix& A) const {
+    const auto for_entries = [&](const auto& visit) {
+      for (int j = 0; j < A.outerSize(); ++j) {
+        if (place_[j] < 0) continue;
+        for (SparseMatrix::InnerIterator it(A, j); it; ++it)
+          if (it.row() >= j && place_[it.row()] >= 0)
+            visit(std::max(place_[it.row()], place_[j]), std::min(place_[it.row()], place_[j]), it.value());
       }
-      if (graph.diagonal[rows[i]] >= 0) visit(i, graph.diagonal[rows[i]]);
     };
-    part_.resize(n, n);
-    int* outer = part_.outerIndexPtr();
-    std::fill(outer, outer + n + 1, 0);
-    for (int i = 0; i < n; ++i) for_lower(i, [&](int j, int) { ++outer[j + 1]; });
-    std::partial_sum(outer, outer + n + 1, outer);
-    part_.resizeNonZeros(outer[n]);
-    from_.resize(outer[n]);
-    std::vector<int> put(outer, outer + n);
-    for (int i = 0; i < n; ++i)
-      for_lower(i, [&](int j, int entry) {
-        part_.innerIndexPtr()[put[j]] = i;
-        from_[put[j]++] = entry;
-      });
+    SparseMatrix part(size_, size_);
+    int* outer = part.outerIndexPtr();
+    for_entries([&](int, int j, double) { ++outer[j + 1]; });
+    std::partial_sum(outer, outer + size_ + 1, outer);
+    part.resizeNonZeros(outer[size_]);
+    std::vector<int> put(outer, outer + size_);
+    for_entries([&](int i, int j, double value) {
+      part.innerIndexPtr()[put[j]] = i;
+      part.valuePtr()[put[j]++] = value;
+    });
+    return part;
   }
 
-  cholmod_sparse view() {
+  /// What CHOLMOD takes; rows in no order within a column.
+  static cholmod_sparse view(SparseMatrix& part) {
     cholmod_sparse A{};
-    A.nrow = A.ncol = static_cast<std::size_t>(part_.rows());
-    A.nzmax = from_.size();
-    A.p = part_.outerIndexPtr();
-    A.i = part_.innerIndexPtr();
-    A.x = part_.valuePtr();
+    A.nrow = A.ncol = static_cast<std::size_t>(part.rows());
+    A.nzmax = static_cast<std::size_t>(part.nonZeros());
+    A.p = part.outerIndexPtr();
+    A.i = part.innerIndexPtr();
+    A.x = part.valuePtr();
     A.stype = -1;
     A.itype = CHOLMOD_INT;
     A.xtype = CHOLMOD_REAL;
     A.dtype = CHOLMOD_DOUBLE;
-    A.sorted = A.packed = 1;
+    A.packed = 1;
     return A;
   }
 
-  void copy_border_factor() {
-    border_factor_.setZero();
+  /// visit(begin, block, rows) for the blocks of columns that S has in CHOLMOD's supernodes: the columns begin, begin + 1, …
+  /// of it, from the diagonal on (the upper triangle of the topmost rows means nothing), and the rows of S that these are.
+  template <class Visit>
+  void for_border_blocks(const Visit& visit) const {
     const cholmod_factor& L = *factor_;
     const auto *columns = static_cast<const int*>(L.super), *row_begin = static_cast<const int*>(L.pi),
                *value_begin = static_cast<const int*>(L.px), *rows = static_cast<const int*>(L.s);
-    const auto* values = static_cast<const double*>(L.x);
-    const int first = inner();
-    for (int s = static_cast<int>(L.nsuper) - 1; s >= 0 && columns[s + 1] > first; --s)
-      for (int j = std::max(first, columns[s]); j < columns[s + 1]; ++j) {
-        const int height = row_begin[s + 1] - row_begin[s];
-        const double* column = values + value_begin[s] + static_cast<std::ptrdiff_t>(j - columns[s]) * height;
-        for (int k = j - columns[s]; k < height; ++k)
-          border_factor_(rows[row_begin[s] + k] - first, j - first) = column[k];
-      }
+    const int first = size_ - border_;
+    std::vector<int> of_border;
+    for (int s = static_cast<int>(L.nsuper) - 1; s >= 0 && columns[s + 1] > first; --s) {
+      const int begin = std::max(first, columns[s]), skip = begin - columns[s];
+      const int height = row_begin[s + 1] - row_begin[s];
+      of_border.assign(rows + row_begin[s] + skip, rows + row_begin[s + 1]);
+      for (int& row : of_border) row -= first;
+      const double* values = static_cast<const double*>(L.x) + value_begin[s];
+      const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> block(
+          values + static_cast<std::ptrdiff_t>(skip) * height + skip, height - skip, columns[s + 1] - begin,
+          Eigen::OuterStride<>(height));
+      visit(begin - first, block, of_border.data());
+    }
   }
 
   void solve(int system, Eigen::MatrixXd& x) const {
@@ -182,11 +201,10 @@ class Half {
     x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x), x.rows(), x.cols());
   }
 
-  SparseMatrix part_;      ///< A(rows, rows), lower triangle
-  std::vector<int> from_;  ///< where A has the entries of it
+  int size_ = 0, border_ = 0;  ///< rows; the last of them
+  std::vector<int> place_;     ///< of each row of A: where it stands among the rows, or -1
   std::unique_ptr<Common> common_ = std::make_unique<Common>();
   std::unique_ptr<cholmod_factor, FreeFactor> factor_;
-  Eigen::MatrixXd border_factor_;  ///< S: of L, what belongs to the border; lower triangle, the rest is 0
 };
 
 /// A of the upper triangle becomes U, where A = UᵀU. @returns false if A is not positive definite.
@@ -201,16 +219,15 @@ bool cholesky_of_upper(Eigen::MatrixXd& A) {
 /// Sₖ, where C − Bₖ Aₖ⁻¹ Bₖᵀ = Sₖ Sₖᵀ; when both halves are eliminated, S₁S₁ᵀ + S₂S₂ᵀ − C is left for the border.
 class HalvedCholesky : public SpdSolver {
  public:
-  HalvedCholesky(const SparseMatrix& A, const MatrixGraph& graph, const Dissection& dissection) {
+  HalvedCholesky(const SparseMatrix& A, const Dissection& dissection) {
     use_one_blas_thread();
     const auto begin = dissection.order.begin(), middle = begin + dissection.first, end = middle + dissection.second;
     border_.assign(end, dissection.order.end());
     rows_ = {std::vector<int>(begin, middle), std::vector<int>(middle, end)};
     for_halves(1, [&](int k) {
-      std::vector<int> rows = rows_[k], place(A.rows(), -1);
+      std::vector<int> rows = rows_[k];
       rows.insert(rows.end(), border_.begin(), border_.end());
-      for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<int>(i);
-      halves_[k].analyze(graph, rows, place, static_cast<int>(border_.size()));
+      halves_[k].analyze(A, rows, static_cast<int>(border_.size()));
     });
   }
 
@@ -224,7 +241,7 @@ class HalvedCholesky : public SpdSolver {
     if (!good[0] || !good[1]) return false;
     border_factor_ = std::move(left[0]);
     border_factor_ += left[1];
-    halves_[0].subtract_border(border_factor_);
+    subtract_border_of(A);
     return cholesky_of_upper(border_factor_);
   }
 
@@ -262,6 +279,17 @@ class HalvedCholesky : public SpdSolver {
     }
   }
 
+  /// C, from the upper triangle of the border in reverse order.
+  void subtract_border_of(const SparseMatrix& A) {
+    const int last = static_cast<int>(border_.size()) - 1;
+    std::vector<int> place(A.rows(), -1);
+    for (int i = 0; i <= last; ++i) place[border_[i]] = last - i;
+    for (int j : border_)
+      for (SparseMatrix::InnerIterator it(A, j); it; ++it)
+        if (it.row() >= j && place[it.row()] >= 0)
+          border_factor_(std::min(place[it.row()], place[j]), std::max(place[it.row()], place[j])) -= it.value();
+  }
+
   std::array<std::vector<int>, 2> rows_;
   std::vector<int> border_;
   std::array<Half, 2> halves_;
@@ -271,10 +299,9 @@ class HalvedCholesky : public SpdSolver {
 }  // namespace
 
 std::unique_ptr<SpdSolver> make_halved_cholesky(const SparseMatrix& A) {
-  const MatrixGraph graph = graph_of(A);
-  const Dissection dissection = dissect(graph);
+  const Dissection dissection = dissect(graph_of(A));
   if (dissection.second == 0) return nullptr;
-  return std::make_unique<HalvedCholesky>(A, graph, dissection);
+  return std::make_unique<HalvedCholesky>(A, dissection);
 }
 
 }  // namespace loopmend
