@@ -21,10 +21,11 @@ enum class EvolutionMode {
   steps,   ///< the paper's semi-implicit scheme, §4, one step of size sigma after another
 };
 
-/// What may become of the patch's triangles on the way to the steady state of MMCVF. Edges are flipped in any case.
+/// What may become of the patch's triangles on the way to the steady state of MMCVF. A flow flips edges in any case.
 enum class PatchTriangles {
-  free,  ///< a patch that grows is remeshed
-  kept,  ///< vertices neither come nor go, but to mend folds
+  free,   ///< a patch that grows is remeshed
+  kept,   ///< vertices neither come nor go, but to mend folds
+  fixed,  ///< and fairings on rough surroundings leave the edges as they are
 };
 
 /// From where MMCVF sets out for the steady state.

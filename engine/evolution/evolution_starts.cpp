@@ -38,7 +38,7 @@ int folds_of(const Patch& patch) { return count_folds(patch.positions, patch.tri
 bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   const bool worn = state.folds > 0 || edge_length() > 1.05 * start_edge_length ||
                     min_angle_deg(state.patch.positions, state.patch.triangles, state.patch.patch_triangles) < 30;
-  const FairingMesh mesh = options.triangles == PatchTriangles::kept ? FairingMesh::fixed
+  const FairingMesh mesh = options.triangles != PatchTriangles::free ? FairingMesh::fixed
                            : worn && !history.empty()                ? FairingMesh::remeshed
                                                                      : FairingMesh::kept;
   FairedState faired;
@@ -107,26 +107,37 @@ void Evolution::Impl::blend_step() {
   Stopwatch watch;
   const bool judged = options.continuity == SeamContinuity::curvature;
   const bool first = judged && blends_left == rough_passes;
+  const bool last = judged && blends_left == 1;
   const double R = rim->radius;
-  Patch patch = state.patch;
-  const bool solved = first ? blend_once(patch, SeamContinuity::tangent, {}, R)
-                            : blend_once(patch, options.continuity,
-                                         judged ? rim_trust(patch, R, rim_data_trust) : Eigen::VectorXd(), R);
+  // Where a crease of the start lies between wide angles, negative weights, clamped, would hold it for ever.
+  const bool flips = judged && options.triangles != PatchTriangles::fixed;
+  const Patch before = flips ? with_delaunay_flips(state.patch) : state.patch;
+  const auto topology = before.triangles == state.patch.triangles ? state.topology : nullptr;
+  const Eigen::VectorXd trust = judged && !first ? rim_trust(before, R, rim_data_trust) : Eigen::VectorXd();
+  Patch patch = before;
+  const bool solved =
+      first ? blend_once(patch, SeamContinuity::tangent, {}, R) : blend_once(patch, options.continuity, trust, R);
   if (!solved) return stop(EvolutionStatus::failed, "stopped early: the patch is too degenerate to be faired");
   // The first spreads the vertices over the new shape; those after it mend that, and spread them anew where that unfolds.
   if (judged && !first) {
-    Patch mended = along_normals(state.patch, patch);
+    Patch mended = along_normals(before, patch);
     if (folds_of(mended) <= folds_of(patch)) patch = std::move(mended);
+  }
+  if (last && patch.free_count == start.free_count) {
+    Patch wide = start;
+    if (blend_once(wide, options.continuity, trust, R) && folds_of(wide) <= folds_of(patch)) {
+      wide = with_lost_area(patch, wide, start);
+      if (folds_of(wide) <= folds_of(patch)) patch = std::move(wide);
+    }
   }
   StepRecord record;
   record.step = static_cast<int>(history.size()) + 1;
   record.solve_seconds = watch.lap();
   double move = 0;
-  for (int i = 0; i < patch.free_count; ++i)
-    move = std::max(move, (patch.positions[i] - state.patch.positions[i]).norm());
+  for (int i = 0; i < patch.free_count; ++i) move = std::max(move, (patch.positions[i] - before.positions[i]).norm());
   record.max_move = move / edge_length();
   --blends_left;
-  state = make_state(std::move(patch), objective, stencil, state.topology, Fits::curvatures);
+  state = make_state(std::move(patch), objective, stencil, topology, Fits::curvatures);
   if (state.folds > start_folds && options.triangles == PatchTriangles::free)
     replace_if_good(remeshed(state.patch), std::numeric_limits<double>::max());
   record.energy = shown_energy(options.flow, state);

@@ -41,7 +41,7 @@ double share_at(int way, int rings) {
 std::optional<Retreat> retreat_locally(const FillSite& site, const Patch& start, const Patch& evolved,
                                        const PatchVerdict& limit, const CancelToken& cancel) {
   const int n = evolved.free_count;
-  if (n != start.free_count || evolved.triangles != start.triangles) return std::nullopt;
+  if (n != start.free_count) return std::nullopt;
   const Topology topology(evolved.vertex_count(), evolved.triangles);
   std::vector<char> spoilt(evolved.vertex_count(), 0);
   Retreat result{evolved, judge(site, evolved)};

@@ -18,8 +18,9 @@ struct Retreat {
 
 /// Vertices of spoilt triangles go back to the start, and those around them less and less, over 1, 2, 4, ... edges, until
 /// the patch may be kept; places that are spoilt on the way go back, too. The other vertices keep the bits of `evolved`.
-/// @param limit  the patch may be kept if it is no worse than that.
-/// @returns empty if that takes the whole patch back, if the two patches have not the same triangles, or when cancelled.
+/// The triangles are those of `evolved`, in which the start may be folded at its creases.
+/// @param start  with the same vertices. @param limit  the patch may be kept if it is no worse than that.
+/// @returns empty if that takes the whole patch back, if the two patches have not the same number of vertices, or when cancelled.
 std::optional<Retreat> retreat_locally(const FillSite& site, const Patch& start, const Patch& evolved,
                                        const PatchVerdict& limit, const CancelToken& cancel);
 

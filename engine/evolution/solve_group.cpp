@@ -209,8 +209,7 @@ std::optional<Patch> unrelaxed(const FillSite& site, const Patch& filler, const 
 }
 
 /// What it takes not to throw the fairings away as a whole for a few spoilt places. @returns true if a result may be kept.
-bool fair_and_retreat(const Run& run, const Patch& start, EvolutionOptions options, Evolved& result) {
-  options.triangles = PatchTriangles::kept;
+bool fair_and_retreat(const Run& run, const Patch& start, const EvolutionOptions& options, Evolved& result) {
   Evolution evolution(start, options);
   const EvolutionStatus status = evolution.run(run.on_step, run.cancel);
   if (status == EvolutionStatus::cancelled || status == EvolutionStatus::failed) return false;
@@ -245,8 +244,13 @@ bool evolve_robustly(const Run& run, const std::vector<const Patch*>& starts, co
       return true;
     if (run.cancel.cancelled()) return false;
   }
-  return std::any_of(starts.begin(), starts.end(),
-                     [&](const Patch* start) { return fair_and_retreat(plain, *start, robust, result); });
+  for (const Patch* start : starts)
+    for (const PatchTriangles triangles : {PatchTriangles::kept, PatchTriangles::fixed}) {
+      EvolutionOptions same_vertices = robust;
+      same_vertices.triangles = triangles;
+      if (fair_and_retreat(plain, *start, same_vertices, result)) return true;
+    }
+  return false;
 }
 
 /// What to try where the flow spoils the patch: bending energy blended in, and lower orders, which bulge less. On rough

@@ -6,6 +6,8 @@
 #include "operators/topology.h"
 #include "rim/rim_fits.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,6 +19,7 @@ namespace loopmend {
 namespace {
 
 constexpr double trust_in_median = 8, trust_in_radius = 8;
+constexpr double surely_lost = 0.01;     ///< of the area
 constexpr double known_well_enough = 2;  ///< σ_H R from which a curvature counts half
 constexpr int data_rings = 2;  ///< rings 1 and 2: from their Laplacians tangent and curvature run into the patch
 
@@ -74,6 +77,16 @@ std::vector<double> lengths_along_rim(const Patch& patch) {
   return length;
 }
 
+/// Of the patch's own triangles, patch frame.
+double area_of(const Patch& patch) {
+  double twice = 0;
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    const auto& [a, b, c] = patch.triangles[f];
+    twice += (patch.positions[b] - patch.positions[a]).cross(patch.positions[c] - patch.positions[a]).norm();
+  }
+  return twice / 2;
+}
+
 }  // namespace
 
 Eigen::VectorXd data_trust(const Patch& patch, double radius) {
@@ -124,6 +137,15 @@ Patch along_normals(const Patch& from, const Patch& to) {
   Patch result = from;
   for (int i = 0; i < from.free_count; ++i)
     result.positions[i] += normals[i].dot(to.positions[i] - from.positions[i]) * normals[i];
+  return result;
+}
+
+Patch with_lost_area(const Patch& patch, const Patch& wide, const Patch& start) {
+  const double more = std::min(area_of(wide), area_of(start)) / area_of(patch) - 1;
+  const double share = std::clamp(more / surely_lost, 0.0, 1.0);
+  Patch result = patch;
+  if (share > 0)
+    for (int i = 0; i < patch.free_count; ++i) result.positions[i] += share * (wide.positions[i] - patch.positions[i]);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/local_retreat.h"
 
+#include "evolution/mesh_care.h"
 #include "operators/topology.h"
 #include "support/patches.h"
 
@@ -114,12 +115,31 @@ TEST(LocalRetreat, LeavesWhatMayBeKeptAsItIs) {
   EXPECT_EQ(as_bad->patch.positions, scene.evolved.positions);
 }
 
-TEST(LocalRetreat, NeedsTheTrianglesOfTheStart) {
+TEST(LocalRetreat, NeedsTheVerticesOfTheStart) {
   Scene scene;
   scene.fold();
-  std::rotate(scene.evolved.triangles.begin(), scene.evolved.triangles.begin() + 1,
-              scene.evolved.triangles.begin() + scene.evolved.patch_triangles);
+  scene.start = test::exact_sphere_patch(5, 0.7);
+  ASSERT_NE(scene.start.free_count, scene.evolved.free_count);
   EXPECT_FALSE(scene.retreat());
+}
+
+/// What the start has is of no account.
+TEST(LocalRetreat, KeepsTheTrianglesOfTheEvolvedPatch) {
+  Scene scene;
+  const Patch turned = with_delaunay_flips(scene.evolved);
+  ASSERT_EQ(turned.free_count, scene.start.free_count);
+  Patch& start = scene.start;
+  const auto differs = [&] { return start.triangles != turned.triangles; };
+  for (int f = 0; f < start.patch_triangles && !differs(); ++f)
+    std::rotate(&start.triangles[f][0], &start.triangles[f][1], &start.triangles[f][0] + 3);
+  scene.evolved = turned;
+  scene.fold();
+  ASSERT_GT(scene.verdict().folds, 0);
+  ASSERT_TRUE(differs());
+  const std::optional<Retreat> retreat = scene.retreat();
+  ASSERT_TRUE(retreat);
+  expect_local(scene, *retreat);
+  EXPECT_EQ(retreat->patch.triangles, scene.evolved.triangles);
 }
 
 TEST(LocalRetreat, IsNoneWhereTheWholePatchWouldGoBack) {
