@@ -58,10 +58,14 @@ struct Moments {
     for (const Eigen::Vector2d& q : flat) {
       double power[most + 1];  // w uᵃ vᵇ of one degree
       power[0] = weight_at(q, rings);
+      // Unrolled, the powers stay in registers.
+#pragma GCC unroll 8
       for (int degree = 1; degree <= most; ++degree) {
         power[degree] = power[degree - 1] * q[1];
+#pragma GCC unroll 8
         for (int k = 0; k < degree; ++k) power[k] *= q[0];
         if (degree == 1) continue;
+#pragma GCC unroll 8
         for (int k = 0; k <= degree; ++k) sum[degree][k] += power[k];
       }
     }
@@ -88,8 +92,10 @@ void fill_normal_matrix(const std::vector<Eigen::Vector2d>& flat, int rings, dou
 template <int size>
 double norm1(const double (&matrix)[size][size]) {
   double largest = 0;
+#pragma GCC unroll 9
   for (int i = 0; i < size; ++i) {
     double sum = 0;
+#pragma GCC unroll 9
     for (int j = 0; j < size; ++j) sum += std::abs(matrix[std::max(i, j)][std::min(i, j)]);
     largest = std::max(largest, sum);
   }
@@ -101,26 +107,36 @@ double norm1(const double (&matrix)[size][size]) {
 template <int size>
 bool invert(const double (&N)[size][size], double (&inverse)[size][size]) {
   double L[size][size], L_inverse[size][size];
+#pragma GCC unroll 9
   for (int j = 0; j < size; ++j) {
     double pivot = N[j][j];
+#pragma GCC unroll 9
     for (int k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
     if (!(pivot > 0)) return false;
     L_inverse[j][j] = 1 / std::sqrt(pivot);
+#pragma GCC unroll 9
     for (int i = j + 1; i < size; ++i) {
       double sum = N[i][j];
+#pragma GCC unroll 9
       for (int k = 0; k < j; ++k) sum -= L[i][k] * L[j][k];
       L[i][j] = sum * L_inverse[j][j];
     }
   }
+#pragma GCC unroll 9
   for (int j = 0; j < size; ++j)
+#pragma GCC unroll 9
     for (int i = j + 1; i < size; ++i) {
       double sum = 0;
+#pragma GCC unroll 9
       for (int k = j; k < i; ++k) sum -= L[i][k] * L_inverse[k][j];
       L_inverse[i][j] = sum * L_inverse[i][i];
     }
+#pragma GCC unroll 9
   for (int i = 0; i < size; ++i)
+#pragma GCC unroll 9
     for (int j = 0; j <= i; ++j) {
       inverse[i][j] = 0;
+#pragma GCC unroll 9
       for (int k = i; k < size; ++k) inverse[i][j] += L_inverse[k][i] * L_inverse[k][j];
     }
   return true;
