@@ -11,12 +11,6 @@
 
 namespace loopmend {
 
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a);
-  const double norm = normal.norm();
-  return norm > 0 ? Vec3(normal / norm) : Vec3::Zero();
-}
-
 double min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto angle = [](const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); };
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
