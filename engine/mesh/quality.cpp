@@ -33,10 +33,9 @@ std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triang
       const Triangle& t = triangles[f];
       sides[next[lower(t, k)]++] = {std::max(t[k], t[(k + 1) % 3]), static_cast<int>(f)};
     }
-  const auto normal = [&](int f) {
-    const Triangle& t = triangles[f];
-    return unit_normal(points[t[0]], points[t[1]], points[t[2]]);
-  };
+  Points normal;
+  normal.reserve(triangles.size());
+  for (const Triangle& t : triangles) normal.push_back(unit_normal(points[t[0]], points[t[1]], points[t[2]]));
   std::vector<std::pair<int, int>> folds;
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto first = sides.begin() + begin[v], last = sides.begin() + begin[v + 1];
@@ -44,7 +43,7 @@ std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triang
               [](const Side& a, const Side& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
     for (auto s = first; s != last && s + 1 != last; ++s) {
       if (s->high != (s + 1)->high || s->face >= count) continue;
-      if (normal(s->face).dot(normal((s + 1)->face)) <= 0) folds.emplace_back(s->face, (s + 1)->face);
+      if (normal[s->face].dot(normal[(s + 1)->face]) <= 0) folds.emplace_back(s->face, (s + 1)->face);
     }
   }
   return folds;
