@@ -140,7 +140,8 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   look_for_decay_rate();
   add_weights(state, objective, stencil);
   GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
-  drop_weights(state);  // all that is asked of them
+  if (state.patch.free_count > largest_kept)
+    drop_weights(state);  // else the next state takes from them what has not changed
   if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
   StepRecord record;
   record.assemble_seconds = watch.lap();

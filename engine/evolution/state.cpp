@@ -31,26 +31,32 @@ double measure_of(const Objective& objective, const Patch& patch, const Operator
 
 namespace {
 
-OperatorSet fitted(const Patch& patch, const Topology& topology, const Objective& objective, Stencil stencil,
-                   Fits fits) {
+OperatorSet fitted(const Patch& patch, const Topology& topology, const Objective& objective, Stencil stencil, Fits fits,
+                   const KnownFits& known = {}) {
   std::vector<char> wanted(patch.vertex_count());
   for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= objective.reach;
   const auto compute =
       fits == Fits::operators || objective.flow == FlowKind::sdf ? compute_operators : compute_curvatures;
-  return compute(patch.positions, patch.triangles, topology, stencil, wanted);
+  return compute(patch.positions, patch.triangles, topology, stencil, wanted, known);
+}
+
+EvolutionState state_of(Patch patch, const Objective& objective, Stencil stencil,
+                        std::shared_ptr<const Topology> topology, Fits fits, const KnownFits& known) {
+  EvolutionState state;
+  state.topology = std::move(topology);
+  state.ops = fitted(patch, *state.topology, objective, stencil, fits, known);
+  state.measure = measure_of(objective, patch, state.ops);
+  state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  state.patch = std::move(patch);
+  return state;
 }
 
 }  // namespace
 
 EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
                           std::shared_ptr<const Topology> topology, Fits fits) {
-  EvolutionState state;
-  state.topology = topology ? std::move(topology) : std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
-  state.ops = fitted(patch, *state.topology, objective, stencil, fits);
-  state.measure = measure_of(objective, patch, state.ops);
-  state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
-  state.patch = std::move(patch);
-  return state;
+  if (!topology) topology = std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
+  return state_of(std::move(patch), objective, stencil, std::move(topology), fits, {});
 }
 
 void add_weights(EvolutionState& state, const Objective& objective, Stencil stencil) {
@@ -70,7 +76,8 @@ EvolutionState displaced(const EvolutionState& state, const Objective& objective
                          const Eigen::VectorXd& s, Fits fits) {
   Patch patch = state.patch;
   for (int i = 0; i < patch.free_count; ++i) patch.positions[i] += s[i] * state.ops.normal[i];
-  return make_state(std::move(patch), objective, stencil, state.topology, fits);
+  const KnownFits known{&state.ops, patch.free_count};
+  return state_of(std::move(patch), objective, stencil, state.topology, fits, known);
 }
 
 double shown_energy(FlowKind flow, const EvolutionState& state) {

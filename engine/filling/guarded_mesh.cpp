@@ -103,28 +103,25 @@ double GuardedMesh::fan_worst(VH v) const {
   return worst;
 }
 
-/// The same, were v, which is not on the rim, at `position`.
-double GuardedMesh::fan_worst(VH v, const Vec3& position) const {
+/// The same, were v, which is not on the rim, at `position`; the normals are left in fan_.
+double GuardedMesh::fan_worst(VH v, const Vec3& position) {
   double worst = 1;
-  Vec3 first = Vec3::Zero(), last = Vec3::Zero();
-  bool any = false;
+  fan_.clear();
   for (const auto h : mesh_.voh_range(v)) {
-    const HH link = mesh_.next_halfedge_handle(h);
-    const Vec3 normal =
-        unit_normal(position, mesh_.point(mesh_.from_vertex_handle(link)), mesh_.point(mesh_.to_vertex_handle(link)));
+    const HH link = mesh_.next_halfedge_handle(h), begin = mesh_.halfedge_handle(mesh_.face_handle(h));
+    const Vec3* const corner[] = {&position, &mesh_.point(mesh_.from_vertex_handle(link)),
+                                  &mesh_.point(mesh_.to_vertex_handle(link))};
+    const int k = begin == h ? 0 : begin == link ? 1 : 2;  // the bits of update_normal()
+    const Vec3 normal = unit_normal(*corner[k], *corner[(k + 1) % 3], *corner[(k + 2) % 3]);
     const HH across = mesh_.opposite_halfedge_handle(link);
     if (!mesh_.is_boundary(across))
       worst = std::min(worst, cosine(normal, face_normal(mesh_.face_handle(across))));
     else if (const Vec3& rim = rim_normal_[mesh_.edge_handle(link).idx()]; !rim.isZero())
       worst = std::min(worst, cosine(normal, rim));
-    if (any)
-      worst = std::min(worst, cosine(last, normal));
-    else
-      first = normal;
-    last = normal;
-    any = true;
+    if (!fan_.empty()) worst = std::min(worst, cosine(fan_.back(), normal));
+    fan_.push_back(normal);
   }
-  return std::min(worst, cosine(last, first));
+  return fan_.empty() ? -1 : std::min(worst, cosine(fan_.back(), fan_.front()));
 }
 
 /// Worst cosine over the edges of the faces around v and u; of those that would be left, with u at `*place`, if v were
@@ -180,7 +177,8 @@ bool GuardedMesh::guarded_move(VH v, const Vec3& position) {
   const double after = fan_worst(v, position);
   if (after < guard_cosine && after < fan_worst(v)) return false;
   mesh_.set_point(v, position);
-  update_normals_around(v);
+  auto normal = fan_.cbegin();
+  for (const auto h : mesh_.voh_range(v)) normal_[mesh_.face_handle(h).idx()] = *normal++;
   return true;
 }
 
@@ -266,7 +264,9 @@ bool GuardedMesh::collapse_guarded(HH h) {
     if ((mesh_.point(w) - place).norm() > 4.0 / 3 * (size_[w.idx()] + size_[u.idx()]) / 2) return false;
   }
   // The dearer questions last.
-  if (!mesh_.is_collapse_ok(h) || !allowed(pair_worst(h, &place), pair_worst(h, nullptr))) return false;
+  if (!mesh_.is_collapse_ok(h)) return false;
+  const double after = pair_worst(h, &place);
+  if (after < guard_cosine && after < pair_worst(h, nullptr)) return false;
   mesh_.collapse(h);
   mesh_.set_point(u, place);
   update_normals_around(u);

@@ -63,7 +63,7 @@ class GuardedMesh {
   Vec3 normal_across(HH h) const;
   double edge_cosine(EH e) const;
   double fan_worst(VH v) const;
-  double fan_worst(VH v, const Vec3& position) const;
+  double fan_worst(VH v, const Vec3& position);
   double pair_worst(HH h, const Vec3* place) const;
   HH beyond_collapsed(HH side, HH h) const;
   bool guarded_move(VH v, const Vec3& position);
@@ -80,6 +80,7 @@ class GuardedMesh {
   double coarser_ = 1;        ///< factor on all target sizes
   std::vector<double> size_;  ///< by vertex: target_size_ where it was made, times coarser_
   std::vector<Vec3> normal_;  ///< by face, unit or zero; kept up to date with every change
+  std::vector<Vec3> fan_;     ///< scratch: of the faces around a vertex, were it where it was last asked for
 };
 
 }  // namespace loopmend

@@ -79,10 +79,14 @@ class Search {
     Weight weight{std::max(left.weight.angle, right.weight.angle), 0};
     if (any && weight.angle > best.weight.angle) return;
     const Vec3 across = normal(loop_.points[i], loop_.points[m], loop_.points[k]);
-    const double length = std::sqrt(across.x() * across.x() + across.y() * across.y() + across.z() * across.z());
+    const double squared = across.x() * across.x() + across.y() * across.y() + across.z() * across.z();
     double cosine = std::min(across.dot(left.normal), across.dot(right.normal));
     if (i == 0 && k == n_ - 1) cosine = std::min(cosine, across.dot(border_[k]));
-    if (any && cosine < (best.cosine - clearly) * length) return;
+    const double least = best.cosine - clearly;
+    // Most end here, without waiting for the root.
+    if (any && least > 0 && (cosine < 0 || cosine * cosine < (1 - clearly) * least * least * squared)) return;
+    const double length = std::sqrt(squared);
+    if (any && cosine < least * length) return;
     const bool flatter = cosine > (std::min(left.cosine, right.cosine) + clearly) * length;
     if (!flatter) weight.angle = std::max(weight.angle, worst_dihedral(i, m, k));
     if (any && weight.angle > best.weight.angle) return;

@@ -11,12 +11,6 @@
 
 namespace loopmend {
 
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a);
-  const double norm = normal.norm();
-  return norm > 0 ? Vec3(normal / norm) : Vec3::Zero();
-}
-
 double min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto angle = [](const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); };
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
@@ -39,10 +33,9 @@ std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triang
       const Triangle& t = triangles[f];
       sides[next[lower(t, k)]++] = {std::max(t[k], t[(k + 1) % 3]), static_cast<int>(f)};
     }
-  const auto normal = [&](int f) {
-    const Triangle& t = triangles[f];
-    return unit_normal(points[t[0]], points[t[1]], points[t[2]]);
-  };
+  Points normal;
+  normal.reserve(triangles.size());
+  for (const Triangle& t : triangles) normal.push_back(unit_normal(points[t[0]], points[t[1]], points[t[2]]));
   std::vector<std::pair<int, int>> folds;
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto first = sides.begin() + begin[v], last = sides.begin() + begin[v + 1];
@@ -50,7 +43,7 @@ std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triang
               [](const Side& a, const Side& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
     for (auto s = first; s != last && s + 1 != last; ++s) {
       if (s->high != (s + 1)->high || s->face >= count) continue;
-      if (normal(s->face).dot(normal((s + 1)->face)) <= 0) folds.emplace_back(s->face, (s + 1)->face);
+      if (normal[s->face].dot(normal[(s + 1)->face]) <= 0) folds.emplace_back(s->face, (s + 1)->face);
     }
   }
   return folds;

@@ -3,13 +3,19 @@
 
 #include "core/types.h"
 
+#include <Eigen/Geometry>
+
 #include <utility>
 #include <vector>
 
 namespace loopmend {
 
-/// Unit normal of a triangle; zero when it has no area.
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Unit normal of a triangle; zero when it has no area. Here, since remeshing asks for it all the time.
+inline Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = (b - a).cross(c - a);
+  const double norm = normal.norm();
+  return norm > 0 ? Vec3(normal / norm) : Vec3::Zero();
+}
 
 /// Smallest angle of the triangle in radians; 0 when degenerate.
 double min_angle(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -58,10 +58,14 @@ struct Moments {
     for (const Eigen::Vector2d& q : flat) {
       double power[most + 1];  // w uᵃ vᵇ of one degree
       power[0] = weight_at(q, rings);
+      // Unrolled, the powers stay in registers.
+#pragma GCC unroll 8
       for (int degree = 1; degree <= most; ++degree) {
         power[degree] = power[degree - 1] * q[1];
+#pragma GCC unroll 8
         for (int k = 0; k < degree; ++k) power[k] *= q[0];
         if (degree == 1) continue;
+#pragma GCC unroll 8
         for (int k = 0; k <= degree; ++k) sum[degree][k] += power[k];
       }
     }
@@ -88,8 +92,10 @@ void fill_normal_matrix(const std::vector<Eigen::Vector2d>& flat, int rings, dou
 template <int size>
 double norm1(const double (&matrix)[size][size]) {
   double largest = 0;
+#pragma GCC unroll 9
   for (int i = 0; i < size; ++i) {
     double sum = 0;
+#pragma GCC unroll 9
     for (int j = 0; j < size; ++j) sum += std::abs(matrix[std::max(i, j)][std::min(i, j)]);
     largest = std::max(largest, sum);
   }
@@ -101,26 +107,36 @@ double norm1(const double (&matrix)[size][size]) {
 template <int size>
 bool invert(const double (&N)[size][size], double (&inverse)[size][size]) {
   double L[size][size], L_inverse[size][size];
+#pragma GCC unroll 9
   for (int j = 0; j < size; ++j) {
     double pivot = N[j][j];
+#pragma GCC unroll 9
     for (int k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
     if (!(pivot > 0)) return false;
     L_inverse[j][j] = 1 / std::sqrt(pivot);
+#pragma GCC unroll 9
     for (int i = j + 1; i < size; ++i) {
       double sum = N[i][j];
+#pragma GCC unroll 9
       for (int k = 0; k < j; ++k) sum -= L[i][k] * L[j][k];
       L[i][j] = sum * L_inverse[j][j];
     }
   }
+#pragma GCC unroll 9
   for (int j = 0; j < size; ++j)
+#pragma GCC unroll 9
     for (int i = j + 1; i < size; ++i) {
       double sum = 0;
+#pragma GCC unroll 9
       for (int k = j; k < i; ++k) sum -= L[i][k] * L_inverse[k][j];
       L_inverse[i][j] = sum * L_inverse[i][i];
     }
+#pragma GCC unroll 9
   for (int i = 0; i < size; ++i)
+#pragma GCC unroll 9
     for (int j = 0; j <= i; ++j) {
       inverse[i][j] = 0;
+#pragma GCC unroll 9
       for (int k = i; k < size; ++k) inverse[i][j] += L_inverse[k][i] * L_inverse[k][j];
     }
   return true;
@@ -228,20 +244,39 @@ void LocalFit::resize(std::size_t count) {
   gauss.resize(count, 0.0);
 }
 
+namespace {
+
+/// The share of corner k of the triangle in the normal there.
+double angle_at(const Points& points, const Triangle& t, int k) {
+  const Vec3 a = points[t[(k + 1) % 3]] - points[t[k]], b = points[t[(k + 2) % 3]] - points[t[k]];
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+Vec3 unit_or_zero(const Vec3& sum) {
+  const double norm = sum.norm();
+  return norm > 0 ? Vec3(sum / norm) : Vec3::Zero();
+}
+
+}  // namespace
+
 Points angle_weighted_normals(const Points& points, const Triangles& triangles) {
   Points normals(points.size(), Vec3::Zero());
   for (const Triangle& t : triangles) {
     const Vec3 normal = unit_normal(points[t[0]], points[t[1]], points[t[2]]);
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 a = points[t[(k + 1) % 3]] - points[t[k]], b = points[t[(k + 2) % 3]] - points[t[k]];
-      normals[t[k]] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;
-    }
+    for (int k = 0; k < 3; ++k) normals[t[k]] += angle_at(points, t, k) * normal;
   }
-  for (Vec3& n : normals) {
-    const double norm = n.norm();
-    n = norm > 0 ? Vec3(n / norm) : Vec3::Zero();
-  }
+  for (Vec3& n : normals) n = unit_or_zero(n);
   return normals;
+}
+
+Vec3 angle_weighted_normal(const Points& points, const Triangles& triangles, const Topology& topology, int i) {
+  Vec3 sum = Vec3::Zero();
+  for (int f : topology.faces(i)) {
+    const Triangle& t = triangles[f];
+    const int k = t[0] == i ? 0 : t[1] == i ? 1 : 2;
+    sum += angle_at(points, t, k) * unit_normal(points[t[0]], points[t[1]], points[t[2]]);
+  }
+  return unit_or_zero(sum);
 }
 
 }  // namespace loopmend

@@ -58,5 +58,7 @@ void fit_curvatures(const Points& points, const Topology& topology, int i, const
 
 /// Normals weighted by the angles of the triangles at each vertex; unit, or zero where there is no area.
 Points angle_weighted_normals(const Points& points, const Triangles& triangles);
+/// One of them, the same bits.
+Vec3 angle_weighted_normal(const Points& points, const Triangles& triangles, const Topology& topology, int i);
 
 }  // namespace loopmend

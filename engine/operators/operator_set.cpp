@@ -82,6 +82,24 @@ void take(const LocalFit& fit, int i, OperatorSet& set) {
   set.second_form[i] = fit.second_form;
 }
 
+/// Takes the fit at vertex i from what is known, if it has not changed.
+bool recall(const KnownFits& known, int i, LocalFit& fit) {
+  if (!known.set || known.set->offset.empty() || i < known.moved || !known.set->valid[i]) return false;
+  const OperatorSet& set = *known.set;
+  const int begin = set.offset[i] + 1, end = set.offset[i + 1];
+  fit.neighbors.assign(set.index.begin() + begin, set.index.begin() + end);
+  if (*std::min_element(fit.neighbors.begin(), fit.neighbors.end()) < known.moved) return false;
+  fit.laplacian.assign(set.laplacian.begin() + begin, set.laplacian.begin() + end);
+  fit.gradient.assign(set.gradient.begin() + begin, set.gradient.begin() + end);
+  fit.gauss.assign(set.gauss.begin() + begin, set.gauss.begin() + end);
+  fit.normal = set.normal[i];
+  fit.second_form = set.second_form[i];
+  fit.H = set.H[i];
+  fit.K = set.K[i];
+  fit.valid = true;
+  return true;
+}
+
 /// fit(i, scratch, result) at all wanted vertices; keep(run, i, result) where that is valid. Runs are numbered in order, and
 /// none is worked on by two threads: whoever joins them in order has the same bits for any number of threads.
 template <class Fit, class Keep>
@@ -100,10 +118,10 @@ void fit_in_runs(const std::vector<char>& wanted, int run_length, const Fit& fit
   });
 }
 
-OperatorSet without_fits(const Points& points, const Triangles& triangles) {
+OperatorSet without_fits(const Points& points) {
   OperatorSet set;
   const auto n = static_cast<Eigen::Index>(points.size());
-  set.normal = angle_weighted_normals(points, triangles);
+  set.normal.assign(points.size(), Vec3::Zero());
   set.H.setZero(n);
   set.K.setZero(n);
   set.valid.assign(points.size(), 0);
@@ -114,15 +132,17 @@ OperatorSet without_fits(const Points& points, const Triangles& triangles) {
 }  // namespace
 
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
-                              Stencil stencil, const std::vector<char>& wanted) {
+                              Stencil stencil, const std::vector<char>& wanted, const KnownFits& known) {
   const int n = static_cast<int>(points.size()), run_length = n > least_for_threads ? 256 : 32;
-  OperatorSet set = without_fits(points, triangles);
+  OperatorSet set = without_fits(points);
   std::vector<Rows> runs((n + run_length - 1) / run_length);
   for (std::size_t run = 0; run < runs.size(); ++run)
     runs[run].length.assign(std::min<std::size_t>(run_length, n - run * run_length), 0);
   fit_in_runs(
       wanted, run_length,
       [&](int i, FitScratch& scratch, LocalFit& fit) {
+        if (recall(known, i, fit)) return;
+        set.normal[i] = angle_weighted_normal(points, triangles, topology, i);
         fit_quadratic(points, topology, i, set.normal[i], stencil, scratch, fit);
       },
       [&](int run, int i, const LocalFit& fit) {
@@ -134,11 +154,13 @@ OperatorSet compute_operators(const Points& points, const Triangles& triangles, 
 }
 
 OperatorSet compute_curvatures(const Points& points, const Triangles& triangles, const Topology& topology,
-                               Stencil stencil, const std::vector<char>& wanted) {
-  OperatorSet set = without_fits(points, triangles);
+                               Stencil stencil, const std::vector<char>& wanted, const KnownFits& known) {
+  OperatorSet set = without_fits(points);
   fit_in_runs(
       wanted, wanted.size() > least_for_threads ? 256 : 32,
       [&](int i, FitScratch& scratch, LocalFit& fit) {
+        if (recall(known, i, fit)) return;
+        set.normal[i] = angle_weighted_normal(points, triangles, topology, i);
         fit_curvatures(points, topology, i, set.normal[i], stencil, scratch, fit);
       },
       [&](int, int i, const LocalFit& fit) { take(fit, i, set); });

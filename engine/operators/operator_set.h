@@ -19,8 +19,8 @@ struct OperatorSet {
   std::vector<int> index;   ///< vertex of each entry
   std::vector<double> laplacian;
   Points gradient;
-  std::vector<double> gauss;                 ///< times n_i: see LocalFit
-  Points normal;                             ///< #V, unit: of the fit where there is one, else angle-weighted
+  std::vector<double> gauss;  ///< times n_i: see LocalFit
+  Points normal;              ///< #V, unit: of the fit, or angle-weighted where it failed; 0 where it was not wanted
   std::vector<Eigen::Matrix3d> second_form;  ///< #V, see LocalFit
   Eigen::VectorXd H, K;                      ///< #V, 0 in empty rows
   std::vector<char> valid;                   ///< #V
@@ -32,13 +32,20 @@ struct OperatorSet {
   Vec3 diamond(int i, const Vec3& tangent) const { return 2 * H[i] * tangent - second_form[i] * tangent; }
 };
 
+/// Fits from before, by the same stencil on the same topology. Those that reach no vertex which has moved since are not
+/// made again: they would have the same bits.
+struct KnownFits {
+  const OperatorSet* set = nullptr;  ///< null, or without weights: nothing is known
+  int moved = 0;                     ///< the first so many vertices may have moved; all others are where they were
+};
+
 /// Fits every vertex i with wanted[i] != 0; in parallel (OpenMP), with the same bits for any number of threads.
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
-                              Stencil stencil, const std::vector<char>& wanted);
+                              Stencil stencil, const std::vector<char>& wanted, const KnownFits& known = {});
 
 /// The same curvatures and normals without weights, whose arrays, `offset` too, are left empty: about half the work.
 OperatorSet compute_curvatures(const Points& points, const Triangles& triangles, const Topology& topology,
-                               Stencil stencil, const std::vector<char>& wanted);
+                               Stencil stencil, const std::vector<char>& wanted, const KnownFits& known = {});
 
 /// Clamp for cotangent weights where a matrix must stay well-conditioned on slivers (NUMERICS §10).
 struct CotanClamp {

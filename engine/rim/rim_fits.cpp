@@ -1,7 +1,6 @@
 #include "rim/rim_fits.h"
 
 #include "rim/cubic_fit.h"
-#include "rim/fixed_surface.h"
 
 #include <Eigen/Geometry>
 
@@ -54,7 +53,10 @@ double median_residual(const std::vector<std::optional<CubicFit>>& fits) {
 /// Of the surroundings, loop by loop.
 class Around {
  public:
-  explicit Around(const Patch& patch) : points_(patch.positions), surface_(patch), mark_(patch.vertex_count(), 0) {}
+  Around(const Patch& patch, const FixedSurface& surface)
+      : points_(patch.positions),
+        surface_(surface),
+        mark_(patch.vertex_count(), 0) {}
 
   /// At the given fixed vertices, all of one width.
   std::vector<RimFit> fits_at(const std::vector<int>& vertices) {
@@ -78,7 +80,7 @@ class Around {
 
  private:
   const Points& points_;
-  FixedSurface surface_;
+  const FixedSurface& surface_;
   std::vector<char> mark_;
 };
 
@@ -112,10 +114,13 @@ RimSummary summary_of(const Patch& patch, const std::vector<int>& rim, const std
 
 }  // namespace
 
-std::vector<RimFit> rim_fits(const Patch& patch, int loop) { return Around(patch).fits_at(patch.loops[loop]); }
+std::vector<RimFit> rim_fits(const Patch& patch, int loop) {
+  const FixedSurface surface(patch);
+  return Around(patch, surface).fits_at(patch.loops[loop]);
+}
 
-std::vector<std::vector<RimFit>> rim_fits(const Patch& patch) {
-  Around around(patch);
+std::vector<std::vector<RimFit>> rim_fits(const Patch& patch, const FixedSurface& surface) {
+  Around around(patch, surface);
   std::vector<std::vector<RimFit>> fits;
   for (const std::vector<int>& rim : patch.loops) fits.push_back(around.fits_at(rim));
   return fits;
@@ -126,7 +131,8 @@ std::vector<float> curvature_uncertainty(const Patch& patch) {
   std::vector<int> near;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (patch.ring[i] <= farthest) near.push_back(i);
-  const std::vector<RimFit> fits = Around(patch).fits_at(near);
+  const FixedSurface surface(patch);
+  const std::vector<RimFit> fits = Around(patch, surface).fits_at(near);
   std::vector<float> sigma(patch.vertex_count() - patch.free_count, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t k = 0; k < fits.size(); ++k)
     if (fits[k].valid) sigma[near[k] - patch.free_count] = static_cast<float>(fits[k].H_sigma / patch.scale);
@@ -134,7 +140,7 @@ std::vector<float> curvature_uncertainty(const Patch& patch) {
 }
 
 std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness) {
-  return rim_summaries(patch, roughness, rim_fits(patch));
+  return rim_summaries(patch, roughness, rim_fits(patch, FixedSurface(patch)));
 }
 
 std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/patch.h"
+#include "rim/fixed_surface.h"
 #include "rim/rim_roughness.h"
 
 namespace loopmend {
@@ -21,7 +22,7 @@ struct RimFit {
 /// that leaves over no more than white noise does: at most 1.5 times the smallest residual of the narrower ones.
 std::vector<RimFit> rim_fits(const Patch& patch, int loop);
 /// The same for all loops.
-std::vector<std::vector<RimFit>> rim_fits(const Patch& patch);
+std::vector<std::vector<RimFit>> rim_fits(const Patch& patch, const FixedSurface& surface);
 
 /// Standard deviation of H, 1/length in mesh units, at each fixed vertex of rings 1 to 4, from the same fits; NaN farther out
 /// and where there is no fit. One value for each fixed vertex, in their order.

@@ -131,15 +131,16 @@ const char* to_string(Surroundings surroundings) {
   return "";
 }
 
-SurroundingFits fit_surroundings(const Patch& patch) {
-  const FixedSurface around(patch);
+SurroundingFits fit_surroundings(const Patch& patch, const FixedSurface& around) {
   SurroundingFits fits;
   fit_around(patch, around, fits);
   for (int k : {0, 1, 2}) fits.residual[k] = median_residual(patch, around, 2 + k);
   return fits;
 }
 
-RimRoughness rim_roughness(const Patch& patch) { return rim_roughness(patch, fit_surroundings(patch)); }
+RimRoughness rim_roughness(const Patch& patch) {
+  return rim_roughness(patch, fit_surroundings(patch, FixedSurface(patch)));
+}
 
 RimRoughness rim_roughness(const Patch& patch, const SurroundingFits& fits) {
   RimRoughness rim;

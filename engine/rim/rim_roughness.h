@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/patch.h"
+#include "rim/fixed_surface.h"
 
 #include <array>
 
@@ -42,7 +43,8 @@ struct SurroundingFits {
   std::array<double, 3> residual{0, 0, 0};  ///< median, of cubic fits over 2, 3 and 4 rings near the patch, patch frame
 };
 
-SurroundingFits fit_surroundings(const Patch& patch);
+/// @param around  of this patch, for all three of RimSurvey.
+SurroundingFits fit_surroundings(const Patch& patch, const FixedSurface& around);
 
 /// @param fits  of this patch's surroundings.
 RimRoughness rim_roughness(const Patch& patch, const SurroundingFits& fits);

@@ -3,6 +3,9 @@
 
 namespace loopmend {
 
-RimSurvey survey_rim(const Patch& patch) { return {fit_surroundings(patch), stray_distances(patch), rim_fits(patch)}; }
+RimSurvey survey_rim(const Patch& patch) {
+  const FixedSurface around(patch);
+  return {fit_surroundings(patch, around), stray_distances(patch, around), rim_fits(patch, around)};
+}
 
 }  // namespace loopmend

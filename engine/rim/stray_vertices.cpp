@@ -4,7 +4,6 @@
 #include "mesh/quality.h"
 #include "operators/local_fit.h"
 #include "rim/cubic_fit.h"
-#include "rim/fixed_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -41,27 +40,32 @@ Vec3 median_normal(const Points& normals, const std::vector<int>& vertices) {
 /// The surroundings, with some vertices moved onto what their neighbours say.
 class Surround {
  public:
-  explicit Surround(const Patch& patch) : points(patch.positions), surface_(patch), mark_(patch.vertex_count(), 0) {}
+  Surround(const Patch& patch, const FixedSurface& around)
+      : points(patch.positions),
+        around_(around),
+        normals_(around.normals),
+        mark_(patch.vertex_count(), 0) {}
 
-  void take_normals() { surface_.normals = angle_weighted_normals(points, surface_.triangles); }
+  void take_normals() { normals_ = angle_weighted_normals(points, around_.triangles); }
 
   /// From the vertex onto the fit of its neighbours; 0 where there is none.
   Vec3 way_to_neighbours(int i, Outliers outliers) {
-    const Vec3 normal = median_normal(surface_.normals, near(i, fit_rings));
+    const Vec3 normal = median_normal(normals_, near(i, fit_rings));
     if (normal.isZero()) return Vec3::Zero();
-    const auto fit = fit_cubic(points, surface_.topology, i, normal, fit_rings, outliers, mark_, FitCentre::left_out);
+    const auto fit = fit_cubic(points, around_.topology, i, normal, fit_rings, outliers, mark_, FitCentre::left_out);
     return fit ? Vec3(fit->coefficients[0] * fit->normal) : Vec3::Zero();
   }
 
   const std::vector<int>& near(int i, int rings) {
-    surface_.topology.k_ring(i, rings, near_, mark_);
+    around_.topology.k_ring(i, rings, near_, mark_);
     return near_;
   }
 
   Points points;
 
  private:
-  FixedSurface surface_;
+  const FixedSurface& around_;
+  Points normals_;
   std::vector<char> mark_;
   std::vector<int> near_;
 };
@@ -110,16 +114,18 @@ std::vector<int> foremost(Surround& surround, const std::vector<int>& vertices, 
 
 }  // namespace
 
-StrayDistances stray_distances(const Patch& patch) {
+StrayDistances stray_distances(const Patch& patch, const FixedSurface& around) {
   const std::vector<int> vertices = looked_at(patch);
   if (vertices.empty()) return {};
-  Surround surround(patch);
+  Surround surround(patch, around);
   std::vector<double> distances;
   for (int i : vertices) distances.push_back(surround.way_to_neighbours(i, Outliers::count).norm());
   return {*std::max_element(distances.begin(), distances.end()), median_of(distances)};
 }
 
-CalmSurroundings without_strays(const Patch& patch) { return without_strays(patch, stray_distances(patch)); }
+CalmSurroundings without_strays(const Patch& patch) {
+  return without_strays(patch, stray_distances(patch, FixedSurface(patch)));
+}
 
 CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distances) {
   CalmSurroundings calm{patch, 0};
@@ -130,7 +136,8 @@ CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distan
   const auto any_beyond = [&](const Distances& d) {
     return std::any_of(vertices.begin(), vertices.end(), [&](int i) { return d.beyond(i); });
   };
-  Surround surround(patch);
+  const FixedSurface around(patch);
+  Surround surround(patch, around);
   std::set<int> strays;
   Distances left(surround, vertices, edge);
   for (int round = 0; round < most_rounds && any_beyond(left); ++round) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/patch.h"
+#include "rim/fixed_surface.h"
 
 namespace loopmend {
 
@@ -24,7 +25,7 @@ struct StrayDistances {
   double largest = 0, median = 0;
 };
 
-StrayDistances stray_distances(const Patch& patch);
+StrayDistances stray_distances(const Patch& patch, const FixedSurface& around);
 
 /// The same where these distances are known. @param distances  of this patch's surroundings.
 CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distances);

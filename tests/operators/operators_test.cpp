@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -334,6 +335,37 @@ TEST(Operators, CurvaturesAloneAreTheSameToTheBit) {
     expect_same_curvatures(all, some);
     EXPECT_TRUE(some.offset.empty() && some.laplacian.empty());
     EXPECT_GT(all.H.cwiseAbs().maxCoeff(), 0.5);
+  }
+}
+
+TEST(Operators, KnownFitsAreTakenWhereNothingMovedAndAreTheSameToTheBit) {
+  const TriangleSoup soup = roughen(make_icosphere(3), 0.2, 0.25, 3, [](const Vec3& p) { return p.normalized(); });
+  const int n = static_cast<int>(soup.points.size());
+  constexpr int moved = 5;
+  Points after = soup.points;
+  for (int i = 0; i < moved; ++i) after[i] *= 1.01;
+  const Topology topology(n, soup.triangles);
+  std::vector<char> wanted(n, 1);
+  for (int i = 0; i < n; i += 7) wanted[i] = 0;
+  for (Stencil stencil : {Stencil::one_ring, Stencil::two_ring_cubic}) {
+    OperatorSet before = compute_operators(soup.points, soup.triangles, topology, stencil, wanted);
+    const KnownFits known{&before, moved};
+    const OperatorSet anew = compute_operators(after, soup.triangles, topology, stencil, wanted);
+    const OperatorSet taken = compute_operators(after, soup.triangles, topology, stencil, wanted, known);
+    expect_same_curvatures(anew, taken);
+    EXPECT_EQ(anew.index, taken.index);
+    EXPECT_EQ(anew.laplacian, taken.laplacian);
+    EXPECT_EQ(anew.gradient, taken.gradient);
+    EXPECT_EQ(anew.gauss, taken.gauss);
+    expect_same_curvatures(anew, compute_curvatures(after, soup.triangles, topology, stencil, wanted, known));
+    // Which of them were taken shows where they are wrong.
+    before.H.setConstant(123);
+    const OperatorSet marked = compute_operators(after, soup.triangles, topology, stencil, wanted, known);
+    for (int i = 0; i < n; ++i) {
+      const auto begin = anew.index.begin() + anew.offset[i], end = anew.index.begin() + anew.offset[i + 1];
+      const bool reaches_moved = std::any_of(begin, end, [](int j) { return j < moved; });
+      EXPECT_EQ(marked.H[i] == 123, wanted[i] != 0 && !reaches_moved) << i;
+    }
   }
 }
 
