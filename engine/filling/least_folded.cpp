@@ -6,7 +6,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
 
 namespace loopmend {
 
@@ -35,45 +38,88 @@ struct Span {
   Vec3 normal = Vec3::Zero();  ///< of the triangle at the chord, or across where the chord is an edge of the loop
 };
 
-/// The best triangulation between the points i and k, for all i < k, from the short to the long.
+/// Between all pairs of points.
+class AllSpans {
+ public:
+  explicit AllSpans(int n) : n_(n), spans_(n * n) {}
+  const Span& between(int i, int k) const { return spans_[i * n_ + k]; }
+  /// The same, where those of one k lie together.
+  const Span& back(int k, int i) const { return spans_[k * n_ + i]; }
+  void keep(int i, int k, const Span& span) { spans_[i * n_ + k] = spans_[k * n_ + i] = span; }
+
+ private:
+  int n_;
+  std::vector<Span> spans_;
+};
+
+/// Between some.
+class FewSpans {
+ public:
+  explicit FewSpans(int n) : n_(n) {}
+  const Span& between(int i, int k) const {
+    const auto found = spans_.find(key(i, k));
+    return found == spans_.end() ? none_ : found->second;
+  }
+  const Span& back(int k, int i) const { return between(i, k); }
+  void keep(int i, int k, const Span& span) { spans_[key(i, k)] = span; }
+
+ private:
+  std::int64_t key(int i, int k) const { return static_cast<std::int64_t>(i) * n_ + k; }
+
+  std::int64_t n_;
+  Span none_;
+  std::unordered_map<std::int64_t, Span> spans_;  ///< only ever asked for one of them
+};
+
+/// The best triangulation between the points i and k, i < k, from the short to the long.
+template <class Spans>
 class Search {
  public:
-  explicit Search(const OpenLoop& loop) : loop_(loop), n_(static_cast<int>(loop.points.size())), spans_(n_ * n_) {
+  explicit Search(const OpenLoop& loop) : loop_(loop), n_(static_cast<int>(loop.points.size())), spans_(n_) {
     for (int i = 0; i < n_; ++i)
       border_.push_back(normal(loop.points[(i + 1) % n_], loop.points[i], loop.across[i]).normalized());
-    for (int i = 0; i + 1 < n_; ++i) keep(i, i + 1, {-1, {}, 1, border_[i]});
+    for (int i = 0; i + 1 < n_; ++i) spans_.keep(i, i + 1, {-1, {}, 1, border_[i]});
+  }
+
+  /// All triangles.
+  void fill() {
     for (int length = 2; length < n_; ++length)
       for (int i = 0; i + length < n_; ++i) fill(i, i + length);
+  }
+  /// @param allowed  by the length of the stretch, then by its ends
+  void fill(const Triangles& allowed) {
+    for (auto first = allowed.begin(); first != allowed.end();) {
+      const int i = (*first)[0], k = (*first)[2];
+      Span best;
+      for (; first != allowed.end() && (*first)[0] == i && (*first)[2] == k; ++first) look(i, (*first)[1], k, best);
+      spans_.keep(i, k, best);
+    }
   }
 
   Triangles triangles() const {
     Triangles result;
-    if (span(0, n_ - 1).apex < 0) return result;
+    if (spans_.between(0, n_ - 1).apex < 0) return result;
     trace(0, n_ - 1, result);
     std::rotate(result.back().begin(), result.back().end() - 1, result.back().end());
     return result;
   }
 
  private:
-  const Span& span(int i, int k) const { return spans_[i * n_ + k]; }
-  /// The same, where those of one k lie together.
-  const Span& span_to(int k, int i) const { return spans_[k * n_ + i]; }
-  void keep(int i, int k, const Span& span) { spans_[i * n_ + k] = spans_[k * n_ + i] = span; }
   static bool filled(int i, int k, const Span& span) { return i + 1 == k || span.apex >= 0; }
   bool present(int i, int k) const { return i + 1 != k && loop_.present.count({i, k}) > 0; }
 
   void fill(int i, int k) {
     Span best;
     // Those of the neighbours are mostly good, and good ones spare measuring the others.
-    for (int m : {span(i, k - 1).apex, span(i + 1, k).apex})
+    for (int m : {spans_.between(i, k - 1).apex, spans_.between(i + 1, k).apex})
       if (m > i && m < k) look(i, m, k, best);
     for (int m = i + 1; m < k; ++m) look(i, m, k, best);
-    keep(i, k, best);
+    spans_.keep(i, k, best);
   }
 
   /// Takes the triangle i, m, k if it is better than the best so far. Most need not be measured exactly.
   void look(int i, int m, int k, Span& best) const {
-    const Span &left = span(i, m), &right = span_to(k, m);
+    const Span &left = spans_.between(i, m), &right = spans_.back(k, m);
     if (!filled(i, m, left) || !filled(m, k, right)) return;
     const bool any = best.apex >= 0;
     Weight weight{std::max(left.weight.angle, right.weight.angle), 0};
@@ -105,7 +151,9 @@ class Search {
     const double worst = std::max(dihedral(i, m, k, beyond(i, m)), dihedral(m, k, i, beyond(m, k)));
     return i == 0 && k == n_ - 1 ? std::max(worst, dihedral(k, i, m, loop_.across[k])) : worst;
   }
-  const Vec3& beyond(int i, int k) const { return i + 1 == k ? loop_.across[i] : loop_.points[span(i, k).apex]; }
+  const Vec3& beyond(int i, int k) const {
+    return i + 1 == k ? loop_.across[i] : loop_.points[spans_.between(i, k).apex];
+  }
   double dihedral(int a, int b, int own, const Vec3& other) const {
     return 180 - std::abs(CGAL::approximate_dihedral_angle(point(a), point(b), point(own), exact(other)));
   }
@@ -115,7 +163,7 @@ class Search {
 
   void trace(int i, int k, Triangles& triangles) const {
     if (i + 1 == k) return;
-    const int m = span(i, k).apex;
+    const int m = spans_.between(i, k).apex;
     trace(i, m, triangles);
     trace(m, k, triangles);
     triangles.push_back({i, m, k});
@@ -124,11 +172,23 @@ class Search {
   const OpenLoop& loop_;
   int n_;
   std::vector<Vec3> border_;  ///< unit normals across the edges from i to i + 1
-  std::vector<Span> spans_;
+  Spans spans_;
 };
 
 }  // namespace
 
-Triangles least_folded_triangulation(const OpenLoop& loop) { return Search(loop).triangles(); }
+Triangles least_folded_triangulation(const OpenLoop& loop) {
+  Search<AllSpans> search(loop);
+  search.fill();
+  return search.triangles();
+}
+
+Triangles least_folded_triangulation(const OpenLoop& loop, Triangles allowed) {
+  const auto rank = [](const Triangle& t) { return std::array{t[2] - t[0], t[0], t[1]}; };
+  std::sort(allowed.begin(), allowed.end(), [&](const Triangle& a, const Triangle& b) { return rank(a) < rank(b); });
+  Search<FewSpans> search(loop);
+  search.fill(allowed);
+  return search.triangles();
+}
 
 }  // namespace loopmend

@@ -23,4 +23,8 @@ struct OpenLoop {
 /// @returns n − 2 triangles over the points; empty if all triangulations have a degenerate one or a chord that is present.
 Triangles least_folded_triangulation(const OpenLoop& loop);
 
+/// The same among those triangulations that are made of the given triangles alone.
+/// @param allowed  corners in ascending order
+Triangles least_folded_triangulation(const OpenLoop& loop, Triangles allowed);
+
 }  // namespace loopmend

@@ -2,12 +2,16 @@
 
 #include "filling/least_folded.h"
 
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace loopmend {
 
@@ -56,35 +60,71 @@ OpenLoop seen_from_inside(const Mesh& mesh, Mesh::Halfedge_index border, std::ve
   return loop;
 }
 
-Triangles cubic_triangulation(const Mesh& mesh, Mesh::Halfedge_index border) {
+/// Corners in ascending order: the faces of the Delaunay triangulation of a loop, and, as in CGAL's hole filling, all
+/// triangles at those edges of the loop that it lacks. CGAL's own search among them starts where cells happen to lie in
+/// memory, and of equally good triangulations keeps the first: on symmetric loops it is not the same from run to run.
+Triangles delaunay_triangles(const Points& points) {
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
+  using Structure = CGAL::Triangulation_data_structure_3<VertexBase, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+  std::vector<std::pair<Kernel::Point_3, int>> numbered;
+  for (const Vec3& p : points) numbered.push_back({{p.x(), p.y(), p.z()}, static_cast<int>(numbered.size())});
+  const CGAL::Delaunay_triangulation_3<Kernel, Structure> delaunay(numbered.begin(), numbered.end());
+  Triangles triangles;
+  if (delaunay.dimension() < 2) return triangles;
+  const int n = static_cast<int>(points.size());
+  std::vector<char> has_edge(n, 0);  // to the next point of the loop
+  for (const auto& [cell, opposite] : delaunay.finite_facets()) {
+    Triangle t;
+    for (int k = 0, v = 0; v < 4; ++v)
+      if (v != opposite) t[k++] = cell->vertex(v)->info();
+    std::sort(t.begin(), t.end());
+    triangles.push_back(t);
+    if (t[1] == t[0] + 1) has_edge[t[0]] = 1;
+    if (t[2] == t[1] + 1) has_edge[t[1]] = 1;
+    if (t[0] == 0 && t[2] == n - 1) has_edge[n - 1] = 1;
+  }
+  for (int i = 0; i < n; ++i) {
+    if (has_edge[i]) continue;
+    for (int m = 0; m < n; ++m) {
+      Triangle t{i, (i + 1) % n, m};
+      std::sort(t.begin(), t.end());
+      if (t[0] != t[1] && t[1] != t[2]) triangles.push_back(t);
+    }
+  }
+  return triangles;
+}
+
+/// Over Delaunay triangles if they will do; else, or where it is asked for, over all.
+Triangles least_folded(const Mesh& mesh, Mesh::Halfedge_index border, TriangulationMethod method) {
   std::vector<int> vertices;
-  Triangles triangles = least_folded_triangulation(seen_from_inside(mesh, border, vertices));
+  const OpenLoop loop = seen_from_inside(mesh, border, vertices);
+  Triangles triangles;
+  if (loop.points.empty()) return triangles;
+  if (method != TriangulationMethod::cubic)
+    triangles = least_folded_triangulation(loop, delaunay_triangles(loop.points));
+  if (triangles.empty() && (method == TriangulationMethod::cubic || method == TriangulationMethod::delaunay))
+    triangles = least_folded_triangulation(loop);
   for (Triangle& t : triangles)
     for (int& v : t) v = vertices[v];
   return triangles;
 }
 
-void call_cgal(Mesh& mesh, Mesh::Halfedge_index border, TriangulationMethod method,
-               std::vector<Mesh::Face_index>& faces) {
-  namespace pmp = CGAL::Polygon_mesh_processing;
-  const auto base = CGAL::parameters::use_2d_constrained_delaunay_triangulation(false);
-  auto out = std::back_inserter(faces);
-  switch (method) {
-    case TriangulationMethod::cubic: break;
-    case TriangulationMethod::delaunay:
-      pmp::triangulate_hole(mesh, border, out, base.use_delaunay_triangulation(true));
-      break;
-    case TriangulationMethod::delaunay_only:
-      pmp::triangulate_hole(mesh, border, out, base.use_delaunay_triangulation(true).do_not_use_cubic_algorithm(true));
-      break;
-    case TriangulationMethod::planar:
-      pmp::triangulate_hole(mesh, border, out,
-                            CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
-                                .threshold_distance(std::numeric_limits<double>::max())
-                                .use_delaunay_triangulation(true)
-                                .do_not_use_cubic_algorithm(true));
-      break;
+/// Constrained Delaunay in the plane that fits best; empty where the loop's image crosses itself.
+Triangles planar_triangulation(Mesh& mesh, Mesh::Halfedge_index border) {
+  std::vector<Mesh::Face_index> faces;
+  CGAL::Polygon_mesh_processing::triangulate_hole(mesh, border, std::back_inserter(faces),
+                                                  CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
+                                                      .threshold_distance(std::numeric_limits<double>::max())
+                                                      .use_delaunay_triangulation(false)
+                                                      .do_not_use_cubic_algorithm(true));
+  Triangles triangles;
+  for (Mesh::Face_index f : faces) {
+    Triangle t;
+    int k = 0;
+    for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) t[k++] = static_cast<int>(v.idx());
+    triangles.push_back(t);
   }
+  return triangles;
 }
 
 }  // namespace
@@ -94,17 +134,10 @@ Triangles triangulate_loop(const Points& points, const Triangles& surroundings, 
   Mesh mesh = neighborhood(points, surroundings);
   const Mesh::Halfedge_index border = mesh.halfedge(vertex(loop[0]), vertex(loop[1]));
   if (border == Mesh::null_halfedge() || !mesh.is_border(border)) return {};
-  if (method == TriangulationMethod::cubic) return cubic_triangulation(mesh, border);
-  std::vector<Mesh::Face_index> faces;
-  call_cgal(mesh, border, method, faces);
-  if (faces.size() + 2 != loop.size()) return {};
   Triangles triangles;
-  for (Mesh::Face_index f : faces) {
-    Triangle t;
-    int k = 0;
-    for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) t[k++] = static_cast<int>(v.idx());
-    triangles.push_back(t);
-  }
+  if (method == TriangulationMethod::planar) triangles = planar_triangulation(mesh, border);
+  if (triangles.empty()) triangles = least_folded(mesh, border, method);
+  if (triangles.size() + 2 != loop.size()) triangles.clear();
   return triangles;
 }
 
