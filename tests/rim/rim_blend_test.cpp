@@ -238,8 +238,8 @@ TEST(RimBlend, AFairingThatWouldFoldAlongNormalsSpreadsTheVerticesAnew) {
   options.rim = RimTrust::smooth;
   options.triangles = PatchTriangles::fixed;
   int spread_anew = 0;
-  for (double height : {-0.3, -0.5})
-    for (double relief : {1.0, 3.0, 6.0}) {
+  for (double height : {-0.3, -0.4, -0.5, -0.6})
+    for (double relief : {1.0, 2.0, 3.0, 6.0}) {
       const Patch start = rough_start(4, height, relief);
       options.roughness = rim_roughness(start);
       const double radius = options.roughness->radius;
@@ -256,7 +256,7 @@ TEST(RimBlend, AFairingThatWouldFoldAlongNormalsSpreadsTheVerticesAnew) {
       EXPECT_EQ(evolution.patch().positions, (folds ? spread : mended).positions);
     }
   EXPECT_GT(spread_anew, 0);
-  EXPECT_LT(spread_anew, 6);
+  EXPECT_LT(spread_anew, 16);
 }
 
 TEST(RimBlend, ASpikeDoesNotBendThePatch) {
