@@ -1,5 +1,7 @@
 #include "jobs/task_runner.h"
 
+#include "core/threads.h"
+
 #include <QMetaObject>
 
 #include <sys/resource.h>
@@ -7,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace loopmend {
 
@@ -41,6 +44,8 @@ void TaskRunner::start(std::function<void()> work) {
   auto done = std::make_shared<std::atomic<bool>>(false);
   std::thread thread([work = std::move(work), done, yielding = yielding_] {
     yield_to_window(yielding);
+    std::optional<ThreadAllowance> alone;  // among many, a second thread for each only makes the window wait
+    if (yielding == Yielding::as_it_can) alone.emplace(1);
     work();
     done->store(true);
   });
