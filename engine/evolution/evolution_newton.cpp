@@ -18,9 +18,8 @@ constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to 
 constexpr double creeping_fall = 1e-4;  ///< relative, on average; the frozen fits lead no further down
 constexpr std::size_t most_creeping_steps = 8;  ///< in a row
 constexpr double smooth_start = 0.02;           ///< its energy by cubic fits, in that by quadratics
-constexpr int largest_factored =
-    300000;                           ///< free vertices: beyond, the factors of the step's matrix take many gigabytes
-constexpr int largest_kept = 100000;  ///< free vertices: beyond, factors make room for the next state
+constexpr int largest_factored = 300000;        ///< free vertices: beyond, the matrix's factors take many gigabytes
+constexpr int largest_kept = 100000;            ///< free vertices: beyond, factors make room for the next state
 /// Of steps that are iterated: each iteration lowers the quadratic model, and its minimum is not the energy's. (Nocedal,
 /// Wright, Numerical Optimization, 2nd ed., §7.1: truncated Newton.) On a hundred thousand free vertices 0.05 takes 67.
 constexpr IterationLimits truncated{0.05, 100};

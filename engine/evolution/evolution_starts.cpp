@@ -101,6 +101,19 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   return true;
 }
 
+namespace {
+
+/// What the fairings before have lost of the start's area comes back, unless that leaves more folds.
+void regain_area(Patch& patch, const Patch& start, const Eigen::VectorXd& trust, double R) {
+  if (patch.free_count != start.free_count) return;
+  Patch wide = start;
+  if (!blend_once(wide, SeamContinuity::curvature, trust, R) || folds_of(wide) > folds_of(patch)) return;
+  wide = with_lost_area(patch, wide, start);
+  if (folds_of(wide) <= folds_of(patch)) patch = std::move(wide);
+}
+
+}  // namespace
+
 /// One linear fairing of those that are the whole way. The first on rough surroundings is of second order, from which the
 /// rim vertices are judged.
 void Evolution::Impl::blend_step() {
@@ -123,13 +136,7 @@ void Evolution::Impl::blend_step() {
     Patch mended = along_normals(before, patch);
     if (folds_of(mended) <= folds_of(patch)) patch = std::move(mended);
   }
-  if (last && patch.free_count == start.free_count) {
-    Patch wide = start;
-    if (blend_once(wide, options.continuity, trust, R) && folds_of(wide) <= folds_of(patch)) {
-      wide = with_lost_area(patch, wide, start);
-      if (folds_of(wide) <= folds_of(patch)) patch = std::move(wide);
-    }
-  }
+  if (last) regain_area(patch, start, trust, R);
   StepRecord record;
   record.step = static_cast<int>(history.size()) + 1;
   record.solve_seconds = watch.lap();

@@ -1,12 +1,11 @@
 #include "rim/rim_blend.h"
 
+#include "energy/curvature_energy.h"
 #include "filling/fairing.h"
 #include "operators/local_fit.h"
 #include "operators/operator_set.h"
 #include "operators/topology.h"
 #include "rim/rim_fits.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -77,16 +76,6 @@ std::vector<double> lengths_along_rim(const Patch& patch) {
   return length;
 }
 
-/// Of the patch's own triangles, patch frame.
-double area_of(const Patch& patch) {
-  double twice = 0;
-  for (int f = 0; f < patch.patch_triangles; ++f) {
-    const auto& [a, b, c] = patch.triangles[f];
-    twice += (patch.positions[b] - patch.positions[a]).cross(patch.positions[c] - patch.positions[a]).norm();
-  }
-  return twice / 2;
-}
-
 }  // namespace
 
 Eigen::VectorXd data_trust(const Patch& patch, double radius) {
@@ -141,7 +130,7 @@ Patch along_normals(const Patch& from, const Patch& to) {
 }
 
 Patch with_lost_area(const Patch& patch, const Patch& wide, const Patch& start) {
-  const double more = std::min(area_of(wide), area_of(start)) / area_of(patch) - 1;
+  const double more = std::min(patch_area(wide), patch_area(start)) / patch_area(patch) - 1;
   const double share = std::clamp(more / surely_lost, 0.0, 1.0);
   Patch result = patch;
   if (share > 0)
