@@ -117,6 +117,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   decay_rate = 0;
   coming_decay_rate = {};
   linear_part = {};
+  damping_unit = 0;
   mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   small_moves = 0;
@@ -160,11 +161,12 @@ bool Evolution::Impl::acceptable(const EvolutionState& next, double limit) const
   return next.measure <= limit;
 }
 
-void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma) {
+void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma,
+                             double rate) {
   record.step = static_cast<int>(history.size()) + 1;
   record.max_move = s.cwiseAbs().maxCoeff() / edge_length();
   record.sigma = used_sigma;
-  record.tau = used_sigma / decay() * std::pow(state.patch.scale, order_of(options.flow));
+  record.tau = used_sigma / rate * std::pow(state.patch.scale, order_of(options.flow));
   state = std::move(next);
   record.energy = shown_energy(options.flow, state);
   history.push_back(record);
@@ -221,7 +223,7 @@ SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, Eigen::Ve
   linear.nearby = [&]() -> SparseMatrix {
     // While the rate is being found on the other core, a rough one will do: it only touches the lowest frequencies.
     const bool rough = decay_rate == 0 && sigma >= least_sigma_for_rough_rate;
-    const double rate = rough ? decay_rate_of_disc(options.flow, state.patch) : decay();
+    const double rate = rough ? rough_decay_rate(options.flow, state.patch) : decay();
     SparseMatrix K = symmetric_part(options.flow, state.patch, state.ops);
     K.diagonal() += rate / sigma * mass;
     K.makeCompressed();  // should a vertex be seen by no fit
@@ -256,7 +258,7 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
       record.assemble_seconds += watch.lap();
       if (good) {
         const double used = sigma;
-        accept(std::move(next), record, s, used);
+        accept(std::move(next), record, s, used, decay());
         sigma = std::min(wanted, sigma * 3);
         lowest_measure = std::min(lowest_measure, state.measure);
         const bool small = history.back().max_move < small_move * std::min(1.0, used);

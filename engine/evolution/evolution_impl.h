@@ -61,6 +61,7 @@ struct Evolution::Impl {
   double decay_rate = 0;  ///< patch frame; 0 until it is first asked for
   std::future<double> coming_decay_rate;  ///< of the present flow and patch, while another thread looks for it
   LinearPart linear_part;                 ///< of about the present shape, until the decay rate is known
+  double damping_unit = 0;                ///< of mu: the decay rate, or about that; 0 before the first Gauss-Newton step
   double sigma = 0;                       ///< of the next semi-implicit step; falls on rejection, recovers
   double mu = 0;                          ///< of the next Gauss-Newton step
   bool coarse_start_left = false;         ///< the steady state of a coarse copy may still be tried
@@ -79,7 +80,7 @@ struct Evolution::Impl {
   void take_options(const EvolutionOptions& new_options);
   Objective objective_for(const EvolutionOptions& new_options);
   bool acceptable(const EvolutionState& next, double limit) const;
-  void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma);
+  void accept(EvolutionState next, StepRecord record, const Eigen::VectorXd& s, double used_sigma, double rate);
   bool mesh_has_suffered();
   void care_for_mesh(double limit);
   bool replace_if_good(Patch patch, double limit);

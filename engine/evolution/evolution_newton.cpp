@@ -1,6 +1,7 @@
 #include "core/threads.h"
 #include "evolution/evolution_impl.h"
 #include "evolution/stopwatch.h"
+#include "flows/decay_rate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@ namespace {
 constexpr double first_gauss_newton_sigma = 500;
 constexpr int most_dampings = 6;      ///< of the trials of a step, because it would go too far
 constexpr double longest_move = 0.3;  ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
+/// Free vertices: beyond, to find the decay rate takes a third of a step, only to say how little damping is little.
+constexpr int largest_for_exact_unit = 20000;
 constexpr double newton_tolerance = 1 + 1e-9;
 constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it
 constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to no fall of the energy:
@@ -127,7 +130,7 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(GaussNewtonSystem& system, St
     const bool good = acceptable(next, newton_tolerance * state.measure);
     record.assemble_seconds += watch.lap();
     if (!good) continue;
-    accept(std::move(next), record, move, decay() / (2 * mu));
+    accept(std::move(next), record, move, damping_unit / (2 * mu), damping_unit);
     trial.accepted = true;
     return trial;
   }
@@ -136,12 +139,15 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(GaussNewtonSystem& system, St
 
 void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   Stopwatch watch;
-  look_for_decay_rate();
+  if (damping_unit == 0 && state.patch.free_count > largest_for_exact_unit)
+    damping_unit = rough_decay_rate(options.flow, state.patch);
+  if (damping_unit == 0) look_for_decay_rate();
   add_weights(state, objective, stencil);
   GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   if (state.patch.free_count > largest_kept)
     drop_weights(state);  // else the next state takes from them what has not changed
-  if (!(mu > 0)) mu = decay() / (2 * first_gauss_newton_sigma);
+  if (damping_unit == 0) damping_unit = decay();
+  if (!(mu > 0)) mu = damping_unit / (2 * first_gauss_newton_sigma);
   StepRecord record;
   record.assemble_seconds = watch.lap();
   double promised = 0;  // by the first, boldest trial
@@ -152,14 +158,14 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     if (trial.accepted) {
       const double move = history.back().max_move;
       // Gauss-Newton steps shrink ever faster: two bold ones tell how far the next would go.
-      const bool next_small = mu <= decay() && record.rejections == 0 && move < 0.1 * last_bold_move &&
+      const bool next_small = mu <= damping_unit && record.rejections == 0 && move < 0.1 * last_bold_move &&
                               move * move / last_bold_move < 0.1 * small_move;
-      last_bold_move = mu <= decay() && record.rejections == 0 ? move : 0;
+      last_bold_move = mu <= damping_unit && record.rejections == 0 ? move : 0;
       const double settled = std::max(0.1 * small_move, settled_move * radius() / edge_length());
       const bool small = move < settled || next_small;
       small_moves = small ? small_moves + 1 : 0;
-      const bool bold = mu <= decay();
-      mu = std::max(0.2 * mu, 1e-8 * decay());
+      const bool bold = mu <= damping_unit;
+      mu = std::max(0.2 * mu, 1e-8 * damping_unit);
       if ((small && (bold || small_moves >= 3)) || only_creeps(move, energy_before)) return finish();
       if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
       return care_for_mesh(std::min(1.2 * state.measure, energy_before));

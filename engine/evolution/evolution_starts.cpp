@@ -95,7 +95,7 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   if (there.stencil != stencil)
     initial_energy = shown_energy(options.flow, make_state(start, objective, there.stencil, nullptr, Fits::curvatures));
   stencil = there.stencil;
-  decay_rate = there.decay_rate;
+  damping_unit = there.damping_unit;
   fairings_left = 0;
   take_start(std::move(next), record, way_of_centroid(there.start, there.state.patch));
   return true;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace loopmend {
 
@@ -48,8 +49,12 @@ double slowest_decay_rate(const SpdSolver& factors_of_K, const Eigen::VectorXd& 
   return rate;
 }
 
-double decay_rate_of_disc(FlowKind flow, const Patch& patch) {
-  const double R = patch_radius(patch);
+double rough_decay_rate(FlowKind flow, const Patch& patch) {
+  double rim = 0;
+  for (const std::vector<int>& loop : patch.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      rim += (patch.positions[loop[(k + 1) % loop.size()]] - patch.positions[loop[k]]).norm();
+  const double area = patch_area(patch), R = std::min(std::sqrt(area / std::numbers::pi), 2 * area / rim);
   switch (flow) {  // NUMERICS §4, measured on discs of 300 to 5 000 vertices
     case FlowKind::mcf: return 0.5 * std::pow(2.41 / R, 2);
     case FlowKind::sdf:

@@ -17,8 +17,9 @@ SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
 /// τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found.
 double slowest_decay_rate(FlowKind flow, const Patch& patch);
 
-/// The same of a flat disc of the patch's area: up to a hundred times too small for elongated patches, but it costs nothing.
-double decay_rate_of_disc(FlowKind flow, const Patch& patch);
+/// The same of a flat disc that has the patch's area or, if that makes a smaller one, as much area for its rim. For MMCVF on
+/// long slits some ten times too small, but it costs nothing.
+double rough_decay_rate(FlowKind flow, const Patch& patch);
 
 /// The same where K is factored already. @param mass  n: the diagonal of M.
 double slowest_decay_rate(const SpdSolver& factors_of_K, const Eigen::VectorXd& mass);

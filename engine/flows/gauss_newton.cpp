@@ -1,13 +1,16 @@
 #include "flows/gauss_newton.h"
 
+#include "core/threads.h"
 #include "flows/decay_rate.h"
 #include "operators/congruence.h"
 
 namespace loopmend {
 
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights) {
-  const CurvatureEnergy energy = curvature_energy(patch, weights);
-  const RowSparseMatrix B = curvature_jacobian(ops, patch.free_count);
+  CurvatureEnergy energy;
+  RowSparseMatrix B;
+  side_by_side([&] { energy = curvature_energy(patch, weights); },
+               [&] { B = curvature_jacobian(ops, patch.free_count); });
   GaussNewtonSystem system;
   const Eigen::VectorXd QH = energy.Q * ops.H;
   system.energy = ops.H.dot(QH);

@@ -1,5 +1,6 @@
 #include "flows/symmetric_part.h"
 
+#include "core/threads.h"
 #include "energy/curvature_energy.h"
 #include "operators/congruence.h"
 
@@ -16,7 +17,10 @@ SparseMatrix symmetric_part(FlowKind flow, const Patch& patch, const OperatorSet
     return 0.5 * C.topLeftCorner(n, n).triangularView<Eigen::Lower>();
   }
   const EnergyWeights weights = flow == FlowKind::mmcvf ? EnergyWeights{1, 0} : EnergyWeights{0, 1};
-  return lower_congruence(curvature_jacobian(ops, n), 2 * curvature_energy(patch, weights).Q);
+  SparseMatrix Q;
+  RowSparseMatrix B;
+  side_by_side([&] { Q = 2 * curvature_energy(patch, weights).Q; }, [&] { B = curvature_jacobian(ops, n); });
+  return lower_congruence(B, Q);
 }
 
 }  // namespace loopmend

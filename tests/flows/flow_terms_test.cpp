@@ -123,19 +123,46 @@ TEST(FlowTerms, JacobianPredictsTheNextVelocity) {
   }
 }
 
-TEST(DecayRate, OfADiscFollowsTheKnownEigenvalues) {
-  // NUMERICS §4: disc of radius R, clamped: T = 1/λ₁ ≈ 2(R/2.41)² MCF, 2(R/3.2)⁴ SDF, 2(R/3.9)⁶ MMCVF.
+/// The filler of a hole in a flat sheet.
+Patch flat_patch(const std::function<bool(const Vec3&)>& inside) {
   TriangleSoup grid = make_graph([](double, double) { return 0.0; }, 2, 56);
-  const SurfaceModel model = make_surface_model(cut(grid, [](const Vec3& p) { return p.head<2>().norm() < 1 - 1e-9; }));
+  const SurfaceModel model = make_surface_model(cut(grid, inside));
   std::vector<BoundaryLoop> holes;
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     if (loop.kind == LoopKind::hole) holes.push_back(loop);
-  ASSERT_EQ(holes.size(), 1u);
-  const Patch patch = *start_patch(model, holes, {}, CancelToken()).patch;
+  EXPECT_EQ(holes.size(), 1u);
+  return *start_patch(model, holes, {}, CancelToken()).patch;
+}
+
+Patch disc() {
+  return flat_patch([](const Vec3& p) { return p.head<2>().norm() < 1 - 1e-9; });
+}
+
+TEST(DecayRate, OfADiscFollowsTheKnownEigenvalues) {
+  // NUMERICS §4: disc of radius R, clamped: T = 1/λ₁ ≈ 2(R/2.41)² MCF, 2(R/3.2)⁴ SDF, 2(R/3.9)⁶ MMCVF.
+  const Patch patch = disc();
   const double R = std::sqrt(patch_area(patch) / M_PI);
   EXPECT_NEAR(slowest_decay_rate(FlowKind::mcf, patch), std::pow(2.405 / R, 2) / 2, 0.03 * std::pow(2.405 / R, 2) / 2);
   EXPECT_NEAR(slowest_decay_rate(FlowKind::sdf, patch), std::pow(3.196 / R, 4) / 2, 0.25 * std::pow(3.196 / R, 4) / 2);
   EXPECT_NEAR(slowest_decay_rate(FlowKind::mmcvf, patch), std::pow(3.9 / R, 6) / 2, 0.5 * std::pow(3.9 / R, 6) / 2);
+}
+
+double exact_by_rough(FlowKind flow, const Patch& patch) {
+  return slowest_decay_rate(flow, patch) / rough_decay_rate(flow, patch);
+}
+
+TEST(DecayRate, IsRoughlyForetoldByAreaAndRim) {
+  for (FlowKind flow : all_flows) {
+    const double of_disc = exact_by_rough(flow, disc());
+    EXPECT_TRUE(of_disc > 0.5 && of_disc < 1.3) << to_string(flow) << ": " << of_disc;
+  }
+  // Strips of width w: (2π/w)⁶ against (3.9/w)⁶, and less by the ends. By a disc of its area it would be off by hundreds.
+  const Patch slit = flat_patch([](const Vec3& p) { return std::abs(p.x()) < 1.6 && std::abs(p.y()) < 0.21; });
+  const double of_slit = exact_by_rough(FlowKind::mmcvf, slit);
+  EXPECT_TRUE(of_slit > 1 && of_slit < 20) << of_slit;
+  // A disc with as much area for its rim would be far wider than this bowl.
+  const double of_bowl = exact_by_rough(FlowKind::mmcvf, test::exact_sphere_patch(4, -0.8));
+  EXPECT_TRUE(of_bowl > 0.1 && of_bowl < 10) << of_bowl;
 }
 
 TEST(DecayRate, IsPositiveForEveryFlow) {
