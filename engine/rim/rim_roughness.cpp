@@ -31,8 +31,8 @@ void fit_around(const Patch& patch, const FixedSurface& around, SurroundingFits&
   }
 }
 
-/// Median residual of cubic fits at the four rings next to the patch; 0 where there are none.
-double median_residual(const Patch& patch, const FixedSurface& around, int rings) {
+/// Of cubic fits at the four rings next to the patch.
+std::vector<double> residuals_of(const Patch& patch, const FixedSurface& around, int rings) {
   constexpr int fitted_rings = 4;
   std::vector<char> mark(patch.vertex_count(), 0);
   std::vector<double> residuals;
@@ -41,15 +41,21 @@ double median_residual(const Patch& patch, const FixedSurface& around, int rings
     const auto fit = fit_cubic(patch.positions, around.topology, i, around.normals[i], rings, Outliers::count, mark);
     if (fit) residuals.push_back(fit->residual);
   }
-  if (residuals.empty()) return 0;
-  const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return residuals;
+}
+
+/// The value that a share of all are below; 0 where there are none.
+double quantile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0;
+  const auto place = values.begin() + static_cast<long>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
 void measure_residuals(const SurroundingFits& fits, RimRoughness& rim) {
   const auto [narrow, middle, wide] = fits.residual;
   rim.noise = narrow;
+  rim.spread = fits.spread;
   if (!(rim.noise > 0 && middle > 0 && wide > 0)) return;
   rim.growth = std::log2(wide / rim.noise);
   const double outer = std::log(wide / middle) / std::log(4.0 / 3);
@@ -65,6 +71,7 @@ struct Band {
 };
 constexpr Band not_white_growth{0.27, 0.37};
 constexpr Band not_smooth_growth{2.8, 2.65};
+constexpr Band alike_everywhere{2.6, 1.9};        ///< of the residuals' spread: noise that is not is not white
 constexpr Band uneven_curvature{0.005, 0.01};     ///< of unevenness: below, noise does not matter
 constexpr Band plain_roughness{0.3, 0.45};        ///< of unevenness: above, growth is that of large features
 constexpr Band uncorrelated{0.985, 0.97};         ///< C: above, the rim's curvature tells that of the hole,
@@ -78,20 +85,23 @@ double passage(double value, const Band& band) {
   return t * t * (3 - 2 * t);
 }
 
+double whiteness(const RimRoughness& rim) {
+  return (1 - passage(rim.growth, not_white_growth)) * passage(rim.spread, alike_everywhere);
+}
+
 double rough_share_of(const RimRoughness& rim) {
   const double plain = std::max(passage(rim.growth, not_smooth_growth), passage(rim.unevenness, plain_roughness));
   const double relief = passage(rim.evenness, even_growth) * passage(rim.growth, plain_growth);
   const double unlike = std::max(passage(rim.correlation, uncorrelated), relief);
-  return passage(rim.growth, not_white_growth) * std::min({passage(rim.unevenness, uneven_curvature), unlike, plain});
+  return (1 - whiteness(rim)) * std::min({passage(rim.unevenness, uneven_curvature), unlike, plain});
 }
 
 void judge_kind(RimRoughness& rim, double edge) {
   rim.rough_share = rough_share_of(rim);
-  rim.noise_share =
-      edge > 0 ? (1 - passage(rim.growth, not_white_growth)) * passage(rim.noise / edge, noise_that_matters) : 0;
-  rim.kind = rim.growth < not_white_growth.off ? Surroundings::noisy
-             : rim.rough_share > 0             ? Surroundings::rough
-                                               : Surroundings::smooth;
+  rim.noise_share = edge > 0 ? whiteness(rim) * passage(rim.noise / edge, noise_that_matters) : 0;
+  rim.kind = whiteness(rim) == 1   ? Surroundings::noisy
+             : rim.rough_share > 0 ? Surroundings::rough
+                                   : Surroundings::smooth;
 }
 
 /// Correlation of H₄ between vertices at 0.8 to 1.2 of the distance.
@@ -134,7 +144,12 @@ const char* to_string(Surroundings surroundings) {
 SurroundingFits fit_surroundings(const Patch& patch, const FixedSurface& around) {
   SurroundingFits fits;
   fit_around(patch, around, fits);
-  for (int k : {0, 1, 2}) fits.residual[k] = median_residual(patch, around, 2 + k);
+  for (int k : {0, 1, 2}) {
+    std::vector<double> residuals = residuals_of(patch, around, 2 + k);
+    fits.residual[k] = quantile(residuals, 0.5);
+    const double low = quantile(residuals, 0.16);
+    if (k == 1 && low > 0) fits.spread = quantile(residuals, 0.84) / low;
+  }
   return fits;
 }
 

@@ -32,6 +32,8 @@ struct RimRoughness {
   double evenness = 1;  ///< of that growth: from two to three rings over from three to four, each per log of the width.
       ///< About 1 on scans, whose relief is alike on all scales; less where weak white noise lies on a
       ///< smooth surface, since then it is all in the wide fits
+  double spread = 1;  ///< of the residuals of three-ring fits: the quantile of 84 % over that of 16 %. White noise, which is
+      ///< alike everywhere, has 1.2 to 1.5, scans mostly 1.7 to 10 and more
   double bending = 0;  ///< αR² of the order blend ∫‖∇H‖² + α∫H² that these ask for; 0 on smooth surroundings
   double radius = 0;  ///< R = sqrt(patch area / (π · loops)), patch frame
 };
@@ -41,6 +43,7 @@ struct SurroundingFits {
   std::vector<int> vertices;                ///< with both fits: fixed vertices, counted from the first
   std::vector<double> H2, H4;               ///< at these: H by two-ring and by four-ring fits, patch frame
   std::array<double, 3> residual{0, 0, 0};  ///< median, of cubic fits over 2, 3 and 4 rings near the patch, patch frame
+  double spread = 1;                        ///< of those over 3 rings, see RimRoughness
 };
 
 /// @param around  of this patch, for all three of RimSurvey.
