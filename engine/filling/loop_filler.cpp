@@ -185,8 +185,20 @@ bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, con
   return true;
 }
 
+/// Where a round would make a patch worse that cuts nothing: those parts of it that do not. Splits leave the shape as it is,
+/// only that there are more edges to count along its folds.
+void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& best) {
+  if (best.quality.self_intersections > 0) return;
+  GuardedMesh mesh = guarded(site, size, best);
+  mesh.split_long_edges();
+  best = harvest(site, mesh);
+  try_phase(site, size, best, [](GuardedMesh& m) { m.flip_to_delaunay(); });
+  try_phase(site, size, best, [](GuardedMesh& m) { m.collapse_short_edges(); });
+  try_phase(site, size, best, [](GuardedMesh& m) { m.smooth_tangentially(); });
+}
+
 /// Refinement, remeshing and relaxation (FILLING.md, steps 3 to 5). A phase that makes the patch worse is tried again in
-/// its first round only, then left out.
+/// its first round only, then left out or, if it is the remeshing, taken apart.
 Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, FillerShape shape, bool large,
                  const CancelToken& cancel) {
   const auto rounds = [&](int count, bool (*round)(GuardedMesh&)) {
@@ -197,8 +209,9 @@ Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, Fi
   };
   if (large && try_phase(site, size, best, [&](GuardedMesh& mesh) { coarse_to_fine(mesh, shape, cancel); }))
     return best;
-  if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)))
-    try_phase(site, size, best, rounds(1, remesh_once));
+  if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)) &&
+      !try_phase(site, size, best, rounds(1, remesh_once)))
+    remesh_bit_by_bit(site, size, best);
   const int most = shape == FillerShape::triangulated ? 0 : large ? 2 : relax_rounds;
   if (most > 0 && !try_phase(site, size, best, rounds(most, relax_once)))
     try_phase(site, size, best, rounds(1, relax_once));

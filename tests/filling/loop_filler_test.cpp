@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -92,6 +94,23 @@ TEST(LoopFiller, ConcaveAndSlitShapedLoops) {
       EXPECT_EQ(outcome.quality.self_intersections, 0);
     }
   }
+}
+
+TEST(LoopFiller, WhereRemeshingWouldCutTheSurroundingsThePatchGetsItsVerticesAllTheSame) {
+  // A sheet with a narrow ridge along y that leans over like an ear, and a ball cut out of both.
+  TriangleSoup sheet =
+      make_graph([](double x, double y) { return 1.5 * std::exp(-x * x / 0.0064) * std::exp(-2 * y * y); }, 2, 100);
+  for (Vec3& p : sheet.points) p.x() += p.z();
+  const SurfaceModel model = make_surface_model(
+      trim_rims(cut(sheet, [](const Vec3& p) { return (p - Vec3(0.2, 0.6, 0.5)).norm() < 0.9; })));
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  const auto hole = std::find_if(loops.begin(), loops.end(), [](const auto& l) { return l.edges() == 142; });
+  ASSERT_NE(hole, loops.end());
+  const FillerOutcome outcome = fill_loop(model, *hole, {}, {});
+  ASSERT_TRUE(outcome.filler);
+  expect_closes(model, *hole, *outcome.filler);
+  EXPECT_EQ(outcome.quality.self_intersections, 0);
+  EXPECT_GT(outcome.filler->points.size(), 3 * 142u);
 }
 
 TEST(LoopFiller, ALoopOfTwoThousandEdges) {
