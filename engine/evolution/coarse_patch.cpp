@@ -1,5 +1,6 @@
 #include "evolution/coarse_patch.h"
 
+#include "core/threads.h"
 #include "energy/curvature_energy.h"
 #include "filling/patch_remesh.h"
 
@@ -7,6 +8,7 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace loopmend {
@@ -24,6 +26,7 @@ constexpr int free_per_rim_edge = 10;
 constexpr int fewest_free = 1200;
 constexpr int coarsening_rounds = 4;
 constexpr int forms_for_a_point = 9;
+constexpr int run_length = 64;  ///< vertices that a thread takes at a time
 
 TreePoint place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -113,8 +116,12 @@ Patch refined(const EvolutionState& coarse, const Grading& grading) {
   }
   Patch result = with_interior(start, mesh);
   const SurfaceOfForms surface(coarse);
-  for (int i = 0; i < result.free_count; ++i)
-    for (int pass = 0; pass < 2; ++pass) result.positions[i] = surface.projected(result.positions[i]);
+  std::atomic<int> next{0};
+  share_work(result.free_count, [&] {
+    for (int begin = next.fetch_add(run_length); begin < result.free_count; begin = next.fetch_add(run_length))
+      for (int i = begin; i < std::min(begin + run_length, result.free_count); ++i)
+        for (int pass = 0; pass < 2; ++pass) result.positions[i] = surface.projected(result.positions[i]);
+  });
   return result;
 }
 

@@ -1,3 +1,4 @@
+#include "core/threads.h"
 #include "evolution/coarse_patch.h"
 #include "evolution/evolution.h"
 #include "mesh/quality.h"
@@ -73,6 +74,15 @@ TEST(CoarsePatch, RefinedLiesOnTheSurfaceOfItsFormsWithTheDensityOfTheRim) {
   EXPECT_NEAR(edge_length(fine), edge_length(large_patch()), 0.08 * edge_length(large_patch()));
   // A facet of the coarse patch is 3e-4 away in its middle: the forms, not the facets, are followed.
   EXPECT_LT(farthest_from_sphere(fine), 2e-5);
+}
+
+TEST(CoarsePatch, IsRefinedTheSameByAnyNumberOfThreads) {
+  const EvolutionState coarse = make_state(coarsened(large_patch()), {}, Stencil::two_ring_cubic);
+  const auto refined_by = [&](int threads) {
+    const ThreadAllowance allowance(threads);
+    return refined(coarse, large_patch().grading).positions;
+  };
+  EXPECT_EQ(refined_by(1), refined_by(2));
 }
 
 TEST(CoarsePatch, ALargePatchReachesTheSteadyStateInTwoOrThreeSteps) {
