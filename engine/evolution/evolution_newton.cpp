@@ -13,7 +13,7 @@ namespace {
 constexpr double first_gauss_newton_sigma = 500;
 constexpr int most_dampings = 6;      ///< of the trials of a step, because it would go too far
 constexpr double longest_move = 0.3;  ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
-/// Free vertices: beyond, to find the decay rate takes a third of a step, only to say how little damping is little.
+/// Free vertices: beyond, to find the decay rate takes a quarter of a step, only to say how little damping is little.
 constexpr int largest_for_exact_unit = 20000;
 constexpr double newton_tolerance = 1 + 1e-9;
 constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it

@@ -85,6 +85,7 @@ double passage(double value, const Band& band) {
   return t * t * (3 - 2 * t);
 }
 
+/// 0..1: how far what fits leave over is white noise, which does not grow with their width and is alike everywhere.
 double whiteness(const RimRoughness& rim) {
   return (1 - passage(rim.growth, not_white_growth)) * passage(rim.spread, alike_everywhere);
 }
