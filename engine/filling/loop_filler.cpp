@@ -187,14 +187,17 @@ bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, con
 
 /// Where a round would make a patch worse that cuts nothing: those parts of it that do not. Splits leave the shape as it is,
 /// only that there are more edges to count along its folds.
-void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& best) {
-  if (best.quality.self_intersections > 0) return;
+void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& best, const CancelToken& cancel) {
+  if (best.quality.self_intersections > 0 || cancel.cancelled()) return;
   GuardedMesh mesh = guarded(site, size, best);
   mesh.split_long_edges();
   best = harvest(site, mesh);
-  try_phase(site, size, best, [](GuardedMesh& m) { m.flip_to_delaunay(); });
-  try_phase(site, size, best, [](GuardedMesh& m) { m.collapse_short_edges(); });
-  try_phase(site, size, best, [](GuardedMesh& m) { m.smooth_tangentially(); });
+  const auto keep_if_no_worse = [&](const auto& part) {
+    if (!cancel.cancelled()) try_phase(site, size, best, part);
+  };
+  keep_if_no_worse([](GuardedMesh& m) { m.flip_to_delaunay(); });
+  keep_if_no_worse([](GuardedMesh& m) { m.collapse_short_edges(); });
+  keep_if_no_worse([](GuardedMesh& m) { m.smooth_tangentially(); });
 }
 
 /// Refinement, remeshing and relaxation (FILLING.md, steps 3 to 5). A phase that makes the patch worse is tried again in
@@ -211,7 +214,7 @@ Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, Fi
     return best;
   if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)) &&
       !try_phase(site, size, best, rounds(1, remesh_once)))
-    remesh_bit_by_bit(site, size, best);
+    remesh_bit_by_bit(site, size, best, cancel);
   const int most = shape == FillerShape::triangulated ? 0 : large ? 2 : relax_rounds;
   if (most > 0 && !try_phase(site, size, best, rounds(most, relax_once)))
     try_phase(site, size, best, rounds(1, relax_once));

@@ -1,5 +1,7 @@
 #include "rim/cubic_fit.h"
 
+#include "rim/quantile.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,16 +14,10 @@ namespace {
 constexpr int terms = 10, least_vertices = 14, reweightings = 4;
 constexpr double least_condition = 1e-12;
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Eigen::VectorXd huber_weights(const Eigen::VectorXd& residuals) {
   std::vector<double> sizes(residuals.size());
   for (Eigen::Index k = 0; k < residuals.size(); ++k) sizes[k] = std::abs(residuals[k]);
-  const double limit = 1.5 * 1.4826 * median_of(sizes);
+  const double limit = 1.5 * 1.4826 * median(sizes);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(residuals.size());
   for (Eigen::Index k = 0; k < residuals.size(); ++k)
     if (sizes[k] > limit) weights[k] = limit / sizes[k];

@@ -1,6 +1,7 @@
 #include "rim/rim_fits.h"
 
 #include "rim/cubic_fit.h"
+#include "rim/quantile.h"
 
 #include <Eigen/Geometry>
 
@@ -44,10 +45,7 @@ double median_residual(const std::vector<std::optional<CubicFit>>& fits) {
   std::vector<double> residuals;
   for (const auto& fit : fits)
     if (fit) residuals.push_back(fit->residual);
-  if (residuals.empty()) return 0;
-  const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return median(std::move(residuals));
 }
 
 /// Of the surroundings, loop by loop.

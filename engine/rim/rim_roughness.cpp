@@ -5,6 +5,7 @@
 #include "operators/local_fit.h"
 #include "rim/cubic_fit.h"
 #include "rim/fixed_surface.h"
+#include "rim/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,14 +43,6 @@ std::vector<double> residuals_of(const Patch& patch, const FixedSurface& around,
     if (fit) residuals.push_back(fit->residual);
   }
   return residuals;
-}
-
-/// The value that a share of all are below; 0 where there are none.
-double quantile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0;
-  const auto place = values.begin() + static_cast<long>(share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 void measure_residuals(const SurroundingFits& fits, RimRoughness& rim) {
@@ -146,8 +139,8 @@ SurroundingFits fit_surroundings(const Patch& patch, const FixedSurface& around)
   SurroundingFits fits;
   fit_around(patch, around, fits);
   for (int k : {0, 1, 2}) {
-    std::vector<double> residuals = residuals_of(patch, around, 2 + k);
-    fits.residual[k] = quantile(residuals, 0.5);
+    const std::vector<double> residuals = residuals_of(patch, around, 2 + k);
+    fits.residual[k] = median(residuals);
     const double low = quantile(residuals, 0.16);
     if (k == 1 && low > 0) fits.spread = quantile(residuals, 0.84) / low;
   }

@@ -4,6 +4,7 @@
 #include "mesh/quality.h"
 #include "operators/local_fit.h"
 #include "rim/cubic_fit.h"
+#include "rim/quantile.h"
 
 #include <algorithm>
 #include <array>
@@ -21,12 +22,6 @@ constexpr int most_in_one_place = 2;      ///< strays; more of them are a featur
 constexpr double least_distance = 0.03;   ///< mean edges: below, fits of coarse meshes err by as much
 constexpr double many_times_median = 10;  ///< on clean surfaces the largest distance is below that
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Of normals, coordinate by coordinate: those beside a spike lean, but they are few.
 Vec3 median_normal(const Points& normals, const std::vector<int>& vertices) {
   std::array<std::vector<double>, 3> coordinates;
@@ -34,7 +29,7 @@ Vec3 median_normal(const Points& normals, const std::vector<int>& vertices) {
     for (int c = 0; c < 3; ++c)
       if (!normals[v].isZero()) coordinates[c].push_back(normals[v][c]);
   if (coordinates[0].empty()) return Vec3::Zero();
-  return Vec3(median_of(coordinates[0]), median_of(coordinates[1]), median_of(coordinates[2])).normalized();
+  return Vec3(median(coordinates[0]), median(coordinates[1]), median(coordinates[2])).normalized();
 }
 
 /// The surroundings, with some vertices moved onto what their neighbours say.
@@ -92,7 +87,7 @@ struct Distances {
       all[i] = surround.way_to_neighbours(i, Outliers::weighted_down).norm();
       sorted.push_back(all[i]);
     }
-    limit = limit_of_strays(edge, median_of(std::move(sorted)));
+    limit = limit_of_strays(edge, median(std::move(sorted)));
   }
 
   bool beyond(int i) const { return all[i] > limit; }
@@ -120,7 +115,7 @@ StrayDistances stray_distances(const Patch& patch, const FixedSurface& around) {
   Surround surround(patch, around);
   std::vector<double> distances;
   for (int i : vertices) distances.push_back(surround.way_to_neighbours(i, Outliers::count).norm());
-  return {*std::max_element(distances.begin(), distances.end()), median_of(distances)};
+  return {*std::max_element(distances.begin(), distances.end()), median(distances)};
 }
 
 CalmSurroundings without_strays(const Patch& patch) {

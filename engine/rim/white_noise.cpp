@@ -3,6 +3,7 @@
 #include "filling/fairing.h"
 #include "operators/operator_set.h"
 #include "rim/cubic_fit.h"
+#include "rim/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,16 +99,15 @@ Patch without_noise(const Patch& patch, const SurfaceModel& model, double share)
       residuals.push_back(fit->residual);
     }
     if (residuals.empty()) return patch;
-    const auto middle = residuals.begin() + static_cast<long>(residuals.size() / 2);
-    std::nth_element(residuals.begin(), middle, residuals.end());
+    const double left = median(std::move(residuals));
     if (rings == least_rings) {
-      least = *middle;
+      least = left;
       best = std::move(places);
       continue;
     }
-    weight *= std::clamp((more_than_noise - *middle / least) / (more_than_noise - noise_alone), 0.0, 1.0);
+    weight *= std::clamp((more_than_noise - left / least) / (more_than_noise - noise_alone), 0.0, 1.0);
     if (!(weight > 0)) break;
-    least = std::min(least, *middle);
+    least = std::min(least, left);
     for (std::size_t k = 0; k < best.size(); ++k) best[k] += weight * (places[k] - best[k]);
   }
   Patch result = patch;
