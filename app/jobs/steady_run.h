@@ -1,7 +1,7 @@
 // One patch to its steady state, as `loopmend fill` does it: same tests, same fallbacks, same result.
 #pragma once
 
-#include "evolution/solve_group.h"
+#include "evolution/evolve_filler.h"
 #include "jobs/evolve_patches.h"
 
 #include <chrono>

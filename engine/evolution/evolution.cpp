@@ -131,6 +131,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   cared_angle = 0;
   general = make_general_solver(options.solver, flow_step_tolerance);
   spd = make_spd_solver();
+  factored_topology = nullptr;
   stop(EvolutionStatus::ready, "");
 }
 
@@ -297,6 +298,7 @@ void Evolution::step(const CancelToken& cancel) {
     if (impl_->coarse_step(cancel)) return;
     if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
   }
+  if (impl_->fairings_left > 0 && impl_->ready_fairing_step()) return;
   if (impl_->fairings_left-- > 0) {
     if (impl_->fairing_step(cancel)) return;
     impl_->fairings_left = 0;

@@ -42,6 +42,8 @@ enum class RimTrust {
   smooth,     ///< as on rough surroundings, whatever they are: rim_blend
 };
 
+struct FirstFairing;  // evolution/first_fairing.h
+
 struct EvolutionOptions {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steady;
@@ -60,6 +62,8 @@ struct EvolutionOptions {
   SeamContinuity continuity = SeamContinuity::curvature;
   std::optional<RimRoughness>
       roughness;  ///< of the surroundings, where the caller has measured it; else it is measured
+  /// MMCVF to the steady state from `faired`: of the patch, where the caller has it made; the first run takes it.
+  std::shared_ptr<FirstFairing> first_fairing;
 };
 
 /// @throws InvalidArgument if an option is out of range.

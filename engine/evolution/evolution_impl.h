@@ -75,6 +75,7 @@ struct Evolution::Impl {
   double lowest_measure = 0;         ///< since then
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
+  std::shared_ptr<const Topology> factored_topology;  ///< of the matrix that spd has factored last; null: of none
 
   void prepare(Patch first);
   void take_options(const EvolutionOptions& new_options);
@@ -84,6 +85,7 @@ struct Evolution::Impl {
   bool mesh_has_suffered();
   void care_for_mesh(double limit);
   bool replace_if_good(Patch patch, double limit);
+  bool ready_fairing_step();
   bool fairing_step(const CancelToken& cancel);
   void blend_step();
   bool coarse_step(const CancelToken& cancel);
@@ -96,8 +98,11 @@ struct Evolution::Impl {
   bool only_creeps(double move, double energy_before);
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
-  bool solve_gauss_newton(GaussNewtonSystem& system, Eigen::VectorXd& s);
-  GaussNewtonTrial try_gauss_newton(GaussNewtonSystem& system, StepRecord& record, const CancelToken& cancel);
+  Eigen::VectorXd damped_times(const GaussNewtonSystem& system, const Eigen::VectorXd& x) const;
+  bool solve_by_kept_factors(const GaussNewtonSystem& system, Eigen::VectorXd& s);
+  bool solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, Eigen::VectorXd& s);
+  GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, StepRecord& record,
+                                    const CancelToken& cancel);
   SolveReport solve_flow_step(const FlowSystem& system, Eigen::VectorXd& s);
   void semi_implicit_step(const CancelToken& cancel);
   double edge_length() const {

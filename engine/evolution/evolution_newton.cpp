@@ -26,6 +26,8 @@ constexpr int largest_kept = 100000;            ///< free vertices: beyond, fact
 /// Of steps that are iterated: each iteration lowers the quadratic model, and its minimum is not the energy's. (Nocedal,
 /// Wright, Numerical Optimization, 2nd ed., §7.1: truncated Newton.) On a hundred thousand free vertices 0.05 takes 67.
 constexpr IterationLimits truncated{0.05, 100};
+/// So few iterations, or else new factors are the faster.
+constexpr IterationLimits by_kept_factors{1e-6, 8};
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
 
 EnergyWeights energy_of(const Objective& objective) {
@@ -71,26 +73,41 @@ void Evolution::Impl::finish() {
   if (!go_over_to_cubic_fits()) stop(EvolutionStatus::converged, "");
 }
 
-/// (μM + BᵀQB) s = −½∇E.
-bool Evolution::Impl::solve_gauss_newton(GaussNewtonSystem& system, Eigen::VectorXd& s) {
-  if (state.patch.free_count <= largest_factored) {
-    Eigen::MatrixXd solution;
-    // The damping comes and goes in place: a copy of the matrix would be of the size of all else but its factors.
-    const Eigen::VectorXd undamped = system.curvature.diagonal();
-    system.curvature.diagonal() += mu * system.mass;
-    system.curvature.makeCompressed();  // should a vertex be seen by no fit
-    const bool solved = spd->factorize(system.curvature) && spd->solve(-system.half_gradient, solution);
-    system.curvature.diagonal() = undamped;
-    if (!solved) return false;
-    s = solution;
-    return true;
-  }
+/// By the factors of the last step: near the end they are as good as new ones. @returns false if they are not.
+bool Evolution::Impl::solve_by_kept_factors(const GaussNewtonSystem& system, Eigen::VectorXd& s) {
+  if (factored_topology != state.topology || !near_the_end()) return false;
   GeneralSystem linear;
-  linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-    return system.curvature.selfadjointView<Eigen::Lower>() * x + mu * system.mass.cwiseProduct(x);
-  };
-  linear.nearby = [&]() { return near_gauss_newton(state.patch, energy_of(objective), mu); };
-  return conjugate_gradients(linear, *spd, truncated, -system.half_gradient, s).solved;
+  linear.times = [&](const Eigen::VectorXd& x) { return damped_times(system, x); };
+  const SolveReport report = conjugate_gradients(linear, *spd, by_kept_factors, -system.half_gradient, s);
+  return report.solved && report.left <= by_kept_factors.wanted;
+}
+
+Eigen::VectorXd Evolution::Impl::damped_times(const GaussNewtonSystem& system, const Eigen::VectorXd& x) const {
+  return system.curvature_times(x) + mu * system.mass.cwiseProduct(x);
+}
+
+/// (μM + BᵀQB) s = −½∇E. @param curvature  BᵀQB, empty until it has to be factored.
+bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, Eigen::VectorXd& s) {
+  if (state.patch.free_count > largest_factored) {
+    GeneralSystem linear;
+    linear.times = [&](const Eigen::VectorXd& x) { return damped_times(system, x); };
+    linear.nearby = [&]() { return near_gauss_newton(state.patch, energy_of(objective), mu); };
+    return conjugate_gradients(linear, *spd, truncated, -system.half_gradient, s).solved;
+  }
+  if (solve_by_kept_factors(system, s)) return true;
+  factored_topology = nullptr;
+  if (curvature.rows() == 0) curvature = system.curvature();
+  Eigen::MatrixXd solution;
+  // The damping comes and goes in place: a copy of the matrix would be of the size of all else but its factors.
+  const Eigen::VectorXd undamped = curvature.diagonal();
+  curvature.diagonal() += mu * system.mass;
+  curvature.makeCompressed();  // should a vertex be seen by no fit
+  const bool solved = spd->factorize(curvature) && spd->solve(-system.half_gradient, solution);
+  curvature.diagonal() = undamped;
+  if (!solved) return false;
+  factored_topology = state.topology;
+  s = solution;
+  return true;
 }
 
 /// Every so many steps one gains a little more than the others: the fall of several together counts.
@@ -107,13 +124,16 @@ bool Evolution::Impl::only_creeps(double move, double energy_before) {
 }
 
 /// One trial with the present mu: the whole step, a half, a quarter.
-GaussNewtonTrial Evolution::Impl::try_gauss_newton(GaussNewtonSystem& system, StepRecord& record,
-                                                   const CancelToken& cancel) {
+GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature,
+                                                   StepRecord& record, const CancelToken& cancel) {
   Stopwatch watch;
   GaussNewtonTrial trial;
   Eigen::VectorXd s;
-  const bool solved = solve_gauss_newton(system, s);
-  if (state.patch.free_count > largest_kept) spd = make_spd_solver();
+  const bool solved = solve_gauss_newton(system, curvature, s);
+  if (state.patch.free_count > largest_kept) {
+    spd = make_spd_solver();
+    factored_topology = nullptr;
+  }
   record.solve_seconds += watch.lap();
   if (!solved) return trial;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
@@ -143,18 +163,19 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     damping_unit = rough_decay_rate(options.flow, state.patch);
   if (damping_unit == 0) look_for_decay_rate();
   add_weights(state, objective, stencil);
-  GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+  const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   if (state.patch.free_count > largest_kept)
     drop_weights(state);  // else the next state takes from them what has not changed
   if (damping_unit == 0) damping_unit = decay();
   if (!(mu > 0)) mu = damping_unit / (2 * first_gauss_newton_sigma);
   StepRecord record;
   record.assemble_seconds = watch.lap();
+  SparseMatrix curvature;
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
     const double energy_before = state.measure;
-    const GaussNewtonTrial trial = try_gauss_newton(system, record, cancel);
+    const GaussNewtonTrial trial = try_gauss_newton(system, curvature, record, cancel);
     if (trial.accepted) {
       const double move = history.back().max_move;
       // Gauss-Newton steps shrink ever faster: two bold ones tell how far the next would go.

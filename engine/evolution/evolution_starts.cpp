@@ -1,6 +1,7 @@
 #include "core/threads.h"
 #include "evolution/coarse_patch.h"
 #include "evolution/evolution_impl.h"
+#include "evolution/first_fairing.h"
 #include "evolution/linear_start.h"
 #include "evolution/mesh_care.h"
 #include "evolution/stopwatch.h"
@@ -42,7 +43,9 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
                            : worn && !history.empty()                ? FairingMesh::remeshed
                                                                      : FairingMesh::kept;
   FairedState faired;
-  const auto fair = [&] { faired = linearly_faired(state, objective, stencil, mesh, options.start, cancel); };
+  const auto fair = [&] {
+    faired = linearly_faired(state.patch, state.topology, objective, stencil, mesh, options.start, cancel);
+  };
   // Fairings leave the other core half idle, and what comes after them will need the start by cubic fits.
   if (smooth_surroundings && !cubic_start && ThreadAllowance::now() > 1)
     side_by_side(fair, [&] { cubic_start = state_of_start_by_cubic_fits(); });
@@ -59,6 +62,27 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   take_start(std::move(faired.state), record, faired.move);
   // As after a Gauss-Newton step: so near, those steps had better be of the fits that they will end with.
   if (fairings_left == 0 && history.back().max_move < near_move) go_over_to_cubic_fits();
+  return true;
+}
+
+/// The first fairing, where somebody has made it beside the filler. @returns false if there is none, or it is not near
+/// enough to its end to be of use; then the state is as it was.
+bool Evolution::Impl::ready_fairing_step() {
+  const auto made = std::exchange(options.first_fairing, nullptr);
+  if (!made || !begins_with_fairing(options) || objective.bending > 0) return false;
+  if (smooth_surroundings && !cubic_start) cubic_start = state_of_start_by_cubic_fits();
+  std::optional<FairedState> faired = made->task.take();
+  if (!faired || faired->state.folds > 0 || !acceptable(faired->state, state.measure)) return false;
+  StepRecord record;
+  record.assemble_seconds = faired->assemble_seconds;
+  record.solve_seconds = faired->solve_seconds;
+  const double way = way_of_centroid(state.patch, faired->state.patch);
+  take_start(std::move(faired->state), record, way);
+  if (faired->move < short_way * edge_length()) linear_part = std::move(faired->before);
+  if (faired->move < near_move * edge_length()) {
+    fairings_left = 0;
+    go_over_to_cubic_fits();
+  }
   return true;
 }
 

@@ -20,12 +20,13 @@ bool loops_are_surrounded(const EvolutionState& state) {
 
 }  // namespace
 
-FairedState linearly_faired(const EvolutionState& state, const Objective& objective, Stencil stencil, FairingMesh mesh,
-                            SteadyStart start, const CancelToken& cancel) {
+FairedState linearly_faired(const Patch& given, const std::shared_ptr<const Topology>& topology,
+                            const Objective& objective, Stencil stencil, FairingMesh mesh, SteadyStart start,
+                            const CancelToken& cancel) {
   Stopwatch watch;
   const bool even = start == SteadyStart::evenly_faired;
   FairedState result;
-  Patch patch = mesh == FairingMesh::remeshed ? remeshed(state.patch) : state.patch;
+  Patch patch = mesh == FairingMesh::remeshed ? remeshed(given) : given;
   const int attempts = mesh == FairingMesh::fixed ? 2 : 3;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (attempt == 2) patch = remeshed(result.state.patch);
@@ -40,7 +41,7 @@ FairedState linearly_faired(const EvolutionState& state, const Objective& object
       result.move = std::max(result.move, (faired.positions[i] - patch.positions[i]).norm());
     const bool same_triangles = attempt == 0 && mesh != FairingMesh::remeshed;
     result.state =
-        make_state(std::move(faired), objective, stencil, same_triangles ? state.topology : nullptr, Fits::curvatures);
+        make_state(std::move(faired), objective, stencil, same_triangles ? topology : nullptr, Fits::curvatures);
     result.assemble_seconds += watch.lap();
     const bool solved = result.move > 0;
     if (solved && result.state.folds == 0 && !evenly && objective.bending == 0 && loops_are_surrounded(result.state))

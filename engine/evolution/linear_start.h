@@ -29,7 +29,9 @@ struct FairedState {
 
 /// The patch after one linear fairing of the objective. Where that folds it: the same with even weights, then on the mesh
 /// that remeshing makes of what came out. The caller judges whether it is an improvement.
-FairedState linearly_faired(const EvolutionState& state, const Objective& objective, Stencil stencil, FairingMesh mesh,
-                            SteadyStart start, const CancelToken& cancel);
+/// @param topology  of the patch.
+FairedState linearly_faired(const Patch& patch, const std::shared_ptr<const Topology>& topology,
+                            const Objective& objective, Stencil stencil, FairingMesh mesh, SteadyStart start,
+                            const CancelToken& cancel);
 
 }  // namespace loopmend

@@ -4,19 +4,27 @@
 #include "flows/decay_rate.h"
 #include "operators/congruence.h"
 
+#include <utility>
+
 namespace loopmend {
+
+SparseMatrix GaussNewtonSystem::curvature() const { return lower_congruence(B, Q); }
+
+Eigen::VectorXd GaussNewtonSystem::curvature_times(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd QBx = Q * (B * x);
+  return B.transpose() * QBx;
+}
 
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights) {
   CurvatureEnergy energy;
-  RowSparseMatrix B;
-  side_by_side([&] { energy = curvature_energy(patch, weights); },
-               [&] { B = curvature_jacobian(ops, patch.free_count); });
   GaussNewtonSystem system;
+  side_by_side([&] { energy = curvature_energy(patch, weights); },
+               [&] { system.B = curvature_jacobian(ops, patch.free_count); });
   const Eigen::VectorXd QH = energy.Q * ops.H;
   system.energy = ops.H.dot(QH);
-  system.half_gradient = B.transpose() * QH + 0.5 * metric_gradient(patch, ops, weights, energy.faces);
-  system.curvature = lower_congruence(B, energy.Q);
+  system.half_gradient = system.B.transpose() * QH + 0.5 * metric_gradient(patch, ops, weights, energy.faces);
   system.mass = energy.mass.head(patch.free_count);
+  system.Q = std::move(energy.Q);
   return system;
 }
 

@@ -9,8 +9,14 @@ namespace loopmend {
 struct GaussNewtonSystem {
   double energy = 0;              ///< E at the present state
   Eigen::VectorXd half_gradient;  ///< n: ½ ∂E/∂s
-  SparseMatrix curvature;         ///< n by n: the lower triangle of Bᵀ Q B
+  RowSparseMatrix B;              ///< #V by n
+  SparseMatrix Q;                 ///< #V by #V
   Eigen::VectorXd mass;           ///< n
+
+  /// n by n: the lower triangle of Bᵀ Q B. To form it takes half as long as all the rest.
+  SparseMatrix curvature() const;
+  /// Bᵀ Q B x, without forming it. @param x  n.
+  Eigen::VectorXd curvature_times(const Eigen::VectorXd& x) const;
 };
 
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights);

@@ -27,7 +27,8 @@ std::unique_ptr<SpdSolver> make_spd_solver();
 /// What one solve was like. Failure is a value: a singular matrix happens, and the caller has a smaller step to try.
 struct SolveReport {
   bool solved = false;
-  int iterations = 0;     ///< of GMRES; 0 for a direct solve
+  int iterations = 0;     ///< 0 for a direct solve
+  double left = 0;  ///< of the residual, as IterationLimits measures it; conjugate gradients only
   bool factored = false;  ///< a new factorisation was made for this solve
 };
 
@@ -35,7 +36,8 @@ struct SolveReport {
 struct GeneralSystem {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> times;  ///< A x
   std::function<Eigen::SparseMatrix<double>()> matrix;           ///< A, n by n, compressed
-  /// A symmetric positive definite matrix near A, n by n, compressed; only the lower triangle is read.
+  /// A symmetric positive definite matrix near A, n by n, compressed; only the lower triangle is read. For conjugate
+  /// gradients it may be empty.
   std::function<Eigen::SparseMatrix<double>()> nearby;
 };
 
@@ -48,7 +50,8 @@ struct IterationLimits {
 
 /// Symmetric positive definite systems too large to be factored: conjugate gradients, preconditioned by the factors of the
 /// nearby matrix, which has less fill. The matrix itself is not asked for.
-/// @param factors  of the nearby matrix, made here; its symbolic analysis is kept from call to call
+/// @param factors  of the nearby matrix, made here, its symbolic analysis being kept from call to call; or made before, of
+///                 a matrix of the same size, where the system names none
 /// @param b  n. @param x  n: what the iterations came to, each of which has lowered ½xᵀAx − bᵀx; written only when solved.
 /// @returns solved: whether there is such an x. It is not where a matrix is not positive definite.
 SolveReport conjugate_gradients(const GeneralSystem& system, SpdSolver& factors, const IterationLimits& limits,

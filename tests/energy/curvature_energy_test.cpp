@@ -57,7 +57,7 @@ TEST(GaussNewton, GradientOfTheBlend) { expect_gradient({1, 20}, {FlowKind::mmcv
 TEST(GaussNewton, MatrixIsTheCongruenceAndPositive) {
   const EvolutionState state = disturbed_state({});
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, {1, 0});
-  const Eigen::MatrixXd lower(system.curvature), A(lower.selfadjointView<Eigen::Lower>());
+  const Eigen::MatrixXd lower(system.curvature()), A(lower.selfadjointView<Eigen::Lower>());
   const Eigen::MatrixXd B(curvature_jacobian(state.ops, state.patch.free_count)),
       Q(curvature_energy(state.patch, {1, 0}).Q);
   EXPECT_LT((A - B.transpose() * Q * B).norm(), 1e-12 * A.norm());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evolution/solve_group.h"
+#include "evolution/evolve_filler.h"
 #include "mesh/mesh_arrays.h"
 #include "rim/white_noise.h"
 #include "samples/random.h"

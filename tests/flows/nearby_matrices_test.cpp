@@ -50,7 +50,7 @@ TEST(NearGaussNewton, SolvesTheStepByConjugateGradients) {
   const EvolutionState state = disturbed_state(5);
   const GaussNewtonSystem newton = assemble_gauss_newton(state.patch, state.ops, {1, 20});
   const double mu = slowest_decay_rate(FlowKind::mmcvf, state.patch) / 1000;
-  const SparseMatrix A = newton.curvature + mu * SparseMatrix(newton.mass.asDiagonal());
+  const SparseMatrix A = newton.curvature() + mu * SparseMatrix(newton.mass.asDiagonal());
   const GeneralSystem system{
       [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return A.selfadjointView<Eigen::Lower>() * x; },
       {},
