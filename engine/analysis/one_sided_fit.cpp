@@ -21,22 +21,17 @@ std::optional<OneSidedFit> at_origin(const Eigen::Matrix<double, 3, 5>& r, const
   return std::isfinite(fit.H) ? std::optional(fit) : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& side, int i,
-                                         const Vec3& reference_normal, std::vector<char>& mark) {
-  if (reference_normal.isZero()) return std::nullopt;
-  std::vector<int> neighbors;
-  for (int rings = 2; rings <= 5 && neighbors.size() < 18; ++rings) side.k_ring(i, rings, neighbors, mark);
+/// Of a quadratic (5 columns) or a cubic (9) to the neighbours.
+template <int columns>
+std::optional<OneSidedFit> fit_to(const std::vector<int>& neighbors, const Points& points, int i,
+                                  const Vec3& reference_normal) {
   const Eigen::Index m = static_cast<Eigen::Index>(neighbors.size());
-  const int columns = m >= 14 ? 9 : 5;
   if (m < columns + 1) return std::nullopt;
-
   const Vec3 e1 = reference_normal.unitOrthogonal(), e2 = reference_normal.cross(e1);
   double mean = 0;
   for (int j : neighbors) mean += (points[j] - points[i]).norm() / static_cast<double>(m);
   if (!(mean > 0)) return std::nullopt;
-  Eigen::MatrixXd A(m, columns);
+  Eigen::Matrix<double, Eigen::Dynamic, columns> A(m, columns);
   Eigen::MatrixX3d place(m, 3);
   for (Eigen::Index k = 0; k < m; ++k) {
     const Vec3 d = (points[neighbors[k]] - points[i]) / mean;
@@ -44,18 +39,29 @@ std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& s
     if (!(flat > 1e-12 * length)) return std::nullopt;  // a neighbour straight above, or in the same place
     // At its true distance, not the projected one: then a sphere is quadratic, and the error on others a fraction.
     const double u = d.dot(e1) * length / flat, v = d.dot(e2) * length / flat, weight = 1 / (0.1 + length);
-    A.row(k).head<5>() << u, v, u * u / 2, u * v, v * v / 2;
-    if (columns == 9) A.row(k).tail<4>() << u * u * u, u * u * v, u * v * v, v * v * v;
+    A.row(k).template head<5>() << u, v, u * u / 2, u * v, v * v / 2;
+    if constexpr (columns == 9) A.row(k).template tail<4>() << u * u * u, u * u * v, u * v * v, v * v * v;
     A.row(k) *= weight;
     place.row(k) = weight * d.transpose();
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, columns>> qr(A);
   qr.setThreshold(1e-6);
   if (qr.rank() < columns) return std::nullopt;
-  const Eigen::MatrixX3d derivatives = qr.solve(place);
-  std::optional<OneSidedFit> fit = at_origin(derivatives.topRows<5>().transpose(), reference_normal);
+  const Eigen::Matrix<double, columns, 3> derivatives = qr.solve(place);
+  std::optional<OneSidedFit> fit = at_origin(derivatives.template topRows<5>().transpose(), reference_normal);
   if (fit) fit->H /= mean;
   return fit;
+}
+
+}  // namespace
+
+std::optional<OneSidedFit> one_sided_fit(const Points& points, const Topology& side, int i,
+                                         const Vec3& reference_normal, std::vector<char>& mark) {
+  if (reference_normal.isZero()) return std::nullopt;
+  std::vector<int> neighbors;
+  for (int rings = 2; rings <= 5 && neighbors.size() < 18; ++rings) side.k_ring(i, rings, neighbors, mark);
+  return neighbors.size() >= 14 ? fit_to<9>(neighbors, points, i, reference_normal)
+                                : fit_to<5>(neighbors, points, i, reference_normal);
 }
 
 }  // namespace loopmend

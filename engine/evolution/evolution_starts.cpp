@@ -42,47 +42,62 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   const FairingMesh mesh = options.triangles != PatchTriangles::free ? FairingMesh::fixed
                            : worn && !history.empty()                ? FairingMesh::remeshed
                                                                      : FairingMesh::kept;
-  FairedState faired;
+  FairedPatch faired;
+  EvolutionState next;
   const auto fair = [&] {
-    faired = linearly_faired(state.patch, state.topology, objective, stencil, mesh, options.start, cancel);
+    faired = linearly_faired(state.patch, state.topology, objective.bending, mesh, options.start, cancel);
+    Stopwatch watch;
+    next = make_state(std::move(faired.patch), objective, stencil, faired.topology, Fits::curvatures);
+    faired.assemble_seconds += watch.lap();
   };
   // Fairings leave the other core half idle, and what comes after them will need the start by cubic fits.
   if (smooth_surroundings && !cubic_start && ThreadAllowance::now() > 1)
     side_by_side(fair, [&] { cubic_start = state_of_start_by_cubic_fits(); });
   else
     fair();
-  const bool good = acceptable(faired.state, state.measure);
+  const bool good = acceptable(next, state.measure);
   const bool nearly_of_present = good ? faired.move < short_way * edge_length() : mesh != FairingMesh::remeshed;
   linear_part = nearly_of_present ? std::move(faired.before) : LinearPart();
   if (!good) return false;
-  if (faired.state.measure > 0.5 * state.measure && faired.state.folds == 0) fairings_left = 0;
+  if (next.measure > 0.5 * state.measure && next.folds == 0) fairings_left = 0;
   StepRecord record;
   record.assemble_seconds = faired.assemble_seconds;
   record.solve_seconds = faired.solve_seconds;
-  take_start(std::move(faired.state), record, faired.move);
+  take_start(std::move(next), record, faired.move);
   // As after a Gauss-Newton step: so near, those steps had better be of the fits that they will end with.
   if (fairings_left == 0 && history.back().max_move < near_move) go_over_to_cubic_fits();
   return true;
 }
 
-/// The first fairing, where somebody has made it beside the filler. @returns false if there is none, or it is not near
-/// enough to its end to be of use; then the state is as it was.
-bool Evolution::Impl::ready_fairing_step() {
-  const auto made = std::exchange(options.first_fairing, nullptr);
-  if (!made || !begins_with_fairing(options) || objective.bending > 0) return false;
-  if (smooth_surroundings && !cubic_start) cubic_start = state_of_start_by_cubic_fits();
-  std::optional<FairedState> faired = made->task.take();
-  if (!faired || faired->state.folds > 0 || !acceptable(faired->state, state.measure)) return false;
+/// The first fairing, made beside the filler. Near its end already, it is judged by the fits that the steps from it will be
+/// of. @returns false if it is of no use; then the state is the start, and measured.
+bool Evolution::Impl::first_fairing_step() {
+  Stopwatch watch;
   StepRecord record;
-  record.assemble_seconds = faired->assemble_seconds;
-  record.solve_seconds = faired->solve_seconds;
-  const double way = way_of_centroid(state.patch, faired->state.patch);
-  take_start(std::move(faired->state), record, way);
-  if (faired->move < short_way * edge_length()) linear_part = std::move(faired->before);
-  if (faired->move < near_move * edge_length()) {
-    fairings_left = 0;
-    go_over_to_cubic_fits();
-  }
+  cubic_start = state_of_start_by_cubic_fits();
+  record.assemble_seconds = watch.lap();
+  std::optional<FairedPatch> faired = std::exchange(options.first_fairing, nullptr)->task.take();
+  record.solve_seconds = watch.lap();
+  if (faired && faired->folds == 0 && take_first_fairing(*faired, record)) return true;
+  measure_start();
+  return false;
+}
+
+bool Evolution::Impl::take_first_fairing(FairedPatch& faired, StepRecord& record) {
+  Stopwatch watch;
+  const double edge = mean_edge_length(faired.patch.positions, faired.patch.triangles, faired.patch.patch_triangles);
+  if (faired.move > near_move * edge) return false;
+  const double way = way_of_centroid(state.patch, faired.patch);
+  EvolutionState next = make_state(std::move(faired.patch), objective, Stencil::two_ring_cubic, faired.topology);
+  if (!acceptable(next, cubic_start->measure)) return false;
+  if (faired.move < short_way * edge) linear_part = std::move(faired.before);
+  stencil = Stencil::two_ring_cubic;
+  start_measure = lowest_measure = cubic_start->measure;
+  initial_energy = shown_energy(options.flow, *cubic_start);
+  cubic_start.reset();
+  fairings_left = 0;
+  record.assemble_seconds += watch.lap();
+  take_start(std::move(next), record, way);
   return true;
 }
 

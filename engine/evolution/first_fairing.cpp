@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/first_fairing.h"
 
-#include "energy/curvature_energy.h"
 #include "filling/fairing.h"
 #include "filling/loop_filler.h"
 #include "filling/patch_remesh.h"
@@ -34,20 +33,19 @@ bool has_first_fairing(const std::vector<BoundaryLoop>& loops, double density, c
   return loop.area < most_vertices * 0.866 * edge * edge;
 }
 
-FairedState fair_from_coarse(const SurfaceModel& model, const BoundaryLoop& loop, const LoopFiller& coarse,
+FairedPatch fair_from_coarse(const SurfaceModel& model, const BoundaryLoop& loop, const LoopFiller& coarse,
                              double density, const CancelToken& cancel) {
   Patch patch = make_patch(model, {loop}, {coarse});
   patch.grading.density = density;
   patch.positions = linear_fairing(patch, 0, robust_clamp);
   patch = brought_to_size(patch);
   const auto topology = std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
-  return linearly_faired(patch, topology, {FlowKind::mmcvf, 0, energy_reach}, Stencil::two_ring, FairingMesh::kept,
-                         SteadyStart::faired, cancel);
+  return linearly_faired(patch, topology, 0, FairingMesh::kept, SteadyStart::faired, cancel);
 }
 
 std::shared_ptr<FirstFairing> first_fairing_of(const SurfaceModel& model, const BoundaryLoop& loop, double density,
                                                const CancelToken& cancel) {
-  return std::make_shared<FirstFairing>([=, &model]() -> std::optional<FairedState> {
+  return std::make_shared<FirstFairing>([=, &model]() -> std::optional<FairedPatch> {
     std::optional<LoopFiller> coarse;
     fill_loop(model, loop, {density}, cancel, [&](const LoopFiller& filler) { coarse = filler; });
     if (!coarse || cancel.cancelled()) return std::nullopt;

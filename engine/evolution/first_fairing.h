@@ -14,8 +14,8 @@ namespace loopmend {
 
 /// Of a filler whose last coarse mesh is known: see fair_from_coarse. Empty where there is none.
 struct FirstFairing {
-  explicit FirstFairing(std::function<std::optional<FairedState>()> work) : task(std::move(work)) {}
-  SharedTask<std::optional<FairedState>> task;
+  explicit FirstFairing(std::function<std::optional<FairedPatch>()> work) : task(std::move(work)) {}
+  SharedTask<std::optional<FairedPatch>> task;
 };
 
 /// Whether MMCVF begins so: on its way to the steady state, from linear fairings, free to make a mesh of its own.
@@ -24,10 +24,10 @@ bool begins_with_fairing(const EvolutionOptions& options);
 /// Whether there is such a thing: for one loop and a patch that is not large. @param density  of FillerOptions.
 bool has_first_fairing(const std::vector<BoundaryLoop>& loops, double density, const EvolutionOptions& options);
 
-/// The coarse mesh faired, brought to the size of the rim's edges, and faired again, for ∫‖∇H‖² and by fits over two rings:
+/// The coarse mesh faired, brought to the size of the rim's edges, and faired again, for ∫‖∇H‖²:
 /// what fairing, remeshing and fairing the filler comes to.
 /// @param coarse  of this loop's filler (OnCoarseFiller). @param density  of FillerOptions.
-FairedState fair_from_coarse(const SurfaceModel& model, const BoundaryLoop& loop, const LoopFiller& coarse,
+FairedPatch fair_from_coarse(const SurfaceModel& model, const BoundaryLoop& loop, const LoopFiller& coarse,
                              double density, const CancelToken& cancel);
 
 /// The same where nobody has kept the coarse mesh: the filler is made once more. Nothing is done before it is asked for;

@@ -3,6 +3,8 @@
 #include "evolution/mesh_care.h"
 #include "evolution/stopwatch.h"
 #include "filling/fairing.h"
+#include "mesh/quality.h"
+#include "operators/operator_set.h"
 
 #include <algorithm>
 
@@ -10,43 +12,48 @@ namespace loopmend {
 
 namespace {
 
+std::shared_ptr<const Topology> topology_of(const Patch& patch) {
+  return std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
+}
+
 /// Whether triangles of the surroundings stand on all edges of the loops: else the fairing leaves out rows that K has.
-bool loops_are_surrounded(const EvolutionState& state) {
-  const Patch& patch = state.patch;
+bool loops_are_surrounded(const Patch& patch, const Topology& topology) {
   for (int i = patch.free_count; i < patch.vertex_count() && patch.ring[i] == 1; ++i)
-    if (state.topology->is_boundary(i)) return false;
+    if (topology.is_boundary(i)) return false;
   return true;
 }
 
 }  // namespace
 
-FairedState linearly_faired(const Patch& given, const std::shared_ptr<const Topology>& topology,
-                            const Objective& objective, Stencil stencil, FairingMesh mesh, SteadyStart start,
-                            const CancelToken& cancel) {
-  Stopwatch watch;
+FairedPatch linearly_faired(const Patch& given, const std::shared_ptr<const Topology>& topology, double bending,
+                            FairingMesh mesh, SteadyStart start, const CancelToken& cancel) {
   const bool even = start == SteadyStart::evenly_faired;
-  FairedState result;
-  Patch patch = mesh == FairingMesh::remeshed ? remeshed(given) : given;
+  FairedPatch result;
+  const bool remeshes = mesh == FairingMesh::remeshed;
+  Patch patch = remeshes ? remeshed(given) : given;
+  result.topology = remeshes ? topology_of(patch) : topology;
   const int attempts = mesh == FairingMesh::fixed ? 2 : 3;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (attempt == 2) patch = remeshed(result.state.patch);
+    Stopwatch watch;
+    if (attempt == 2) {
+      patch = remeshed(result.patch);
+      result.topology = topology_of(patch);
+    }
     result.assemble_seconds += watch.lap();
-    Patch faired = patch;
     const bool evenly = even || attempt > 0;
     auto solver = make_spd_solver();
-    faired.positions = linear_fairing(patch, objective.bending, evenly ? even_clamp : robust_clamp, *solver);
+    result.patch = patch;
+    result.patch.positions =
+        linear_fairing(patch, *result.topology, bending, evenly ? even_clamp : robust_clamp, *solver);
     result.solve_seconds += watch.lap();
     result.move = 0;
     for (int i = 0; i < patch.free_count; ++i)
-      result.move = std::max(result.move, (faired.positions[i] - patch.positions[i]).norm());
-    const bool same_triangles = attempt == 0 && mesh != FairingMesh::remeshed;
-    result.state =
-        make_state(std::move(faired), objective, stencil, same_triangles ? topology : nullptr, Fits::curvatures);
-    result.assemble_seconds += watch.lap();
+      result.move = std::max(result.move, (result.patch.positions[i] - patch.positions[i]).norm());
+    result.folds = count_folds(result.patch.positions, patch.triangles, patch.patch_triangles);
     const bool solved = result.move > 0;
-    if (solved && result.state.folds == 0 && !evenly && objective.bending == 0 && loops_are_surrounded(result.state))
+    if (solved && result.folds == 0 && !evenly && bending == 0 && loops_are_surrounded(patch, *result.topology))
       result.before = {std::move(solver), barycentric_areas(patch.positions, patch.triangles).head(patch.free_count)};
-    if (result.state.folds == 0 || cancel.cancelled()) break;
+    if (result.folds == 0 || cancel.cancelled()) break;
   }
   return result;
 }

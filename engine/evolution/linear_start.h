@@ -3,8 +3,11 @@
 
 #include "core/cancel.h"
 #include "evolution/evolution.h"
-#include "evolution/state.h"
+#include "mesh/patch.h"
+#include "operators/topology.h"
 #include "solvers/linear_solver.h"
+
+#include <memory>
 
 namespace loopmend {
 
@@ -20,18 +23,19 @@ struct LinearPart {
   Eigen::VectorXd mass;                ///< n: the diagonal of M
 };
 
-struct FairedState {
-  EvolutionState state;
+struct FairedPatch {
+  Patch patch;
+  std::shared_ptr<const Topology> topology;
+  int folds = 0;      ///< of the patch and its rim
   double move = 0;    ///< longest way of a vertex, patch frame
   LinearPart before;  ///< at the shape that was faired, if the first attempt was good and solved with its matrix
   double assemble_seconds = 0, solve_seconds = 0;
 };
 
-/// The patch after one linear fairing of the objective. Where that folds it: the same with even weights, then on the mesh
+/// The patch after one linear fairing of ∫‖∇H‖² + bending ∫H². Where that folds it: the same with even weights, then on the mesh
 /// that remeshing makes of what came out. The caller judges whether it is an improvement.
-/// @param topology  of the patch.
-FairedState linearly_faired(const Patch& patch, const std::shared_ptr<const Topology>& topology,
-                            const Objective& objective, Stencil stencil, FairingMesh mesh, SteadyStart start,
-                            const CancelToken& cancel);
+/// @param topology  of the patch. @param bending  patch frame.
+FairedPatch linearly_faired(const Patch& patch, const std::shared_ptr<const Topology>& topology, double bending,
+                            FairingMesh mesh, SteadyStart start, const CancelToken& cancel);
 
 }  // namespace loopmend

@@ -29,7 +29,7 @@ SideWork::SideWork(const FillSite& site, const std::vector<BoundaryLoop>& group,
         return FillerReport{seam_reports(filler), rim_fits(filler, FixedSurface(filler))};
       }) {
   if (!options.evolution || !has_first_fairing(group, options.filler.density, *options.evolution)) return;
-  first_fairing_ = std::make_shared<FirstFairing>([this]() -> std::optional<FairedState> {
+  first_fairing_ = std::make_shared<FirstFairing>([this]() -> std::optional<FairedPatch> {
     try {
       const LoopFiller coarse = coarse_made_.get();
       if (cancel_.cancelled()) return std::nullopt;

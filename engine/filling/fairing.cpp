@@ -44,13 +44,13 @@ Points minimal_surface_step(const Points& points, const Triangles& triangles, in
 }
 
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
-  return linear_fairing(patch, bending, clamp, *make_spd_solver());
+  return linear_fairing(patch, Topology(patch.vertex_count(), patch.triangles), bending, clamp, *make_spd_solver());
 }
 
-Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp, SpdSolver& solver) {
+Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp,
+                      SpdSolver& solver) {
   // Rows of ΔL with a full one-ring of data whose value the patch can change or that stand beside such rows.
   constexpr int reach = 2;
-  const Topology topology(patch.vertex_count(), patch.triangles);
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
   Eigen::VectorXd rows = mass.cwiseInverse(), bent = bending * mass;
   for (int i = 0; i < patch.vertex_count(); ++i)

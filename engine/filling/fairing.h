@@ -26,7 +26,8 @@ Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp);
 
 /// The same by the caller's solver, which then holds the factors of the system: without bending, and where the loops are
 /// surrounded by triangles, that of clamped_polyharmonic (flows/decay_rate.h) for the patch's shape.
-Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp, SpdSolver& solver);
+Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp,
+                      SpdSolver& solver);
 
 /// The third order with all weights one: the triangles' shapes do not count, so that pinched necks and slivers of the
 /// present shape leave no trace (NUMERICS §7). @returns as linear_fairing.

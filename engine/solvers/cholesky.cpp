@@ -1,8 +1,12 @@
+#include "solvers/dissection.h"
 #include "solvers/factoring.h"
 #include "solvers/halved_cholesky.h"
 #include "solvers/linear_solver.h"
 
 #include <Eigen/CholmodSupport>
+
+#include <algorithm>
+#include <vector>
 
 namespace loopmend {
 
@@ -10,7 +14,25 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr int least_halved = 2000;  ///< rows: below, a second thread does not pay
+constexpr int least_halved = 2000;     ///< rows: below, a second thread does not pay
+constexpr int least_dissected = 300;   ///< rows
+constexpr int least_dissected_of_widest = 450;
+constexpr double wide_stencil = 10;    ///< entries of the lower triangle in a column
+constexpr double widest_stencil = 25;  ///< the same
+
+/// CHOLMOD, with an order of elimination from outside.
+class OrderedCholmod : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower> {
+ public:
+  /// In place of analyzePattern(), before which it may not be called. @param order  the rows, first eliminated first.
+  void analyze(const SparseMatrix& A, std::vector<int> order) {
+    cholmod().method[0].ordering = CHOLMOD_GIVEN;
+    cholmod_sparse view = Eigen::viewAsCholmod(A.selfadjointView<Eigen::Lower>());
+    m_cholmodFactor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod());
+    m_isInitialized = true;
+    m_analysisIsOk = 1;
+    m_info = Eigen::Success;
+  }
+};
 
 /// In one piece. For matrices of the pattern of A alone.
 class WholeCholesky : public SpdSolver {
@@ -24,11 +46,17 @@ class WholeCholesky : public SpdSolver {
     // Never LDLᵀ, which takes indefinite matrices without a word.
     settings.final_asis = 0;
     settings.final_ll = 1;
-    // Small matrices of wide stencils fill up in any order: then one dense block is the fastest.
-    const bool fills_up = A.rows() < 700 && A.nonZeros() > 25 * A.rows();
-    settings.method[0].ordering = fills_up ? CHOLMOD_NATURAL : CHOLMOD_AMD;
     const NoThreadsWithin alone;
-    cholesky_.analyzePattern(A);
+    const double couplings = static_cast<double>(A.nonZeros()) / std::max<double>(1, static_cast<double>(A.rows()));
+    // On wide stencils minimum degree takes longer than all the rest. Of the widest, small matrices fill up in any order:
+    // then one dense block is the fastest.
+    const bool widest = couplings > widest_stencil;
+    if (couplings > wide_stencil && A.rows() >= (widest ? least_dissected_of_widest : least_dissected)) {
+      cholesky_.analyze(A, dissect(graph_of(A)).order);
+    } else {
+      settings.method[0].ordering = widest ? CHOLMOD_NATURAL : CHOLMOD_AMD;
+      cholesky_.analyzePattern(A);
+    }
   }
   bool factorize(const SparseMatrix& A) override {
     const NoThreadsWithin alone;
@@ -43,7 +71,7 @@ class WholeCholesky : public SpdSolver {
   }
 
  private:
-  Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower> cholesky_;
+  OrderedCholmod cholesky_;
 };
 
 class CholeskySolver : public SpdSolver {

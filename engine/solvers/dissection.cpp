@@ -12,6 +12,7 @@ namespace loopmend {
 namespace {
 
 constexpr int smallest_dissected = 200;  ///< rows of wide stencils: fewer fill up in any order
+constexpr int least_for_threads_here = 2000;  ///< rows: below, it takes no longer than to start a thread
 constexpr int most_parts = 1 << 24;      ///< ends a dissection that only ever splits off a few rows
 
 class Dissector {
@@ -28,7 +29,14 @@ class Dissector {
   Dissection halves() {
     const int rows = static_cast<int>(order_.size());
     const Cut cut = split(0, rows, 1);
-    side_by_side([&] { dissect(0, cut.lower, 2); }, [&] { dissect(cut.lower, cut.lower + cut.upper, 3); });
+    const auto lower = [&] { dissect(0, cut.lower, 2); };
+    const auto upper = [&] { dissect(cut.lower, cut.lower + cut.upper, 3); };
+    if (rows < least_for_threads_here) {
+      lower();
+      upper();
+    } else {
+      side_by_side(lower, upper);
+    }
     return {std::move(order_), cut.lower, cut.upper};
   }
 

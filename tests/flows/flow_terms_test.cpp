@@ -175,7 +175,7 @@ TEST(DecayRate, ComesFromTheFactorsOfALinearFairingToo) {
   Patch patch = test::start_of(test::open_sphere(4, 0.8));
   test::disturb(patch, 0.05);
   const auto solver = make_spd_solver();
-  linear_fairing(patch, 0, robust_clamp, *solver);
+  linear_fairing(patch, Topology(patch.vertex_count(), patch.triangles), 0, robust_clamp, *solver);
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles).head(patch.free_count);
   const double rate = slowest_decay_rate(FlowKind::mmcvf, patch);
   EXPECT_NEAR(slowest_decay_rate(*solver, mass), rate, 1e-6 * rate);
