@@ -93,28 +93,6 @@ void side_by_side(const First& first, const Second& second) {
     second();
 }
 
-/// A piece of work for whoever comes first: a thread beside that helps, or the one that needs what comes of it.
-template <class Result>
-class SharedTask {
- public:
-  explicit SharedTask(std::function<Result()> work) : work_(std::move(work)), result_(work_.get_future()) {}
-
-  /// Does the work, unless somebody has begun it.
-  void help() {
-    if (!taken_.exchange(true)) work_();
-  }
-  /// What came of it, once: done here, or waited for. Throws what the work threw.
-  Result take() {
-    help();
-    return result_.get();
-  }
-
- private:
-  std::packaged_task<Result()> work_;
-  std::future<Result> result_;
-  std::atomic<bool> taken_{false};
-};
-
 /// Runs work() in several threads, or once: it takes its share of the work from a common counter until that is used up.
 /// @param vertices  how many the work is about.
 void share_work(int vertices, const std::function<void()>& work);

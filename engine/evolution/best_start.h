@@ -25,13 +25,6 @@ struct RunRating {
   }
 };
 
-/// Whether nothing speaks for another start: straight ways take few steps, and those that take more may have ended in a
-/// bubble.
-inline bool is_straight(const RunRating& run) {
-  constexpr int suspiciously_many_steps = 12;
-  return run.converged && run.steps <= suspiciously_many_steps;
-}
-
 /// The result of run(start, options) and, for MMCVF to the steady state where that fails or takes long, of the runs from
 /// other starts; where none comes to rest, of runs that go on from the best one's shape on a fresh mesh. The best of them.
 /// @param run   to a result with a member `patch`.
@@ -39,6 +32,8 @@ inline bool is_straight(const RunRating& run) {
 template <class Run, class Rate>
 auto best_of_starts(const Patch& patch, const EvolutionOptions& options, const CancelToken& cancel, const Run& run,
                     const Rate& rate) {
+  // Straight ways take fewer steps; those that take more may have ended in a bubble.
+  constexpr int suspiciously_many_steps = 12;
   constexpr int most_fresh_meshes = 2;
   constexpr int worth_trying_again = 20'000;  // free vertices: above, a run takes long
   auto best = run(patch, options);
@@ -47,7 +42,7 @@ auto best_of_starts(const Patch& patch, const EvolutionOptions& options, const C
   const bool faired = rate(best).faired;
   for (const SteadyStart start : {SteadyStart::evenly_faired, SteadyStart::as_given}) {
     const RunRating now = rate(best);
-    if (is_straight(now) || cancel.cancelled()) return best;
+    if ((now.converged && now.steps <= suspiciously_many_steps) || cancel.cancelled()) return best;
     if (start == SteadyStart::as_given && !faired) continue;  // as the first was
     EvolutionOptions other = options;
     other.start = start;

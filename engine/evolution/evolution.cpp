@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "evolution/coarse_patch.h"
 #include "evolution/evolution_impl.h"
-#include "evolution/first_fairing.h"
 #include "evolution/mesh_care.h"
 #include "evolution/stopwatch.h"
 #include "flows/decay_rate.h"
@@ -74,17 +73,9 @@ void Evolution::Impl::prepare(Patch first) {
   for (const Vec3& p : start.positions)
     if (!p.allFinite()) throw InvalidArgument("the patch has a vertex that is not finite");
   room = room_around(start, room_beyond_start);
-  state.patch = start;
-  state.topology = std::make_shared<Topology>(start.vertex_count(), start.triangles);
-  start_folds = state.folds = count_folds(start.positions, start.triangles, start.patch_triangles);
+  state = make_state(start, objective, stencil, nullptr, Fits::curvatures);
+  start_folds = state.folds;
   start_edge_length = edge_length();
-}
-
-/// The fits to the present patch, from which the steps will set out.
-void Evolution::Impl::measure_start() {
-  state = make_state(std::move(state.patch), objective, stencil, state.topology, Fits::curvatures);
-  start_measure = lowest_measure = state.measure;
-  if (history.empty()) initial_energy = shown_energy(options.flow, state);
 }
 
 Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
@@ -117,7 +108,10 @@ Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
 void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   check(new_options);
   options = new_options;
-  objective = objective_for(options);
+  const Objective wanted = objective_for(options);
+  objective = wanted;
+  if (!history.empty() || wanted.flow != FlowKind::mmcvf || wanted.bending > 0)
+    state = make_state(std::move(state.patch), objective, stencil, state.topology, Fits::curvatures);
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
   decay_rate = 0;
@@ -132,15 +126,12 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   fairings_left = history.empty() && options.start != SteadyStart::as_given ? most_fairings : 0;
   coarse_start_left = history.empty() && newton && options.start == SteadyStart::faired &&
                       options.triangles == PatchTriangles::free && worth_coarsening(state.patch);
+  start_measure = lowest_measure = state.measure;
   cared_edge_length = edge_length();
   cared_angle = 0;
   general = make_general_solver(options.solver, flow_step_tolerance);
   spd = make_spd_solver();
   factored_topology = nullptr;
-  const bool first_is_made =
-      options.first_fairing && smooth_surroundings && fairings_left > 0 && !coarse_start_left && begins_with_fairing(options);
-  if (!first_is_made) options.first_fairing.reset();
-  if (!first_is_made) measure_start();
   stop(EvolutionStatus::ready, "");
 }
 
@@ -289,6 +280,7 @@ Evolution::Evolution(Patch start, EvolutionOptions options) : impl_(std::make_un
   impl_->options = options;
   impl_->prepare(std::move(start));
   impl_->take_options(options);
+  impl_->initial_energy = energy();
 }
 
 Evolution::~Evolution() = default;
@@ -302,7 +294,6 @@ void Evolution::step(const CancelToken& cancel) {
   const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
   if (!newton) return impl_->semi_implicit_step(cancel);
   if (impl_->blends_left > 0) return impl_->blend_step();
-  if (impl_->options.first_fairing && impl_->first_fairing_step()) return;
   if (std::exchange(impl_->coarse_start_left, false)) {
     if (impl_->coarse_step(cancel)) return;
     if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
@@ -335,8 +326,6 @@ const std::vector<StepRecord>& Evolution::history() const { return impl_->histor
 double Evolution::initial_energy() const { return impl_->initial_energy; }
 double Evolution::bending() const { return impl_->blend; }
 const std::optional<RimRoughness>& Evolution::roughness() const { return impl_->rim; }
-double Evolution::energy() const {
-  return impl_->state.ops.H.size() > 0 ? shown_energy(impl_->options.flow, impl_->state) : 0;
-}
+double Evolution::energy() const { return shown_energy(impl_->options.flow, impl_->state); }
 
 }  // namespace loopmend

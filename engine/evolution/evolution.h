@@ -42,8 +42,6 @@ enum class RimTrust {
   smooth,     ///< as on rough surroundings, whatever they are: rim_blend
 };
 
-struct FirstFairing;  // evolution/first_fairing.h
-
 struct EvolutionOptions {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steady;
@@ -62,9 +60,6 @@ struct EvolutionOptions {
   SeamContinuity continuity = SeamContinuity::curvature;
   std::optional<RimRoughness>
       roughness;  ///< of the surroundings, where the caller has measured it; else it is measured
-  /// MMCVF to the steady state from `faired`: of the patch, where the caller has it made. Looked at between smooth
-  /// surroundings alone; then no energy is known before the first step.
-  std::shared_ptr<FirstFairing> first_fairing;
 };
 
 /// @throws InvalidArgument if an option is out of range.
@@ -125,7 +120,7 @@ class Evolution {
   const std::string& message() const;
   const std::vector<StepRecord>& history() const;
   double initial_energy() const;  ///< of the start, units as in StepRecord; by the same fits as energy()
-  double energy() const;          ///< of the present state; both 0 while they are not known
+  double energy() const;          ///< of the present state
   double bending() const;         ///< β in force, see EvolutionOptions::bending; 0 for the pure flow
   /// Of the surroundings of the patch as it was at the last set_options(). Empty but for MMCVF to the steady state.
   const std::optional<RimRoughness>& roughness() const;

@@ -78,7 +78,6 @@ struct Evolution::Impl {
   std::shared_ptr<const Topology> factored_topology;  ///< of the matrix that spd has factored last; null: of none
 
   void prepare(Patch first);
-  void measure_start();
   void take_options(const EvolutionOptions& new_options);
   Objective objective_for(const EvolutionOptions& new_options);
   bool acceptable(const EvolutionState& next, double limit) const;
@@ -86,8 +85,6 @@ struct Evolution::Impl {
   bool mesh_has_suffered();
   void care_for_mesh(double limit);
   bool replace_if_good(Patch patch, double limit);
-  bool first_fairing_step();
-  bool take_first_fairing(FairedPatch& faired, StepRecord& record);
   bool fairing_step(const CancelToken& cancel);
   void blend_step();
   bool coarse_step(const CancelToken& cancel);

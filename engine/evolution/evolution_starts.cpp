@@ -1,7 +1,6 @@
 #include "core/threads.h"
 #include "evolution/coarse_patch.h"
 #include "evolution/evolution_impl.h"
-#include "evolution/first_fairing.h"
 #include "evolution/linear_start.h"
 #include "evolution/mesh_care.h"
 #include "evolution/stopwatch.h"
@@ -66,38 +65,6 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
   take_start(std::move(next), record, faired.move);
   // As after a Gauss-Newton step: so near, those steps had better be of the fits that they will end with.
   if (fairings_left == 0 && history.back().max_move < near_move) go_over_to_cubic_fits();
-  return true;
-}
-
-/// The first fairing, made beside the filler. Near its end already, it is judged by the fits that the steps from it will be
-/// of. @returns false if it is of no use; then the state is the start, and measured.
-bool Evolution::Impl::first_fairing_step() {
-  Stopwatch watch;
-  StepRecord record;
-  cubic_start = state_of_start_by_cubic_fits();
-  record.assemble_seconds = watch.lap();
-  std::optional<FairedPatch> faired = std::exchange(options.first_fairing, nullptr)->task.take();
-  record.solve_seconds = watch.lap();
-  if (faired && faired->folds == 0 && take_first_fairing(*faired, record)) return true;
-  measure_start();
-  return false;
-}
-
-bool Evolution::Impl::take_first_fairing(FairedPatch& faired, StepRecord& record) {
-  Stopwatch watch;
-  const double edge = mean_edge_length(faired.patch.positions, faired.patch.triangles, faired.patch.patch_triangles);
-  if (faired.move > near_move * edge) return false;
-  const double way = way_of_centroid(state.patch, faired.patch);
-  EvolutionState next = make_state(std::move(faired.patch), objective, Stencil::two_ring_cubic, faired.topology);
-  if (!acceptable(next, cubic_start->measure)) return false;
-  if (faired.move < short_way * edge) linear_part = std::move(faired.before);
-  stencil = Stencil::two_ring_cubic;
-  start_measure = lowest_measure = cubic_start->measure;
-  initial_energy = shown_energy(options.flow, *cubic_start);
-  cubic_start.reset();
-  fairings_left = 0;
-  record.assemble_seconds += watch.lap();
-  take_start(std::move(next), record, way);
   return true;
 }
 

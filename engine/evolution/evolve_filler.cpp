@@ -2,7 +2,6 @@
 
 #include "core/threads.h"
 #include "evolution/best_start.h"
-#include "evolution/first_fairing.h"
 #include "evolution/local_retreat.h"
 #include "evolution/state.h"
 #include "mesh/quality.h"
@@ -125,14 +124,7 @@ RunRating rate(const Evolved& evolved) {
 }
 
 /// @returns true if a result may be kept.
-bool from_the_best_start(const Run& run, EvolutionOptions options, Evolved& result) {
-  if (options.first_fairing) {
-    if (evolve_once(run, run.filler, options, result) && is_straight(rate(result))) return true;
-    if (run.cancel.cancelled()) return false;
-    options.first_fairing = nullptr;
-    result = Evolved();
-    result.patch = run.filler;
-  }
+bool from_the_best_start(const Run& run, const EvolutionOptions& options, Evolved& result) {
   result = best_of_starts(
       run.filler, options, run.cancel,
       [&](const Patch& start, const EvolutionOptions& from) {
@@ -276,9 +268,7 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vect
   const std::optional<JudgedRim> judged = judged_rim(filler, asked_for, survey);
   const std::optional<RimRoughness> rim = judged ? std::optional(judged->roughness) : std::nullopt;
   EvolutionOptions options = asked_for;
-  // Both are of the filler as it is: runs whose surroundings are smoothed have others.
-  if (rim) options.roughness.reset();
-  const auto first_fairing = std::exchange(options.first_fairing, nullptr);
+  if (rim) options.roughness.reset();  // of the filler as it is: runs whose surroundings are smoothed have another
   const double noise_share = rim ? rim->noise_share : 0;
   const CalmSurroundings* calm = judged && judged->calm ? &*judged->calm : nullptr;
   const Run run{site, filler, noise_share, calm, on_step, cancel}, plain{site, filler, 0, calm, on_step, cancel};
@@ -293,9 +283,6 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vect
       first.bending = (1 - noise_share) * rim->bending;
     else
       first.roughness = rim;
-    if (noise_share == 0 && calm == nullptr && has_first_fairing(loops, filler.grading.density, first))
-      first.first_fairing = first_fairing ? first_fairing
-                                          : first_fairing_of(site.model, loops[0], filler.grading.density, cancel);
     if (from_the_best_start(run, first, result) || cancel.cancelled()) return result;
   }
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {

@@ -135,12 +135,12 @@ std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::
 }
 
 PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
-                       const CancelToken& cancel, const OnCoarseFiller& on_coarse) {
+                       const CancelToken& cancel) {
   PatchStart start;
   std::vector<BoundaryLoop> loops;
   std::vector<LoopFiller> fillers;
   for (const BoundaryLoop& loop : group) {
-    start.fillers.push_back(cancel.cancelled() ? FillerOutcome{} : fill_loop(model, loop, options, cancel, on_coarse));
+    start.fillers.push_back(cancel.cancelled() ? FillerOutcome{} : fill_loop(model, loop, options, cancel));
     if (!start.fillers.back().filler) continue;
     loops.push_back(loop);
     fillers.push_back(*start.fillers.back().filler);

@@ -65,9 +65,8 @@ struct PatchStart {
   std::optional<Patch> patch;          ///< empty when no loop of the group could be filled
   std::vector<FillerOutcome> fillers;  ///< one per loop of the group
 };
-/// @param on_coarse  of a single loop, as fill_loop has it; may be empty.
 PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
-                       const CancelToken& cancel, const OnCoarseFiller& on_coarse = nullptr);
+                       const CancelToken& cancel);
 
 /// Fills the loops and pastes the patches in the order of `loops`. On cancel the model is as it was.
 /// @returns one result per loop, in order; empty when cancelled.

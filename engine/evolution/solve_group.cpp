@@ -1,8 +1,8 @@
 #include "evolution/solve_group.h"
 
+#include "core/threads.h"
 #include "evolution/evolve_filler.h"
-#include "evolution/side_work.h"
-#include "mesh/quality.h"
+#include "rim/rim_survey.h"
 
 #include <algorithm>
 #include <chrono>
@@ -45,56 +45,79 @@ std::string why_left_open(const FillSite& site, const BoundaryLoop& loop, int cu
          " places: left open";
 }
 
+/// The loops and what is around them, with nothing in them.
+Patch without_fillers(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<LoopFiller> empty(loops.size());
+  for (std::size_t k = 0; k < loops.size(); ++k) empty[k].points.resize(loops[k].vertices.size());
+  return make_patch(model, loops, empty);
+}
+
+struct SurveyedStart {
+  PatchStart start;
+  RimSurvey survey;  ///< of the patch, if there is one
+};
+
+/// The fillers, and beside that a look at the surroundings.
+SurveyedStart surveyed_start(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
+                             const CancelToken& cancel) {
+  SurveyedStart result;
+  const bool surveyable = std::all_of(group.begin(), group.end(), [](const auto& loop) { return loop.diameter > 0; });
+  side_by_side([&] { result.start = start_patch(site.model, group, options, cancel); },
+               [&] {
+                 if (surveyable) result.survey = survey_rim(without_fillers(site.model, group));
+               });
+  const std::optional<Patch>& patch = result.start.patch;
+  if (patch && (!surveyable || patch->loops.size() < group.size())) result.survey = survey_rim(*patch);
+  return result;
+}
+
 /// @param options  empty: the filler stays.
 Evolved evolved_or_kept(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
-                        const std::optional<EvolutionOptions>& options, const RimSurvey& survey,
-                        const CancelToken& cancel) {
-  if (options) return evolve_filler(site, filler, loops, *options, nullptr, cancel, &survey);
+                        const std::optional<EvolutionOptions>& options, const RimRoughness& roughness,
+                        const RimSurvey& survey, const CancelToken& cancel) {
+  if (options) {
+    EvolutionOptions evolution = *options;
+    evolution.roughness = roughness;
+    return evolve_filler(site, filler, loops, evolution, nullptr, cancel, &survey);
+  }
   Evolved kept;
   kept.patch = filler;
   kept.verdict = judge(site, filler);
   return kept;
 }
 
-/// The filler, its evolution, and what there is to tell of both.
-void solve_beside(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
-                  const CancelToken& cancel, SideWork& beside, GroupOutcome& outcome) {
-  const auto begin = std::chrono::steady_clock::now();
-  const PatchStart start = beside.make_start();
+GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
+                           const CancelToken& cancel) {
+  const auto start = std::chrono::steady_clock::now();
+  GroupOutcome outcome = failed_group(group, "");
+  const auto [first, survey] = surveyed_start(site, group, options.filler, cancel);
   for (std::size_t k = 0; k < group.size(); ++k) {
-    outcome.results[k].message = start.fillers[k].message;
-    outcome.results[k].seconds.filler = seconds_since(begin);
+    outcome.results[k].message = first.fillers[k].message;
+    outcome.results[k].seconds.filler = seconds_since(start);
   }
-  if (!start.patch || cancel.cancelled()) return;
-  beside.report_on(*start.patch);
+  if (!first.patch || cancel.cancelled()) return outcome;
   Evolved evolved;
   RimRoughness roughness;
+  std::vector<SeamReport> before;
   side_by_side(
       [&] {
-        const RimSurvey survey = beside.survey(start);
-        roughness = rim_roughness(*start.patch, survey.fits);
-        std::optional<EvolutionOptions> evolution = options.evolution;
-        if (evolution) {
-          evolution->roughness = roughness;
-          evolution->first_fairing = beside.first_fairing();
-        }
-        evolved = evolved_or_kept(site, *start.patch, group, evolution, survey, cancel);
+        roughness = rim_roughness(*first.patch, survey.fits);
+        evolved = evolved_or_kept(site, *first.patch, group, options.evolution, roughness, survey, cancel);
       },
-      [&] { beside.help_with_report(); });
-  const FillerReport before = beside.report();
-  if (cancel.cancelled()) return;
+      [&] { before = seam_reports(*first.patch); });
+  if (cancel.cancelled()) return outcome;
 
   const PatchVerdict& verdict = evolved.verdict;
   const std::vector<int> free = free_vertices_per_loop(evolved.patch);
-  const std::vector<SeamReport>& after = evolved.seams.empty() ? before.seams : evolved.seams;
-  const std::vector<RimSummary> rims = rim_summaries(*start.patch, roughness, before.rims);
+  const std::vector<SeamReport>& after = evolved.seams.empty() ? before : evolved.seams;
+  const std::vector<RimSummary> rims = rim_summaries(*first.patch, roughness, survey.loops);
   FinishedPatch finished;
   for (std::size_t p = 0; p < evolved.patch.loops.size(); ++p) {
     const auto found = std::find_if(outcome.results.begin(), outcome.results.end(), [&](const LoopResult& r) {
       return r.loop.number == evolved.patch.loop_numbers[p];
     });
     LoopResult& result = *found;
-    result.seam_before = before.seams[p];
+    result.seam_before = before[p];
     result.seam_after = after[p];
     result.free_vertices = free[p];
     result.rim = rims[p];
@@ -102,18 +125,11 @@ void solve_beside(const FillSite& site, const std::vector<BoundaryLoop>& group, 
       take_result(evolved, result);
     else
       result.message = why_left_open(site, result.loop, verdict.intersections[p]);
-    result.seconds.total = seconds_since(begin);
+    result.seconds.total = seconds_since(start);
     finished.loops.push_back(static_cast<int>(found - outcome.results.begin()));
   }
   finished.geometry = patch_geometry(evolved.patch);
   if (verdict.total() == 0) outcome.patches.push_back(std::move(finished));
-}
-
-GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
-                           const CancelToken& cancel) {
-  GroupOutcome outcome = failed_group(group, "");
-  SideWork beside(site, group, options, cancel);
-  side_by_side([&] { solve_beside(site, group, options, cancel, beside, outcome); }, [&] { beside.help(); });
   return outcome;
 }
 

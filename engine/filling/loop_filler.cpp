@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <utility>
 
 namespace loopmend {
 
@@ -160,10 +159,8 @@ bool remesh_sorted(GuardedMesh& mesh) {
   return remesh_once(mesh);
 }
 
-using OnCoarseMesh = std::function<void(const GuardedMesh&)>;
-
 /// The same for all but small patches: the shape is found on coarse meshes, where a round costs little.
-void coarse_to_fine(GuardedMesh& mesh, FillerShape shape, const OnCoarseMesh& on_coarse, const CancelToken& cancel) {
+void coarse_to_fine(GuardedMesh& mesh, FillerShape shape, const CancelToken& cancel) {
   for (double coarser : {8.0, 4.0, 2.0}) {
     mesh.scale_sizes(coarser);
     remesh_sorted(mesh);
@@ -173,7 +170,6 @@ void coarse_to_fine(GuardedMesh& mesh, FillerShape shape, const OnCoarseMesh& on
     mesh.scale_sizes(1 / coarser);
     if (cancel.cancelled()) return;
   }
-  if (on_coarse) on_coarse(mesh);
   if (remesh_sorted(mesh) && !cancel.cancelled()) remesh_once(mesh);
   if (shape == FillerShape::minimal && !cancel.cancelled()) relax_once(mesh);
 }
@@ -207,14 +203,14 @@ void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& b
 /// Refinement, remeshing and relaxation (FILLING.md, steps 3 to 5). A phase that makes the patch worse is tried again in
 /// its first round only, then left out or, if it is the remeshing, taken apart.
 Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, FillerShape shape, bool large,
-                 const OnCoarseMesh& on_coarse, const CancelToken& cancel) {
+                 const CancelToken& cancel) {
   const auto rounds = [&](int count, bool (*round)(GuardedMesh&)) {
     return [=, &cancel](GuardedMesh& mesh) {
       for (int k = 0; k < count && !cancel.cancelled(); ++k)
         if (!round(mesh)) break;
     };
   };
-  if (large && try_phase(site, size, best, [&](GuardedMesh& mesh) { coarse_to_fine(mesh, shape, on_coarse, cancel); }))
+  if (large && try_phase(site, size, best, [&](GuardedMesh& mesh) { coarse_to_fine(mesh, shape, cancel); }))
     return best;
   if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)) &&
       !try_phase(site, size, best, rounds(1, remesh_once)))
@@ -272,16 +268,6 @@ std::string why_no_triangulation(const LoopSite& site) {
   return "no valid triangulation of this loop was found";
 }
 
-/// In mesh units: the loop's own vertices to the last bit.
-LoopFiller to_filler(const SurfaceModel& model, const BoundaryLoop& loop, const LoopSite& site, const Points& points,
-                     Triangles triangles) {
-  LoopFiller filler;
-  for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
-  for (std::size_t i = site.n; i < points.size(); ++i) filler.points.push_back(site.frame.to_mesh(points[i]));
-  filler.triangles = std::move(triangles);
-  return filler;
-}
-
 std::string remaining_faults(const FillerQuality& quality) {
   std::string text;
   if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
@@ -298,7 +284,7 @@ void check(const FillerOptions& options) {
 }
 
 FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const FillerOptions& options,
-                        const CancelToken& cancel, const OnCoarseFiller& on_coarse) {
+                        const CancelToken& cancel) {
   check(options);
   FillerOutcome outcome;
   outcome.message = reason_not_to_fill(loop);
@@ -322,19 +308,19 @@ FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, con
     return outcome;
   }
   const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
-  bool told = !on_coarse;
-  const auto tell_once = [&](const GuardedMesh& mesh) {
-    if (!std::exchange(told, true)) on_coarse(to_filler(model, loop, site, mesh.points(), mesh.triangles()));
-  };
   Candidate best;
   for (const Candidate& candidate : candidates) {
-    Candidate refined = refine(site, size, candidate, options.shape, vertices > from_coarse_to_fine, tell_once, cancel);
+    Candidate refined = refine(site, size, candidate, options.shape, vertices > from_coarse_to_fine, cancel);
     if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
     if (!best.wants_another(site.n) || cancel.cancelled()) break;
   }
   if (cancel.cancelled()) return outcome;
 
-  outcome.filler = to_filler(model, loop, site, best.points, std::move(best.triangles));
+  LoopFiller filler;
+  for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  for (std::size_t i = site.n; i < best.points.size(); ++i) filler.points.push_back(site.frame.to_mesh(best.points[i]));
+  filler.triangles = std::move(best.triangles);
+  outcome.filler = std::move(filler);
   outcome.quality = best.quality;
   outcome.message = remaining_faults(best.quality);
   return outcome;

@@ -4,7 +4,6 @@
 #include "core/cancel.h"
 #include "mesh/patch.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -36,14 +35,9 @@ struct FillerOutcome {
   FillerQuality quality;
 };
 
-/// Told, at most once, what the filler is on its way: its last coarse mesh, with edges of twice the length.
-using OnCoarseFiller = std::function<void(const LoopFiller&)>;
-
 /// Reads the model, never changes it. No new vertex lies on the loop.
 /// @throws InvalidArgument if the density is out of range.
-/// @param on_coarse  called on this thread, before the finest rounds; not for a loop with few vertices, which has no coarse
-///                   mesh. May be empty.
 FillerOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const FillerOptions& options,
-                        const CancelToken& cancel, const OnCoarseFiller& on_coarse = nullptr);
+                        const CancelToken& cancel);
 
 }  // namespace loopmend

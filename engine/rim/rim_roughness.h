@@ -46,7 +46,7 @@ struct SurroundingFits {
   double spread = 1;                        ///< of those over 3 rings, see RimRoughness
 };
 
-/// @param around  of this patch.
+/// @param around  of this patch, for all three of RimSurvey.
 SurroundingFits fit_surroundings(const Patch& patch, const FixedSurface& around);
 
 /// @param fits  of this patch's surroundings.

@@ -5,7 +5,7 @@ namespace loopmend {
 
 RimSurvey survey_rim(const Patch& patch) {
   const FixedSurface around(patch);
-  return {fit_surroundings(patch, around), stray_distances(patch, around)};
+  return {fit_surroundings(patch, around), stray_distances(patch, around), rim_fits(patch, around)};
 }
 
 }  // namespace loopmend

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the flow wants to know of the surroundings of a patch: it does not depend on what fills the loops, and can be made
-// beside that.
+// All fits to the surroundings of a patch: they do not depend on what fills the loops, and can be made beside it.
 #pragma once
 
+#include "rim/rim_fits.h"
 #include "rim/rim_roughness.h"
 #include "rim/stray_vertices.h"
 
@@ -11,6 +11,7 @@ namespace loopmend {
 struct RimSurvey {
   SurroundingFits fits;
   StrayDistances strays;
+  std::vector<std::vector<RimFit>> loops;  ///< of Patch::loops
 };
 
 /// @param patch  its free vertices and own triangles are not looked at: there need not be any. The survey of a patch is that

@@ -38,6 +38,11 @@ TEST_P(RimSurveyOf, DoesNotDependOnWhatFillsTheLoops) {
   EXPECT_EQ(with.fits.residual, without.fits.residual);
   EXPECT_EQ(with.strays.largest, without.strays.largest);
   EXPECT_EQ(with.strays.median, without.strays.median);
+  ASSERT_EQ(with.loops.size(), without.loops.size());
+  for (std::size_t k = 0; k < with.loops[0].size(); ++k) {
+    EXPECT_EQ(with.loops[0][k].H, without.loops[0][k].H);
+    EXPECT_EQ(with.loops[0][k].H_sigma, without.loops[0][k].H_sigma);
+  }
 }
 
 TEST_P(RimSurveyOf, SaysWhatFitsToThePatchSay) {
@@ -49,6 +54,7 @@ TEST_P(RimSurveyOf, SaysWhatFitsToThePatchSay) {
   EXPECT_EQ(now.noise, plain.noise);
   EXPECT_EQ(now.growth, plain.growth);
   EXPECT_EQ(now.bending, plain.bending);
+  EXPECT_EQ(rim_summaries(patch, now, survey.loops)[0].H_sigma, rim_summaries(patch, plain)[0].H_sigma);
   const CalmSurroundings calm = without_strays(patch, survey.strays), plainly = without_strays(patch);
   EXPECT_EQ(calm.strays, plainly.strays);
   EXPECT_EQ(calm.patch.positions, plainly.patch.positions);
