@@ -1,7 +1,7 @@
 #include "evolution/blend_loops.h"
 
-#include "evolution/patch_verdict.h"
 #include "evolution/evolve_filler.h"
+#include "evolution/patch_verdict.h"
 #include "mesh/join_parts.h"
 #include "mesh/quality.h"
 

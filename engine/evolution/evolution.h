@@ -87,8 +87,8 @@ struct StepRecord {
   double tau = 0;          ///< the step's size in the flow's own time, mesh units
   double max_move = 0;     ///< largest move of a vertex, in mean edge lengths of the patch
   int rejections = 0;      ///< trials thrown away before this one was accepted
-  int iterations = 0;      ///< of GMRES over all trials; semi-implicit steps only
-  int factorizations = 0;  ///< made for this step, since those of earlier steps were no good; semi-implicit steps only
+  int iterations = 0;      ///< of GMRES or conjugate gradients over all trials; none in linear fairings
+  int factorizations = 0;  ///< made for this step, since those of earlier steps were no good; not of linear fairings
   double assemble_seconds = 0;
   double solve_seconds = 0;
 };

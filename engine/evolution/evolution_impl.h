@@ -98,8 +98,9 @@ struct Evolution::Impl {
   void finish();
   void gauss_newton_step(const CancelToken& cancel);
   Eigen::VectorXd damped_times(const GaussNewtonSystem& system, const Eigen::VectorXd& x) const;
-  bool solve_by_kept_factors(const GaussNewtonSystem& system, Eigen::VectorXd& s);
-  bool solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, Eigen::VectorXd& s);
+  bool solve_by_kept_factors(const GaussNewtonSystem& system, StepRecord& record, Eigen::VectorXd& s);
+  bool solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, StepRecord& record,
+                          Eigen::VectorXd& s);
   GaussNewtonTrial try_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, StepRecord& record,
                                     const CancelToken& cancel);
   SolveReport solve_flow_step(const FlowSystem& system, Eigen::VectorXd& s);

@@ -60,6 +60,7 @@ bool Evolution::Impl::go_over_to_cubic_fits() {
   }
   stencil = Stencil::two_ring_cubic;
   state = std::move(cubic);
+  factored_topology = nullptr;
   small_moves = 0;
   creeping_from.clear();
   initial_energy = shown_energy(options.flow, *cubic_start);
@@ -73,12 +74,13 @@ void Evolution::Impl::finish() {
   if (!go_over_to_cubic_fits()) stop(EvolutionStatus::converged, "");
 }
 
-/// By the factors of the last step: near the end they are as good as new ones. @returns false if they are not.
-bool Evolution::Impl::solve_by_kept_factors(const GaussNewtonSystem& system, Eigen::VectorXd& s) {
+/// With the factors of the last step for a preconditioner: near the end a few iterations do. @returns false if they do not.
+bool Evolution::Impl::solve_by_kept_factors(const GaussNewtonSystem& system, StepRecord& record, Eigen::VectorXd& s) {
   if (factored_topology != state.topology || !near_the_end()) return false;
   GeneralSystem linear;
   linear.times = [&](const Eigen::VectorXd& x) { return damped_times(system, x); };
   const SolveReport report = conjugate_gradients(linear, *spd, by_kept_factors, -system.half_gradient, s);
+  record.iterations += report.iterations;
   return report.solved && report.left <= by_kept_factors.wanted;
 }
 
@@ -87,16 +89,27 @@ Eigen::VectorXd Evolution::Impl::damped_times(const GaussNewtonSystem& system, c
 }
 
 /// (μM + BᵀQB) s = −½∇E. @param curvature  BᵀQB, empty until it has to be factored.
-bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, Eigen::VectorXd& s) {
+bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, StepRecord& record,
+                                         Eigen::VectorXd& s) {
+  Stopwatch watch;
   if (state.patch.free_count > largest_factored) {
+    factored_topology = nullptr;
     GeneralSystem linear;
     linear.times = [&](const Eigen::VectorXd& x) { return damped_times(system, x); };
     linear.nearby = [&]() { return near_gauss_newton(state.patch, energy_of(objective), mu); };
-    return conjugate_gradients(linear, *spd, truncated, -system.half_gradient, s).solved;
+    const SolveReport report = conjugate_gradients(linear, *spd, truncated, -system.half_gradient, s);
+    record.solve_seconds += watch.lap();
+    record.iterations += report.iterations;
+    ++record.factorizations;
+    return report.solved;
   }
-  if (solve_by_kept_factors(system, s)) return true;
+  const bool by_kept = solve_by_kept_factors(system, record, s);
+  record.solve_seconds += watch.lap();
+  if (by_kept) return true;
   factored_topology = nullptr;
   if (curvature.rows() == 0) curvature = system.curvature();
+  record.assemble_seconds += watch.lap();
+  ++record.factorizations;
   Eigen::MatrixXd solution;
   // The damping comes and goes in place: a copy of the matrix would be of the size of all else but its factors.
   const Eigen::VectorXd undamped = curvature.diagonal();
@@ -104,6 +117,7 @@ bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Sparse
   curvature.makeCompressed();  // should a vertex be seen by no fit
   const bool solved = spd->factorize(curvature) && spd->solve(-system.half_gradient, solution);
   curvature.diagonal() = undamped;
+  record.solve_seconds += watch.lap();
   if (!solved) return false;
   factored_topology = state.topology;
   s = solution;
@@ -126,16 +140,15 @@ bool Evolution::Impl::only_creeps(double move, double energy_before) {
 /// One trial with the present mu: the whole step, a half, a quarter.
 GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature,
                                                    StepRecord& record, const CancelToken& cancel) {
-  Stopwatch watch;
   GaussNewtonTrial trial;
   Eigen::VectorXd s;
-  const bool solved = solve_gauss_newton(system, curvature, s);
+  const bool solved = solve_gauss_newton(system, curvature, record, s);
   if (state.patch.free_count > largest_kept) {
     spd = make_spd_solver();
     factored_topology = nullptr;
   }
-  record.solve_seconds += watch.lap();
   if (!solved) return trial;
+  Stopwatch watch;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
   trial.promised = -system.half_gradient.dot(s);
   // So far the linear model is worth nothing: more damping first, which smooths what is rough; then a part of the way.
@@ -163,14 +176,19 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     damping_unit = rough_decay_rate(options.flow, state.patch);
   if (damping_unit == 0) look_for_decay_rate();
   add_weights(state, objective, stencil);
-  const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+  GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   if (state.patch.free_count > largest_kept)
     drop_weights(state);  // else the next state takes from them what has not changed
   if (damping_unit == 0) damping_unit = decay();
   if (!(mu > 0)) mu = damping_unit / (2 * first_gauss_newton_sigma);
+  SparseMatrix curvature;
+  if (state.patch.free_count > largest_kept && state.patch.free_count <= largest_factored) {
+    curvature = system.curvature();  // here for certain, and its parts make room for the factors
+    system.B = {};
+    system.Q = {};
+  }
   StepRecord record;
   record.assemble_seconds = watch.lap();
-  SparseMatrix curvature;
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");

@@ -27,6 +27,7 @@ bool loops_are_surrounded(const Patch& patch, const Topology& topology) {
 
 FairedPatch linearly_faired(const Patch& given, const std::shared_ptr<const Topology>& topology, double bending,
                             FairingMesh mesh, SteadyStart start, const CancelToken& cancel) {
+  Stopwatch watch;
   const bool even = start == SteadyStart::evenly_faired;
   FairedPatch result;
   const bool remeshes = mesh == FairingMesh::remeshed;
@@ -34,7 +35,6 @@ FairedPatch linearly_faired(const Patch& given, const std::shared_ptr<const Topo
   result.topology = remeshes ? topology_of(patch) : topology;
   const int attempts = mesh == FairingMesh::fixed ? 2 : 3;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Stopwatch watch;
     if (attempt == 2) {
       patch = remeshed(result.patch);
       result.topology = topology_of(patch);
@@ -49,11 +49,12 @@ FairedPatch linearly_faired(const Patch& given, const std::shared_ptr<const Topo
     result.move = 0;
     for (int i = 0; i < patch.free_count; ++i)
       result.move = std::max(result.move, (result.patch.positions[i] - patch.positions[i]).norm());
-    result.folds = count_folds(result.patch.positions, patch.triangles, patch.patch_triangles);
+    const int folds = count_folds(result.patch.positions, patch.triangles, patch.patch_triangles);
     const bool solved = result.move > 0;
-    if (solved && result.folds == 0 && !evenly && bending == 0 && loops_are_surrounded(patch, *result.topology))
+    if (solved && folds == 0 && !evenly && bending == 0 && loops_are_surrounded(patch, *result.topology))
       result.before = {std::move(solver), barycentric_areas(patch.positions, patch.triangles).head(patch.free_count)};
-    if (result.folds == 0 || cancel.cancelled()) break;
+    result.assemble_seconds += watch.lap();
+    if (folds == 0 || cancel.cancelled()) break;
   }
   return result;
 }

@@ -26,7 +26,6 @@ struct LinearPart {
 struct FairedPatch {
   Patch patch;
   std::shared_ptr<const Topology> topology;
-  int folds = 0;      ///< of the patch and its rim
   double move = 0;    ///< longest way of a vertex, patch frame
   LinearPart before;  ///< at the shape that was faired, if the first attempt was good and solved with its matrix
   double assemble_seconds = 0, solve_seconds = 0;

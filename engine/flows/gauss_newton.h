@@ -13,7 +13,7 @@ struct GaussNewtonSystem {
   SparseMatrix Q;                 ///< #V by #V
   Eigen::VectorXd mass;           ///< n
 
-  /// n by n: the lower triangle of Bᵀ Q B. To form it takes half as long as all the rest.
+  /// n by n: the lower triangle of Bᵀ Q B. To form it takes as long as the rest of the system.
   SparseMatrix curvature() const;
   /// Bᵀ Q B x, without forming it. @param x  n.
   Eigen::VectorXd curvature_times(const Eigen::VectorXd& x) const;

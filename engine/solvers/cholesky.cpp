@@ -5,7 +5,7 @@
 
 #include <Eigen/CholmodSupport>
 
-#include <algorithm>
+#include <new>
 #include <vector>
 
 namespace loopmend {
@@ -17,17 +17,27 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 constexpr int least_halved = 2000;     ///< rows: below, a second thread does not pay
 constexpr int least_dissected = 300;   ///< rows
 constexpr int least_dissected_of_widest = 450;
-constexpr double wide_stencil = 10;    ///< entries of the lower triangle in a column
+constexpr double wide_stencil = 10;    ///< entries of the lower triangle in a column, in the mean
 constexpr double widest_stencil = 25;  ///< the same
+
+/// In the mean; 0 of a matrix without rows. Some callers store the upper triangle as well.
+double entries_of_lower_column(const SparseMatrix& A) {
+  if (A.rows() == 0) return 0;
+  Eigen::Index entries = 0;
+  for (Eigen::Index j = 0; j < A.cols(); ++j)
+    for (SparseMatrix::InnerIterator it(A, j); it; ++it) entries += it.row() >= j ? 1 : 0;
+  return static_cast<double>(entries) / static_cast<double>(A.rows());
+}
 
 /// CHOLMOD, with an order of elimination from outside.
 class OrderedCholmod : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower> {
  public:
-  /// In place of analyzePattern(), before which it may not be called. @param order  the rows, first eliminated first.
+  /// In place of analyzePattern(); once, on a fresh object. @param order  the rows, first eliminated first.
   void analyze(const SparseMatrix& A, std::vector<int> order) {
     cholmod().method[0].ordering = CHOLMOD_GIVEN;
     cholmod_sparse view = Eigen::viewAsCholmod(A.selfadjointView<Eigen::Lower>());
     m_cholmodFactor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod());
+    if (m_cholmodFactor == nullptr) throw std::bad_alloc();
     m_isInitialized = true;
     m_analysisIsOk = 1;
     m_info = Eigen::Success;
@@ -47,7 +57,7 @@ class WholeCholesky : public SpdSolver {
     settings.final_asis = 0;
     settings.final_ll = 1;
     const NoThreadsWithin alone;
-    const double couplings = static_cast<double>(A.nonZeros()) / std::max<double>(1, static_cast<double>(A.rows()));
+    const double couplings = entries_of_lower_column(A);
     // On wide stencils minimum degree takes longer than all the rest. Of the widest, small matrices fill up in any order:
     // then one dense block is the fastest.
     const bool widest = couplings > widest_stencil;

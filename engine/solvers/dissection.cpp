@@ -11,9 +11,9 @@ namespace loopmend {
 
 namespace {
 
-constexpr int smallest_dissected = 200;  ///< rows of wide stencils: fewer fill up in any order
-constexpr int least_for_threads_here = 2000;  ///< rows: below, it takes no longer than to start a thread
-constexpr int most_parts = 1 << 24;      ///< ends a dissection that only ever splits off a few rows
+constexpr int smallest_dissected = 200;     ///< rows of wide stencils: fewer fill up in any order
+constexpr int least_ordered_by_two = 2000;  ///< rows: below, it takes no longer than to start a thread
+constexpr int most_parts = 1 << 24;         ///< ends a dissection that only ever splits off a few rows
 
 class Dissector {
  public:
@@ -31,7 +31,7 @@ class Dissector {
     const Cut cut = split(0, rows, 1);
     const auto lower = [&] { dissect(0, cut.lower, 2); };
     const auto upper = [&] { dissect(cut.lower, cut.lower + cut.upper, 3); };
-    if (rows < least_for_threads_here) {
+    if (rows < least_ordered_by_two) {
       lower();
       upper();
     } else {

@@ -28,7 +28,7 @@ std::unique_ptr<SpdSolver> make_spd_solver();
 struct SolveReport {
   bool solved = false;
   int iterations = 0;     ///< 0 for a direct solve
-  double left = 0;  ///< of the residual, as IterationLimits measures it; conjugate gradients only
+  double left = 0;        ///< of the residual, as IterationLimits measures it; conjugate gradients only
   bool factored = false;  ///< a new factorisation was made for this solve
 };
 
@@ -48,12 +48,13 @@ struct IterationLimits {
   int most = 400;
 };
 
-/// Symmetric positive definite systems too large to be factored: conjugate gradients, preconditioned by the factors of the
+/// Symmetric positive definite systems too large to be factored, or near one that is factored already: conjugate gradients, preconditioned by the factors of the
 /// nearby matrix, which has less fill. The matrix itself is not asked for.
 /// @param factors  of the nearby matrix, made here, its symbolic analysis being kept from call to call; or made before, of
 ///                 a matrix of the same size, where the system names none
 /// @param b  n. @param x  n: what the iterations came to, each of which has lowered ½xᵀAx − bᵀx; written only when solved.
-/// @returns solved: whether there is such an x. It is not where a matrix is not positive definite.
+/// @returns solved: whether there is such an x, which may have more left than was wanted. There is none where a matrix is
+/// not positive definite.
 SolveReport conjugate_gradients(const GeneralSystem& system, SpdSolver& factors, const IterationLimits& limits,
                                 const Eigen::VectorXd& b, Eigen::VectorXd& x);
 

@@ -61,6 +61,8 @@ TEST(GaussNewton, MatrixIsTheCongruenceAndPositive) {
   const Eigen::MatrixXd B(curvature_jacobian(state.ops, state.patch.free_count)),
       Q(curvature_energy(state.patch, {1, 0}).Q);
   EXPECT_LT((A - B.transpose() * Q * B).norm(), 1e-12 * A.norm());
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2).array().sin();
+  EXPECT_LT((system.curvature_times(x) - A * x).norm(), 1e-11 * (A * x).norm());
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues()[0], 0);
 }
 

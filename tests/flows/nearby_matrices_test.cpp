@@ -52,7 +52,9 @@ TEST(NearGaussNewton, SolvesTheStepByConjugateGradients) {
   const double mu = slowest_decay_rate(FlowKind::mmcvf, state.patch) / 1000;
   const SparseMatrix A = newton.curvature() + mu * SparseMatrix(newton.mass.asDiagonal());
   const GeneralSystem system{
-      [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return A.selfadjointView<Eigen::Lower>() * x; },
+      [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+        return newton.curvature_times(x) + mu * newton.mass.cwiseProduct(x);
+      },
       {},
       [&] {
         return near_gauss_newton(state.patch, {1, 20}, mu);
