@@ -25,7 +25,8 @@ void extend_evenly(const Triangles& triangles, const std::vector<char>& fixed, P
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp);
 
 /// The same by the caller's solver, which then holds the factors of the system: without bending, and where the loops are
-/// surrounded by triangles, that of clamped_polyharmonic (flows/decay_rate.h) for the patch's shape. @param topology  of the patch.
+/// surrounded by triangles, that of clamped_polyharmonic (flows/decay_rate.h) for the patch's shape.
+/// @param topology  of the patch.
 Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp,
                       SpdSolver& solver);
 

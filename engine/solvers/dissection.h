@@ -24,7 +24,8 @@ struct Dissection {
 
 /// Halves, quarters, and so on, down to some two hundred rows, each parted by rows at one distance from a far end. (George,
 /// Liu, Computer Solution of Large Sparse Positive Definite Systems, ch. 8: automatic nested dissection.) On meshes it fills
-/// up less than minimum degree, and is found sooner. The two halves of a large matrix are ordered by two threads, where the caller has them.
+/// up less than minimum degree, and is found sooner. The two halves of a large matrix are ordered by two threads, where the
+/// caller has them.
 Dissection dissect(const MatrixGraph& graph);
 
 }  // namespace loopmend

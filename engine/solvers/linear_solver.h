@@ -48,8 +48,8 @@ struct IterationLimits {
   int most = 400;
 };
 
-/// Symmetric positive definite systems too large to be factored, or near one that is factored already: conjugate gradients, preconditioned by the factors of the
-/// nearby matrix, which has less fill. The matrix itself is not asked for.
+/// Symmetric positive definite systems too large to be factored, or near one that is factored already: conjugate gradients,
+/// preconditioned by the factors of the nearby matrix. The matrix itself is not asked for.
 /// @param factors  of the nearby matrix, made here, its symbolic analysis being kept from call to call; or made before, of
 ///                 a matrix of the same size, where the system names none
 /// @param b  n. @param x  n: what the iterations came to, each of which has lowered ½xᵀAx − bᵀx; written only when solved.
