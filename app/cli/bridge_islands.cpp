@@ -35,7 +35,7 @@ std::vector<LoopResult> bridge_islands(SurfaceModel& model, const std::vector<Bo
     std::vector<BoundaryLoop> ends;
     for (int k : members) ends.push_back(loop_through(model, anchors[k]));
     blend = blend_loops(model, ends, options, CancelToken());
-  } catch (const InvalidArgument& error) {
+  } catch (const std::exception& error) {  // one place does not take the others with it
     blend.message = error.what();
   }
   for (std::size_t k = 0; k < members.size(); ++k) {
@@ -43,6 +43,8 @@ std::vector<LoopResult> bridge_islands(SurfaceModel& model, const std::vector<Bo
     result.loop = loops[members[k]];
     result.status = blend.status;
     result.message = blend.message;
+    result.method = blend.method;
+    result.reason = blend.reason;
     if (k > 0 && blend.status != LoopStatus::failed)
       result.message = "an island: joined to hole " + std::to_string(loops[place.hole].number);
     if (k == 0 && blend.patch) result.free_vertices = blend.patch->free_count;

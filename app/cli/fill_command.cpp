@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <map>
 
 namespace loopmend {
 
@@ -49,32 +50,55 @@ void check_paths(const FillCommand& command) {
       throw UsageError("--report " + command.report + " would overwrite the mesh " + mesh.string());
 }
 
-bool is_filled(LoopStatus status) {
-  return status == LoopStatus::converged || status == LoopStatus::step_limit || status == LoopStatus::filled;
+/// "0.1234 -> 0.0056", or a dash where the surface has too few vertices to measure it.
+std::string before_and_after(double before, double after) {
+  char text[64];
+  if (!std::isfinite(before) || !std::isfinite(after)) return "-";
+  std::snprintf(text, sizeof text, "%.4f -> %.4f", before, after);
+  return text;
+}
+
+/// Why flows were not run as asked, each reason once with its loops.
+void print_reasons(std::FILE* out, const std::vector<LoopResult>& results) {
+  constexpr std::size_t most_numbers = 12;
+  std::map<std::string, std::vector<int>> loops_of;
+  for (const LoopResult& r : results)
+    if (!r.reason.empty()) loops_of[r.method + ": " + r.reason].push_back(r.loop.number);
+  for (const auto& [reason, numbers] : loops_of) {
+    std::string list;
+    for (std::size_t k = 0; k < std::min(numbers.size(), most_numbers); ++k)
+      list += (k ? ", " : "") + std::to_string(numbers[k]);
+    if (numbers.size() > most_numbers) list += " and " + std::to_string(numbers.size() - most_numbers) + " more";
+    std::fprintf(out, "loop%s %s: %s.\n", numbers.size() == 1 ? "" : "s", list.c_str(), reason.c_str());
+  }
 }
 
 /// One line for each loop that is worth a line: all when there are few, else only those that went wrong.
 void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const FillCommand& command, double seconds) {
-  int filled = 0, failed = 0, skipped = 0;
-  for (const LoopResult& r : results) {
-    filled += is_filled(r.status);
-    failed += r.status == LoopStatus::failed;
-    skipped += r.status == LoopStatus::skipped;
-  }
+  const auto count = [&](const auto& predicate) { return std::count_if(results.begin(), results.end(), predicate); };
+  const auto filled = count([](const LoopResult& r) { return is_filled(r.status); });
+  const auto doubtful = count([](const LoopResult& r) { return r.status == LoopStatus::doubtful; });
+  const auto failed = count([](const LoopResult& r) { return r.status == LoopStatus::failed; });
+  const auto skipped = count([](const LoopResult& r) { return r.status == LoopStatus::skipped; });
   const bool all = results.size() <= 40;
-  std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %21s  %21s\n", "loop", "edges", "new", "steps", "status",
-               "angle at seam, deg", "jump of H x diameter");
+  std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
+               "method", "angle at seam, deg", "jump of H x diameter");
   for (const LoopResult& r : results) {
     if (!all && is_filled(r.status) && r.message.empty()) continue;
     std::fprintf(out, "%5d  %6d  %6d  %5d  %-10s", r.loop.number, r.loop.edges(), r.free_vertices, r.steps,
                  to_string(r.status));
     if (is_filled(r.status))
-      std::fprintf(out, "  %9.4f -> %8.4f  %9.4f -> %8.4f", r.seam_before.g1_rms_deg, r.seam_after.g1_rms_deg,
-                   r.seam_before.h_jump_rms_times_diameter, r.seam_after.h_jump_rms_times_diameter);
+      std::fprintf(
+          out, "  %-24s  %20s  %20s", r.method.c_str(),
+          before_and_after(r.seam_before.g1_rms_deg, r.seam_after.g1_rms_deg).c_str(),
+          before_and_after(r.seam_before.h_jump_rms_times_diameter, r.seam_after.h_jump_rms_times_diameter).c_str());
     std::fprintf(out, "%s%s\n", r.message.empty() ? "" : "  ", r.message.c_str());
   }
-  std::fprintf(out, "%d filled, %d failed, %d left as asked; %s written in %.2f s\n", filled, failed, skipped,
-               command.output.c_str(), seconds);
+  print_reasons(out, results);
+  std::fprintf(out, "%td filled, ", filled);
+  if (doubtful > 0) std::fprintf(out, "%td of them doubtful, ", doubtful);
+  std::fprintf(out, "%td failed, %td left as asked; %s written in %.2f s\n", failed, skipped, command.output.c_str(),
+               seconds);
 }
 
 /// The holes that are to be filled and have islands.
@@ -253,8 +277,9 @@ int run_fill(const FillCommand& command) {
     else
       print_summary(out, results, command, seconds);
   }
-  const bool failed =
-      std::any_of(results.begin(), results.end(), [](const LoopResult& r) { return r.status == LoopStatus::failed; });
+  const bool failed = std::any_of(results.begin(), results.end(), [](const LoopResult& r) {
+    return r.status == LoopStatus::failed || r.status == LoopStatus::doubtful;
+  });
   return failed ? exit_loops_failed : exit_done;
 }
 

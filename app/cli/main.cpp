@@ -1,6 +1,7 @@
 // The `loopmend` command line: parses the words, calls one command, turns errors into one line and an exit code.
 #include "commands.h"
 #include "exit_codes.h"
+#include "flow_words.h"
 #include "interrupt.h"
 #include "number_range.h"
 #include "paper/paper_commands.h"
@@ -13,7 +14,6 @@
 #include <clocale>
 #include <cstdio>
 #include <iostream>
-#include <map>
 #include <new>
 
 namespace {
@@ -48,13 +48,8 @@ void add_info(CLI::App& app, InfoCommand& command) {
 
 /// Options whose types need a word-to-value table or a lambda.
 struct FillWords {
-  std::string flow = "mmcvf";
-  std::string mode = "steady";
-  std::string solver = "auto";
-  std::string rim = "auto", continuity = "curvature";
-  int steps = 0;
-  double sigma = 10;
-  bool include_outer_rim = false, bridge_islands = false, quiet = false, ascii = false;
+  FlowWords flow;
+  bool include_outer_rim = false, bridge_islands = false;
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
@@ -72,40 +67,14 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   fill->add_flag("--bridge-islands", words.bridge_islands,
                  "Join a hole to the pieces of surface that lie within it, instead of covering these");
-  fill->add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first filler")
-      ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
-      ->capture_default_str();
-  fill->add_option("--mode", words.mode, "steady: straight to the steady state; steps: the semi-implicit scheme")
-      ->check(CLI::IsMember({"steady", "steps"}))
-      ->capture_default_str();
-  fill->add_option("--steps", words.steps, "At most so many steps (default 60)")->check(between(1, 1e6));
-  fill->add_option("--sigma", words.sigma, "Size of a step, dimensionless: 10 is large, 0.1 shows the flow at work")
-      ->check(between(1e-6, 1e8))
-      ->capture_default_str();
-  fill->add_option("--solver", words.solver, "Linear solver of the steps")
-      ->check(CLI::IsMember({"auto", "direct", "gmres"}))
-      ->capture_default_str();
-  fill->add_option("--rim", words.rim,
-                   "Curvature at the rim: auto, as far as it deserves; exact: literally; smooth: as on a rough scan")
-      ->check(CLI::IsMember({"auto", "exact", "smooth"}))
-      ->capture_default_str();
-  fill->add_option("--continuity", words.continuity, "What runs through the seam (mmcvf, steady)")
-      ->check(CLI::IsMember({"position", "tangent", "curvature"}))
-      ->capture_default_str();
   fill->add_option("--trim-rim", command.trim_rounds,
                    "First remove up to N rings of bad rim triangles (dangling, slivers, spikes, flipped)")
       ->check(between(0, 100))
       ->type_name("N");
-  fill->add_option("--density", command.fill.filler.density, "Vertices along a length, relative to the surroundings")
-      ->check(between(0.1, 10))
-      ->capture_default_str();
-  fill->add_option("--report", command.report, "Write a JSON report to FILE, or to standard output for -")
-      ->type_name("FILE|-");
+  add_flow_options(*fill, words.flow, DensityOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))
       ->capture_default_str();
-  fill->add_flag("--ascii", words.ascii, "Write PLY or STL as text");
-  fill->add_flag("--quiet", words.quiet, "No progress and no summary");
   fill->footer(
       "All holes are filled by default; the outer rim of an open sheet is left.\n"
       "The input's vertices and faces come first in the output, in their order, bit-identical.\n"
@@ -118,31 +87,14 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
 }
 
 void take_words(const FillWords& words, FillCommand& command) {
-  static const std::map<std::string, FlowKind> flows{
-      {"mmcvf", FlowKind::mmcvf}, {"wf", FlowKind::wf}, {"sdf", FlowKind::sdf}, {"mcf", FlowKind::mcf}};
-  static const std::map<std::string, SolverKind> solvers{
-      {"auto", SolverKind::automatic}, {"direct", SolverKind::direct}, {"gmres", SolverKind::gmres}};
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
   command.islands = words.bridge_islands ? FillCommand::Islands::bridge : FillCommand::Islands::leave;
-  command.verbosity = words.quiet ? Verbosity::quiet : Verbosity::normal;
-  command.encoding = words.ascii ? Encoding::ascii : Encoding::binary;
-  if (words.flow == "none") {
-    command.fill.evolution.reset();
-    return;
-  }
-  static const std::map<std::string, RimTrust> rims{
-      {"auto", RimTrust::automatic}, {"exact", RimTrust::exact}, {"smooth", RimTrust::smooth}};
-  static const std::map<std::string, SeamContinuity> continuities{{"position", SeamContinuity::position},
-                                                                  {"tangent", SeamContinuity::tangent},
-                                                                  {"curvature", SeamContinuity::curvature}};
-  EvolutionOptions& evolution = *command.fill.evolution;
-  evolution.rim = rims.at(words.rim);
-  evolution.continuity = continuities.at(words.continuity);
-  evolution.flow = flows.at(words.flow);
-  evolution.mode = words.mode == "steps" ? EvolutionMode::steps : EvolutionMode::steady;
-  evolution.solver = solvers.at(words.solver);
-  evolution.sigma = words.sigma;
-  if (words.steps > 0) evolution.max_steps = words.steps;
+  command.verbosity = words.flow.verbosity();
+  command.encoding = words.flow.encoding();
+  command.report = words.flow.report;
+  const int threads = command.fill.threads;
+  command.fill = options_of(words.flow);
+  command.fill.threads = threads;
 }
 
 void add_render(CLI::App& app, RenderCommand& command) {

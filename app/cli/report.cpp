@@ -75,6 +75,12 @@ Json loop_json(const LoopResult& result) {
   Json json = loop_json(result.loop);
   json["status"] = to_string(result.status);
   json["message"] = result.message;
+  json["method"] = result.method;
+  json["reason"] = result.reason;
+  if (is_filled(result.status))
+    json["proportion"] = {{"area", number(result.proportion.area)},
+                          {"depth", number(result.proportion.depth)},
+                          {"energy", number(result.proportion.energy)}};
   json["free_vertices"] = result.free_vertices;
   json["steps"] = result.steps;
   json["bending"] = result.bending;
@@ -92,6 +98,7 @@ Json loop_json(const LoopResult& result) {
 Json evolved_json(const EvolvedPatch& evolved) {
   return {{"status", to_string(evolved.status)},
           {"message", evolved.message},
+          {"method", method_name(evolved.method, evolved.flow)},
           {"free_vertices", evolved.patch.free_count},
           {"steps", evolved.steps},
           {"bending", evolved.bending},

@@ -12,6 +12,7 @@ namespace {
 
 PatchStage stage_of(const LaneState& lane) {
   if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::converged) return PatchStage::converged;
+  if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::faired) return PatchStage::faired;
   if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::failed) return PatchStage::stalled;
   return PatchStage::stepped;
 }
@@ -36,8 +37,10 @@ OpenPatch patch_of(const LaneState& start, const LaneState& lane, double density
   now->seconds = lane.seconds;
   // `loopmend fill` would solve several holes one by one.
   const bool nameable = start.patch.loops.size() == 1 && lane.stage == LaneState::Stage::ended;
-  now->recipe.runs.push_back({lane.flow, lane.options.mode, lane.options.sigma, lane.steps,
-                              nameable ? RunRecipe::End::whole : RunRecipe::End::unnamed});
+  RunRecipe run = recipe_of(lane.options);
+  run.steps = lane.steps;
+  if (!nameable) run.end = RunRecipe::End::unnamed;
+  now->recipe.runs.push_back(run);
   OpenPatch patch;
   patch.timeline = std::make_shared<Timeline>(Timeline{filler, now});
   patch.state = now;

@@ -26,7 +26,8 @@ QString stage_words(const LaneState& lane) {
     case LaneState::Stage::ended: break;
   }
   switch (lane.status) {
-    case EvolutionStatus::converged: return FlowPane::tr("at rest, %1 steps").arg(lane.steps);
+    case EvolutionStatus::converged: return FlowPane::tr("converged, %1 steps").arg(lane.steps);
+    case EvolutionStatus::faired: return FlowPane::tr("faired, %1 steps").arg(lane.steps);
     case EvolutionStatus::failed: return FlowPane::tr("stopped early, step %1").arg(lane.steps);
     default: return FlowPane::tr("%1 steps").arg(lane.steps);
   }

@@ -65,6 +65,8 @@ HoleState Document::state(int loop) const {
     case PatchStage::converged: return HoleState::converged;
     case PatchStage::stalled: return HoleState::stalled;
     case PatchStage::cutting: return HoleState::cutting;
+    case PatchStage::faired: return HoleState::faired;
+    case PatchStage::doubtful: return HoleState::doubtful;
   }
   return HoleState::open;
 }

@@ -20,6 +20,8 @@ enum class PatchStage {
   converged,  ///< at rest
   stalled,    ///< the flow found no further acceptable step; the state is the last accepted one
   cutting,    ///< it cuts the surface or itself: not part of the result unless a person accepts it
+  faired,     ///< shaped by linear fairings, or by something between these and a flow
+  doubtful,   ///< out of proportion: a person should look at it
 };
 
 /// One run of a flow, as the command line would name it.
@@ -27,6 +29,8 @@ struct RunRecipe {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steps;
   double sigma = 10;  ///< of EvolutionMode::steps
+  BoundaryTrust boundary = BoundaryTrust::automatic;           ///< of EvolutionMode::steady
+  SeamContinuity continuity = SeamContinuity::curvature;  ///< likewise
   int steps = 0;      ///< taken
   enum class End {
     whole,        ///< as far as it goes
@@ -34,6 +38,11 @@ struct RunRecipe {
     unnamed,      ///< stopped where no option of the command line can stop
   } end = End::whole;
 };
+
+/// The run that these options lead to, before its first step.
+inline RunRecipe recipe_of(const EvolutionOptions& options) {
+  return {options.flow, options.mode, options.sigma, options.boundary, options.continuity, 0, RunRecipe::End::whole};
+}
 
 /// How a state came about: the filler, then one run after another.
 struct PatchRecipe {

@@ -134,7 +134,8 @@ ProblemWords holes_words(const Document& document, const std::set<int>& loops, d
 
 CommandLine solving_command(const ProblemWords& problem, const EvolutionOptions& options) {
   return command(problem, problem.verb, problem.ending,
-                 QStringLiteral(" --flow ") + shell::word(options.flow) + step_words(options));
+                 QStringLiteral(" --flow ") + shell::word(options.flow) + step_words(options) +
+                     shell::boundary_options(options.boundary, options.continuity));
 }
 
 CommandLine comparing_command(const ProblemWords& problem, const EvolutionOptions& options,

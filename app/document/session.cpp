@@ -15,7 +15,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 3;
+constexpr qint32 format_version = 4;
+constexpr qint32 version_without_boundary = 3;
 constexpr qint32 first_version = 1;  ///< without the view and without surfaces that were made here
 
 /// Words and numbers in one fixed layout, little-endian, doubles in full.
@@ -60,6 +61,8 @@ class Writer {
 
 class Reader {
  public:
+  qint32 version = 0;  ///< of the format
+
   Reader(const QByteArray& bytes, const QString& path) : in_(bytes), path_(path) { Writer::settle(in_); }
 
   [[noreturn]] void fail(const char* problem) const {
@@ -185,6 +188,8 @@ void put(Writer& out, const PatchRecipe& recipe) {
     out.put(run.sigma);
     out.put(static_cast<qint32>(run.steps));
     out.put(static_cast<qint32>(run.end));
+    out.put(static_cast<qint32>(run.boundary));
+    out.put(static_cast<qint32>(run.continuity));
   }
 }
 
@@ -199,6 +204,10 @@ PatchRecipe recipe(Reader& in) {
     run.sigma = in.number<double>();
     run.steps = in.number<qint32>();
     run.end = word(in, RunRecipe::End::unnamed);
+    if (in.version > version_without_boundary) {
+      run.boundary = word(in, BoundaryTrust::robust);
+      run.continuity = word(in, SeamContinuity::curvature);
+    }
     r.runs.push_back(run);
   }
   return r;
@@ -235,7 +244,7 @@ void put(Writer& out, const PatchState& state) {
 PatchStatePtr state(Reader& in) {
   auto s = std::make_shared<PatchState>();
   s->patch = patch(in);
-  s->stage = word(in, PatchStage::cutting);
+  s->stage = word(in, PatchStage::doubtful);
   s->message = in.text().toStdString();
   s->recipe = recipe(in);
   s->patch.grading.density = s->recipe.density;
@@ -380,8 +389,8 @@ Session session_from_file(const QString& path) {
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
     throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
   Reader in(bytes.mid(magic_size), path);
-  const auto version = in.number<qint32>();
-  if (version != format_version && version != first_version)
+  const auto version = in.version = in.number<qint32>();
+  if (version != format_version && version != version_without_boundary && version != first_version)
     throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   Session session;

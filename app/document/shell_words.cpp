@@ -25,6 +25,15 @@ QString quoted(const QString& path) {
 
 QString word(FlowKind flow) { return QLatin1String(to_string(flow)); }
 
+QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity) {
+  QString text;
+  if (boundary == BoundaryTrust::exact) text += QStringLiteral(" --boundary exact");
+  if (boundary == BoundaryTrust::robust) text += QStringLiteral(" --boundary robust");
+  if (continuity == SeamContinuity::position) text += QStringLiteral(" --continuity position");
+  if (continuity == SeamContinuity::tangent) text += QStringLiteral(" --continuity tangent");
+  return text;
+}
+
 QString file_of(const OpenedScan& scan, const QString& made) {
   if (scan.from == ScanOrigin::sample) return QStringLiteral("sample.ply");
   return scan.from == ScanOrigin::made ? made : QDir::toNativeSeparators(scan.path);

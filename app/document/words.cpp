@@ -70,7 +70,9 @@ QString state(HoleState state) {
     case HoleState::filled: return tr("filled");
     case HoleState::running: return tr("running");
     case HoleState::stepped: return tr("in progress");
-    case HoleState::converged: return tr("at rest");
+    case HoleState::converged: return tr("converged");
+    case HoleState::faired: return tr("faired");
+    case HoleState::doubtful: return tr("doubtful");
     case HoleState::stalled: return tr("stopped early");
     case HoleState::cutting: return tr("cuts surface");
     case HoleState::accepted: return tr("accepted");
@@ -86,8 +88,10 @@ QString state_help(HoleState state) {
     case HoleState::filled: return tr("Closed by the plain filler; no flow has run yet.");
     case HoleState::running: return tr("A flow is moving this patch now.");
     case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
-    case HoleState::converged: return tr("The flow has come to rest.");
-    case HoleState::stalled: return tr("The flow stopped before it came to rest; this is its last good state.");
+    case HoleState::converged: return tr("The flow has converged to its steady state.");
+    case HoleState::faired: return tr("Shaped by linear fairing, not by the flow.");
+    case HoleState::doubtful: return tr("Filled, but the patch is out of proportion to its hole: look at it.");
+    case HoleState::stalled: return tr("The flow stopped before it converged; this is its last good state.");
     case HoleState::cutting:
       return tr("This patch cuts the surface or itself. It is not exported unless you accept it.");
     case HoleState::accepted: return tr("Accepted: no flow moves it until you open it again.");
@@ -140,10 +144,12 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStag
     sentence = tr("Position and tangent run through the seam; the mean curvature jumps by %1 (rms).")
                    .arg(number(now.h_jump_rms));
   if (stage == PatchStage::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
+  if (stage == PatchStage::doubtful)
+    return sentence + QLatin1Char(' ') + tr("But the patch is out of proportion to its hole.");
   if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms)
-    sentence +=
-        QLatin1Char(' ') +
-        tr("The flow made the jump of curvature %1 times smaller.").arg(number(before.h_jump_rms / now.h_jump_rms));
+    sentence += QLatin1Char(' ') + (stage == PatchStage::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
+                                                                : tr("The flow made the jump of curvature %1 times smaller."))
+                                       .arg(number(before.h_jump_rms / now.h_jump_rms));
   return sentence;
 }
 

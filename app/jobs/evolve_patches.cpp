@@ -18,13 +18,14 @@ constexpr const char* no_free_vertex = "too small to hold a free vertex: closed 
 PatchStage stage_of(EvolutionStatus status) {
   switch (status) {
     case EvolutionStatus::converged: return PatchStage::converged;
+    case EvolutionStatus::faired: return PatchStage::faired;
     case EvolutionStatus::failed: return PatchStage::stalled;
     default: return PatchStage::stepped;
   }
 }
 
 bool same(const EvolutionOptions& a, const EvolutionOptions& b) {
-  return a.flow == b.flow && a.mode == b.mode && a.sigma == b.sigma && a.solver == b.solver && a.bending == b.bending;
+  return a.flow == b.flow && a.mode == b.mode && a.sigma == b.sigma && a.solver == b.solver && a.bending == b.bending && a.boundary == b.boundary && a.continuity == b.continuity;
 }
 
 /// One patch under way, step by step.
@@ -79,7 +80,10 @@ class Stepper {
     if (std::exchange(goes_on_, true) && !next->recipe.runs.empty()) {
       ++next->recipe.runs.back().steps;
     } else {
-      next->recipe.runs.push_back({options.flow, options.mode, options.sigma, 1, RunRecipe::End::after_steps});
+      RunRecipe run = recipe_of(options);
+      run.steps = 1;
+      run.end = RunRecipe::End::after_steps;
+      next->recipe.runs.push_back(run);
     }
     set_outcome(*next);
     state_ = std::move(next);

@@ -51,14 +51,25 @@ class GroupFiller {
     const FillTask& task = *group.task;
     std::vector<BoundaryLoop> loops;
     for (int index : group.loops) loops.push_back(loop_of(task, index));
-    PatchStart start;
-    std::string trouble;
     try {
-      start = start_patch(task.site->model(), loops, task.options, cancel);
+      const SurfaceModel& model = task.site->model();
+      const std::vector<FillerOutcome> fillers = start_patch(model, loops, task.options, cancel).fillers;
+      if (cancel.cancelled()) return;
+      for (const std::vector<int>& alike : groups_alike(model, loops, fillers)) {
+        Group part{&task, {}};
+        PatchStart start;
+        std::vector<BoundaryLoop> own;
+        for (int k : alike) {
+          part.loops.push_back(group.loops[static_cast<std::size_t>(k)]);
+          own.push_back(loops[static_cast<std::size_t>(k)]);
+          start.fillers.push_back(fillers[static_cast<std::size_t>(k)]);
+        }
+        start.patch = joined_patch(model, own, start.fillers, task.options.density);
+        record(part, std::move(start), "");
+      }
     } catch (const std::exception& error) {
-      trouble = error.what();
+      if (!cancel.cancelled()) record(group, {}, error.what());
     }
-    if (!cancel.cancelled()) record(group, std::move(start), trouble);
   }
 
  private:

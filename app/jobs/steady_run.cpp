@@ -9,9 +9,31 @@ namespace {
 PatchStage stage_of(LoopStatus status) {
   switch (status) {
     case LoopStatus::converged: return PatchStage::converged;
+    case LoopStatus::faired: return PatchStage::faired;
+    case LoopStatus::doubtful: return PatchStage::doubtful;
     case LoopStatus::step_limit: return PatchStage::stalled;
     default: return PatchStage::filled;
   }
+}
+
+/// What was done in place of the flow, and why; then what is to be said of the result.
+std::string message_of(const Evolved& evolved) {
+  const char* method = [&] {
+    switch (evolved.method) {
+      case Method::robust_fairing: return "robust fairing in place of the flow";
+      case Method::linear_fairing: return "linear fairing in place of the flow";
+      case Method::interpolated: return "between the flow's patch and robust fairing";
+      case Method::mixed_order: return "the flow with bending energy mixed in";
+      case Method::denoised_flow: return "the flow next to a surface without noise";
+      case Method::initial_patch:
+      case Method::flow: break;
+    }
+    return "";
+  }();
+  std::string text;
+  for (const std::string& part : {std::string(method), evolved.reason, evolved.message})
+    if (!part.empty()) text += (text.empty() ? "" : text == method ? ": " : "; ") + part;
+  return text;
 }
 
 }  // namespace
@@ -39,8 +61,10 @@ void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   next->initial_energy = initial_energy_;
   next->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const bool first_attempt = attempts_ == 1;
-  next->recipe.runs.push_back({task_.options.flow, EvolutionMode::steady, task_.options.sigma, record.step,
-                               first_attempt ? RunRecipe::End::after_steps : RunRecipe::End::unnamed});
+  RunRecipe run = recipe_of(task_.options);
+  run.steps = record.step;
+  run.end = first_attempt ? RunRecipe::End::after_steps : RunRecipe::End::unnamed;
+  next->recipe.runs.push_back(run);
   last_ = next;
   recorder_.record(item_.patch.id, std::move(next));
 }
@@ -55,10 +79,11 @@ Evolved SteadyRun::evolve(const PatchState& start) {
 PatchStatePtr SteadyRun::state_of(const Evolved& evolved, const PatchState& from) {
   auto state = with_patch(from, evolved.patch, task_.origin);
   state->stage = stage_of(evolved.status);
-  state->message = evolved.message;
+  state->message = message_of(evolved);
   state->recipe = item_.patch.state->recipe;
-  state->recipe.runs.push_back(
-      {task_.options.flow, EvolutionMode::steady, task_.options.sigma, evolved.steps, RunRecipe::End::whole});
+  RunRecipe run = recipe_of(task_.options);
+  run.steps = evolved.steps;
+  state->recipe.runs.push_back(run);
   state->flow = task_.options.flow;
   state->steps = item_.patch.state->steps + evolved.steps;
   state->initial_energy = evolved.initial_energy;

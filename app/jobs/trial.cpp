@@ -217,7 +217,7 @@ void Trial::on_solved(std::shared_ptr<const Solution> solution, const OpenedScan
   picture_.patch = std::move(shape);
   picture_.arrival = Arrival::soon;
   const bool rest = solution_->status == EvolutionStatus::converged;
-  QString words = (rest ? tr("At rest after %1 steps, energy %2 \u2192 %3.") : tr("%1 steps, energy %2 \u2192 %3."))
+  QString words = (rest ? tr("Converged after %1 steps, energy %2 \u2192 %3.") : tr("%1 steps, energy %2 \u2192 %3."))
                       .arg(solution_->steps)
                       .arg(words::number(solution_->initial_energy), words::number(solution_->final_energy));
   if (!solution_->message.empty())

@@ -198,11 +198,10 @@ void Workbench::say_fill_outcome(const FillResult& result, const std::set<int>& 
                       .arg(wanted.size()));
 }
 
-void Workbench::evolve(const std::set<int>& patch_ids, FlowKind flow, double sigma, Pace pace) {
+void Workbench::evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace) {
   if (busy()) return;
   EvolveTask task;
-  task.options.flow = flow;
-  task.options.sigma = sigma;
+  task.options = std::move(options);
   task.options.mode = pace == Pace::steady ? EvolutionMode::steady : EvolutionMode::steps;
   task.pace = pace;
   task.origin = document_.origin();
@@ -221,7 +220,7 @@ void Workbench::evolve(const std::set<int>& patch_ids, FlowKind flow, double sig
     sessions_.erase(id);  // the worker has it now
   }
   if (task.items.empty()) return;
-  const QString name = words::flow_name(flow), where = words::holes(document_, loops);
+  const QString name = words::flow_name(task.options.flow), where = words::holes(document_, loops);
   run_name_ = pace == Pace::one_step ? tr("%1 step on %2").arg(name, where) : tr("%1 on %2").arg(name, where);
   const JobPtr job = begin(activity_of(pace), run_name_);
   std::set<int> running;

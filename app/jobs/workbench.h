@@ -53,7 +53,7 @@ class Workbench : public QObject {
   /// Computes what fill() would do and shows it as a ghost. A later call replaces the earlier one.
   void preview_fill(const std::set<int>& loops, double density);
   void drop_fill_preview();
-  void evolve(const std::set<int>& patch_ids, FlowKind flow, double sigma, Pace pace);
+  void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
   void pause();
   /// Comes back at once; what was accepted so far stays and can be undone.
   void cancel();

@@ -46,6 +46,12 @@ void FlowBox::build() {
   target_ = make_note("flowTarget");
   flow_ = make_flow_choice("flow", tr("Which geometric flow moves the patch, and so how far the seam is matched"));
   help_ = make_note("flowHelp");
+  boundary_ = make_boundary_choice("boundary");
+  continuity_ = make_continuity_choice("continuity");
+  auto* boundary_label = new QLabel(tr("&Boundary"));
+  boundary_label->setBuddy(boundary_);
+  auto* continuity_label = new QLabel(tr("Continuit&y"));
+  continuity_label->setBuddy(continuity_);
   steady_ = make_button("steady", tr("&To steady state"), tr("Go straight to where the flow comes to rest (T)"));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("sigma"));
@@ -67,13 +73,17 @@ void FlowBox::build() {
   grid->addWidget(target_, 0, 0, 1, 2);
   grid->addWidget(flow_, 1, 0, 1, 2);
   grid->addWidget(help_, 2, 0, 1, 2);
-  grid->addWidget(steady_, 3, 0, 1, 2);
-  grid->addWidget(sigma_label, 4, 0);
-  grid->addWidget(sigma_value_, 4, 1);
-  grid->addWidget(sigma_, 5, 0, 1, 2);
-  grid->addWidget(step_, 6, 0);
-  grid->addWidget(run_, 6, 1);
-  grid->addWidget(compare_, 7, 0, 1, 2);
+  grid->addWidget(boundary_label, 3, 0);
+  grid->addWidget(boundary_, 3, 1);
+  grid->addWidget(continuity_label, 4, 0);
+  grid->addWidget(continuity_, 4, 1);
+  grid->addWidget(steady_, 5, 0, 1, 2);
+  grid->addWidget(sigma_label, 6, 0);
+  grid->addWidget(sigma_value_, 6, 1);
+  grid->addWidget(sigma_, 7, 0, 1, 2);
+  grid->addWidget(step_, 8, 0);
+  grid->addWidget(run_, 8, 1);
+  grid->addWidget(compare_, 9, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }
@@ -92,9 +102,16 @@ void FlowBox::to_steady_state() {
   if (steady_->isEnabled()) evolve(Pace::steady);
 }
 
-void FlowBox::evolve(Pace pace) { workbench_.evolve(patches_to_move(document_, selection_), flow(), sigma(), pace); }
+void FlowBox::evolve(Pace pace) { workbench_.evolve(patches_to_move(document_, selection_), options(), pace); }
 
-FlowKind FlowBox::flow() const { return static_cast<FlowKind>(flow_->currentData().toInt()); }
+EvolutionOptions FlowBox::options() const {
+  EvolutionOptions options;
+  options.flow = static_cast<FlowKind>(flow_->currentData().toInt());
+  options.sigma = sigma();
+  options.boundary = static_cast<BoundaryTrust>(boundary_->currentData().toInt());
+  options.continuity = static_cast<SeamContinuity>(continuity_->currentData().toInt());
+  return options;
+}
 
 double FlowBox::sigma() const { return std::pow(10.0, static_cast<double>(sigma_->value()) / ticks_per_decade); }
 
@@ -111,9 +128,12 @@ void FlowBox::update_state() {
   } else {
     target_->setText(chosen ? tr("The selection is not filled yet.") : tr("Nothing is filled yet."));
   }
-  help_->setText(words::flow_help(flow()));
+  help_->setText(words::flow_help(options().flow));
   sigma_value_->setText(tr("\u03c3 = %1").arg(words::number(sigma())));
   flow_->setEnabled(idle);
+  const bool of_mmcvf = idle && options().flow == FlowKind::mmcvf;
+  boundary_->setEnabled(of_mmcvf);
+  continuity_->setEnabled(of_mmcvf);
   sigma_->setEnabled(idle);
   step_->setEnabled(idle && !to_move.empty());
   steady_->setEnabled(idle && !to_move.empty());

@@ -31,7 +31,7 @@ class FlowBox : public QGroupBox {
 
  private:
   void build();
-  FlowKind flow() const;
+  EvolutionOptions options() const;
   double sigma() const;
   void evolve(Pace pace);
 
@@ -39,7 +39,7 @@ class FlowBox : public QGroupBox {
   const HoleSelection& selection_;
   Workbench& workbench_;
   QLabel *target_ = nullptr, *help_ = nullptr, *sigma_value_ = nullptr;
-  QComboBox* flow_ = nullptr;
+  QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
   QSlider* sigma_ = nullptr;
   QPushButton *step_ = nullptr, *run_ = nullptr, *steady_ = nullptr, *compare_ = nullptr;
 };

@@ -25,6 +25,8 @@ QColor dot_color(HoleState state) {
     case HoleState::cutting: return QColor(190, 50, 30);
     case HoleState::accepted: return QColor(30, 130, 70);
     case HoleState::failed: return QColor(190, 50, 30);
+    case HoleState::faired: return QColor(30, 140, 110);
+    case HoleState::doubtful: return QColor(200, 120, 20);
   }
   return {};
 }
@@ -74,6 +76,14 @@ void paint_sign(QPainter* painter, HoleState state, const QColor& color) {
     case HoleState::failed:
       painter->drawLine(QPointF(-3.4, -3.4), QPointF(3.4, 3.4));
       painter->drawLine(QPointF(-3.4, 3.4), QPointF(3.4, -3.4));
+      break;
+    case HoleState::faired:
+      painter->drawEllipse(circle);
+      painter->setBrush(color);
+      painter->drawEllipse(QRectF(-1.6, -1.6, 3.2, 3.2));
+      break;
+    case HoleState::doubtful:
+      painter->drawPath(polyline({{0, -4}, {4.5, 3.8}, {-4.5, 3.8}, {0, -4}}));
       break;
   }
 }

@@ -75,12 +75,22 @@ std::vector<std::string> comparison_row(const std::string& name, const std::stri
           std::to_string(quality.self_intersections)};
 }
 
+namespace {
+
+/// The flow, and what took its place where something did.
+std::string run_name(const FlowRun& run) {
+  if (run.evolved.method == Method::flow) return upper_name(run.flow);
+  return upper_name(run.flow) + " as " + method_name(run.evolved.method, run.flow);
+}
+
+}  // namespace
+
 std::vector<std::vector<std::string>> comparison_rows(const FlowComparison& comparison) {
   std::vector<std::vector<std::string>> rows;
   rows.push_back(comparison_row("start", "", 0, comparison.start, comparison.start_seams, comparison.start_wide_jump,
                                 comparison.start_quality));
   for (const FlowRun& run : comparison.runs)
-    rows.push_back(comparison_row(upper_name(run.flow), to_string(run.evolved.status), run.evolved.steps, run.energies,
+    rows.push_back(comparison_row(run_name(run), to_string(run.evolved.status), run.evolved.steps, run.energies,
                                   run.seams, run.wide_jump, run.evolved.quality));
   return rows;
 }

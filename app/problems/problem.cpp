@@ -24,6 +24,7 @@ Solution solution_of(const EvolvedPatch& evolved) {
   solution.patch = evolved.patch;
   solution.status = evolved.status;
   solution.message = evolved.message;
+  solution.method = method_name(evolved.method, evolved.flow);
   solution.steps = evolved.steps;
   solution.initial_energy = evolved.energy.initial;
   solution.final_energy = evolved.energy.final;
@@ -38,6 +39,8 @@ std::string flaws(const FillerQuality& quality) {
 EvolutionStatus status_of(LoopStatus status) {
   switch (status) {
     case LoopStatus::converged: return EvolutionStatus::converged;
+    case LoopStatus::faired: return EvolutionStatus::faired;
+    case LoopStatus::doubtful:
     case LoopStatus::step_limit: return EvolutionStatus::step_limit;
     default: return EvolutionStatus::failed;
   }
@@ -51,6 +54,7 @@ Solution solve_bridge(const SurfaceModel& model, const std::vector<BoundaryLoop>
   if (cancel.cancelled()) return solution;
   solution.status = status_of(result.status);
   solution.message = result.message;
+  solution.method = result.method;
   if (!result.patch) {
     solution.refusal = result.message;
     return solution;

@@ -25,6 +25,7 @@ struct Solution {
   std::string refusal;  ///< why the surface must not be used, in words without a full stop; empty: it may
   EvolutionStatus status = EvolutionStatus::ready;
   std::string message;  ///< why it stopped early; empty when all is well
+  std::string method;   ///< method_name()
   int steps = 0;
   double initial_energy = 0, final_energy = 0;  ///< units as in StepRecord
 };

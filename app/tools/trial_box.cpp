@@ -16,6 +16,8 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
     : QGroupBox(tr("Try it, decide"), parent),
       trial_(trial),
       flow_(make_flow_choice("trialFlow", tr("Which flow works on it"))),
+      boundary_(make_boundary_choice("trialBoundary")),
+      continuity_(make_continuity_choice("trialContinuity")),
       words_(make_note("trialWords")),
       preview_(make_button("trialPreview", tr("Pre&view"), tr("Show the start, before any flow"))),
       evolve_(make_button("trialEvolve", tr("Evo&lve"), tr("Let the flow work on it until it comes to rest"))),
@@ -29,14 +31,22 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(6);
   grid->addWidget(flow_, 0, 0, 1, 2);
-  grid->addWidget(preview_, 1, 0);
-  grid->addWidget(evolve_, 1, 1);
-  grid->addWidget(compare_, 2, 0, 1, 2);
-  grid->addWidget(words_, 3, 0, 1, 2);
-  grid->addWidget(cancel_, 4, 0, 1, 2);
-  grid->addWidget(accept_, 5, 0);
-  grid->addWidget(discard_, 5, 1);
-  grid->addWidget(copy_, 6, 0, 1, 2);
+  auto* boundary_label = new QLabel(tr("Boundary"));
+  auto* continuity_label = new QLabel(tr("Continuity"));
+  boundary_label->setBuddy(boundary_);
+  continuity_label->setBuddy(continuity_);
+  grid->addWidget(boundary_label, 1, 0);
+  grid->addWidget(boundary_, 1, 1);
+  grid->addWidget(continuity_label, 2, 0);
+  grid->addWidget(continuity_, 2, 1);
+  grid->addWidget(preview_, 3, 0);
+  grid->addWidget(evolve_, 3, 1);
+  grid->addWidget(compare_, 4, 0, 1, 2);
+  grid->addWidget(words_, 5, 0, 1, 2);
+  grid->addWidget(cancel_, 6, 0, 1, 2);
+  grid->addWidget(accept_, 7, 0);
+  grid->addWidget(discard_, 7, 1);
+  grid->addWidget(copy_, 8, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
   connect(preview_, &QPushButton::clicked, this, &TrialBox::preview_wanted);
@@ -53,6 +63,8 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
 EvolutionOptions TrialBox::options() const {
   EvolutionOptions options;
   options.flow = static_cast<FlowKind>(flow_->currentData().toInt());
+  options.boundary = static_cast<BoundaryTrust>(boundary_->currentData().toInt());
+  options.continuity = static_cast<SeamContinuity>(continuity_->currentData().toInt());
   return options;
 }
 
@@ -64,7 +76,7 @@ void TrialBox::set_wanting(const QString& wanting) {
 void TrialBox::update_state() {
   const bool busy = trial_.busy(), possible = wanting_.isEmpty() && !busy;
   for (QPushButton* button : {preview_, evolve_, compare_}) button->setEnabled(possible);
-  flow_->setEnabled(!busy);
+  for (QComboBox* choice : {flow_, boundary_, continuity_}) choice->setEnabled(!busy);
   copy_->setEnabled(wanting_.isEmpty());
   cancel_->setVisible(busy);
   const bool posed = trial_.stage() == Trial::Stage::posed || trial_.stage() == Trial::Stage::solved;

@@ -36,7 +36,7 @@ class TrialBox : public QGroupBox {
 
   const Trial& trial_;
   QString wanting_;
-  QComboBox* flow_;
+  QComboBox *flow_, *boundary_, *continuity_;
   QLabel* words_;
   QPushButton *preview_, *evolve_, *compare_, *cancel_, *accept_, *discard_, *copy_;
 };

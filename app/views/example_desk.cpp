@@ -99,8 +99,9 @@ void ExampleDesk::fill_and_run() {
     QMetaObject::invokeMethod(
         this,
         [this] {
-          parts_.workbench.evolve(patches_to_move(parts_.document, parts_.selection), FlowKind::mmcvf, paper_sigma,
-                                  Pace::run);
+          EvolutionOptions options;
+          options.sigma = paper_sigma;
+          parts_.workbench.evolve(patches_to_move(parts_.document, parts_.selection), options, Pace::run);
         },
         Qt::QueuedConnection);
   });

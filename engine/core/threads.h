@@ -8,6 +8,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -70,12 +71,16 @@ void side_by_side(const First& first, const Second& second) {
   const auto other = std::make_shared<Other>(second);
   std::future<void> result = other->task.get_future();
   // Detached: once the work is taken here, the thread only looks at what it owns itself.
-  std::thread([other, share = threads / 2] {
-    if (other->taken.exchange(true)) return;
-    omp_set_num_threads(share);
-    other->task();
-    other->done = true;
-  }).detach();
+  try {
+    std::thread([other, share = threads / 2] {
+      if (other->taken.exchange(true)) return;
+      omp_set_num_threads(share);
+      other->task();
+      other->done = true;
+    }).detach();
+  } catch (const std::system_error&) {
+    // No further thread is to be had: the work is done here, after the first.
+  }
   std::exception_ptr failure;
   try {
     const LentThreads lent{&other->done, threads / 2};

@@ -18,9 +18,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void take_evolved(Evolved evolved, BlendResult& result) {
+void take_evolved(Evolved evolved, FlowKind flow, BlendResult& result) {
   result.patch = std::move(evolved.patch);
   result.status = evolved.status;
+  result.method = method_name(evolved.method, flow);
+  result.reason = std::move(evolved.reason);
   result.message = std::move(evolved.message);
   result.steps = evolved.steps;
   result.bending = evolved.bending;
@@ -36,14 +38,14 @@ constexpr double against_necks = 5;
 Evolved evolve_bridge(const FillSite& site, const Patch& start, const EvolutionOptions& options,
                       const Evolution::OnStep& on_step, const CancelToken& cancel) {
   Evolved pure = evolve_filler(site, start, {}, options, on_step, cancel);
-  if (pure.message.empty() && pure.bending > 0 && !options.bending) pure.message = "bending energy was blended in";
   const bool may_bend = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending;
-  if (pure.status != LoopStatus::step_limit || !may_bend || cancel.cancelled()) return pure;
+  const bool good = pure.status != LoopStatus::step_limit && pure.status != LoopStatus::doubtful;
+  if (good || !may_bend || cancel.cancelled()) return pure;
   EvolutionOptions stiffer = options;
   stiffer.bending = against_necks;
   Evolved bent = evolve_filler(site, start, {}, stiffer, on_step, cancel);
   if (bent.status != LoopStatus::converged || bent.verdict.folds > 0 || bent.verdict.total() > 0) return pure;
-  bent.message = "the pure flow did not come to rest: bending energy was blended in";
+  bent.reason = "the flow itself did not converge; with bending energy mixed in it did";
   return bent;
 }
 
@@ -93,10 +95,12 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (!result.bridge || cancel.cancelled()) return result;
   const FillSite site(agreed);
   if (options.evolution && result.bridge->start.free_count > 0) {
-    take_evolved(evolve_bridge(site, result.bridge->start, *options.evolution, on_step, cancel), result);
+    take_evolved(evolve_bridge(site, result.bridge->start, *options.evolution, on_step, cancel),
+                 options.evolution->flow, result);
   } else {
     result.patch = result.bridge->membrane;
     result.status = LoopStatus::filled;
+    result.method = method_name(Method::initial_patch, FlowKind::mmcvf);
   }
   if (!result.patch || cancel.cancelled()) return result;
   take_verdict(site, result);

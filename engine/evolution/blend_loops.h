@@ -13,6 +13,7 @@ namespace loopmend {
 struct BlendResult {
   LoopStatus status = LoopStatus::failed;
   std::string message;                                ///< why it failed or stopped early; empty when all is well
+  std::string method, reason;                         ///< as in LoopResult
   std::vector<BoundaryLoop> loops;                    ///< as given
   std::size_t turned_faces = 0;                       ///< of parts whose inside faced the gap
   std::optional<Bridge> bridge;                       ///< the shapes before the flow

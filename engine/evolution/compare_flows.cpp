@@ -50,6 +50,7 @@ PatchEnergies patch_energies(const Patch& patch) {
 EvolutionOptions options_for(FlowKind flow, const EvolutionOptions& base) {
   EvolutionOptions options = base;
   options.flow = flow;
+  if (options.boundary == BoundaryTrust::automatic) options.boundary = BoundaryTrust::exact;
   if (flow != FlowKind::mcf || base.mode == EvolutionMode::steps) return options;
   options.mode = EvolutionMode::steps;
   options.sigma = mcf_sigma;

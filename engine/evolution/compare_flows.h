@@ -38,7 +38,7 @@ struct FlowComparison {
   std::vector<std::vector<ProfilePoint>> profiles;  ///< of each run, across that edge
 };
 
-/// The options for one flow. MCF takes small steps: between tubes it has no steady state, and large steps fail where the
+/// The options for one flow. A comparison is of the flows themselves: BoundaryTrust::automatic becomes exact. MCF takes small steps: between tubes it has no steady state, and large steps fail where the
 /// surface is strongly curved (NUMERICS §10).
 EvolutionOptions options_for(FlowKind flow, const EvolutionOptions& base);
 

@@ -8,9 +8,12 @@
 #include "flows/decay_rate.h"
 #include "flows/symmetric_part.h"
 #include "rim/rim_blend.h"
+#include "solvers/diagonal.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <system_error>
 
 namespace loopmend {
 
@@ -25,9 +28,9 @@ constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit f
 constexpr double flow_step_tolerance = 1e-4;
 constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below
 constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
-constexpr int most_passes = 12;            ///< of the fairings for position or tangent, which are iterated to their end
 constexpr double smallest_step = 1e-6;     ///< relative to the step that was asked for: below, the flow has stalled
 constexpr double least_sigma_for_rough_rate = 0.01;
+constexpr int semi_implicit_trials = 2;  ///< of a step, before Gauss-Newton takes it
 constexpr const char* collapsed_words = "stopped early: only vanishing time steps keep the flow stable here";
 
 /// Power of length that the flow's time has: tau in mesh units = tau in the frame × scale^order.
@@ -56,13 +59,34 @@ void check(const EvolutionOptions& options) {
     throw InvalidArgument("the number of steps must be at least 1, not " + std::to_string(options.max_steps));
 }
 
+bool is_judged(const EvolutionOptions& options) {
+  return options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
+         options.boundary == BoundaryTrust::automatic && !options.bending &&
+         options.continuity == SeamContinuity::curvature;
+}
+
 const char* to_string(EvolutionStatus status) {
   switch (status) {
     case EvolutionStatus::ready: return "ready";
     case EvolutionStatus::converged: return "converged";
+    case EvolutionStatus::faired: return "faired";
     case EvolutionStatus::step_limit: return "step_limit";
     case EvolutionStatus::cancelled: return "cancelled";
     case EvolutionStatus::failed: return "failed";
+  }
+  return "";
+}
+
+std::string method_name(Method method, FlowKind flow) {
+  const std::string name = to_string(flow);
+  switch (method) {
+    case Method::initial_patch: return "initial_patch";
+    case Method::flow: return name;
+    case Method::mixed_order: return name + "_mixed_order";
+    case Method::denoised_flow: return name + "_denoised";
+    case Method::robust_fairing: return "robust_fairing";
+    case Method::linear_fairing: return "linear_fairing";
+    case Method::interpolated: return name + "_and_robust_fairing";
   }
   return "";
 }
@@ -79,6 +103,7 @@ void Evolution::Impl::prepare(Patch first) {
 }
 
 Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
+  method = Method::flow;
   blend = 0;
   smooth_surroundings = false;
   cubic_start.reset();
@@ -89,18 +114,21 @@ Objective Evolution::Impl::objective_for(const EvolutionOptions& new_options) {
   rim = new_options.roughness ? new_options.roughness : rim_roughness(state.patch);
   const double scale = rim->radius * rim->radius;
   if (new_options.continuity != SeamContinuity::curvature) {
+    method = Method::linear_fairing;
     blends_left = most_passes;
     return {new_options.flow, 0};
   }
-  const bool automatic = new_options.rim == RimTrust::automatic;
+  const bool automatic = new_options.boundary == BoundaryTrust::automatic;
   const bool rough = automatic && !new_options.bending && rim->kind == Surroundings::rough;
-  if (rough || new_options.rim == RimTrust::smooth) {
+  if (rough || new_options.boundary == BoundaryTrust::robust) {
+    method = Method::robust_fairing;
     blends_left = rough_passes;
     rim_data_trust = data_trust(state.patch, rim->radius);
     blend = rough_bending;
     return {new_options.flow, blend / scale};
   }
   blend = new_options.bending.value_or(automatic ? rim->bending : 0);
+  if (blend > 0) method = Method::mixed_order;
   smooth_surroundings = blend == 0 && rim->unevenness < smooth_unevenness;
   return {new_options.flow, blend / scale, energy_reach};
 }
@@ -121,6 +149,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   small_moves = 0;
+  undamped_left = true;
   creeping_from.clear();
   last_bold_move = 0;
   fairings_left = history.empty() && options.start != SteadyStart::as_given ? most_fairings : 0;
@@ -138,8 +167,12 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
 /// On another core, if nothing is known that it comes from at once.
 void Evolution::Impl::look_for_decay_rate() {
   if (decay_rate > 0 || coming_decay_rate.valid() || linear_part.factors) return;
-  coming_decay_rate = std::async(
-      std::launch::async, [flow = options.flow, patch = state.patch] { return slowest_decay_rate(flow, patch); });
+  try {
+    coming_decay_rate = std::async(
+        std::launch::async, [flow = options.flow, patch = state.patch] { return slowest_decay_rate(flow, patch); });
+  } catch (const std::system_error&) {
+    // No further thread is to be had: decay() finds it here.
+  }
 }
 
 /// The slowest decay rate, found when it is first asked for.
@@ -157,6 +190,7 @@ double Evolution::Impl::decay() {
 
 bool Evolution::Impl::acceptable(const EvolutionState& next, double limit) const {
   if (!std::isfinite(next.measure) || next.folds > std::max(state.folds, allowed_folds)) return false;
+  if (next.unfitted > state.unfitted) return false;
   for (int i = 0; i < next.patch.free_count; ++i)
     if (!room.contains(next.patch.positions[i])) return false;
   return next.measure <= limit;
@@ -175,7 +209,7 @@ void Evolution::Impl::accept(EvolutionState next, StepRecord record, const Eigen
 
 bool Evolution::Impl::replace_if_good(Patch patch, double limit) {
   EvolutionState next = make_state(std::move(patch), objective, stencil);
-  if (next.folds > state.folds || !(next.measure <= limit)) return false;
+  if (next.folds > state.folds || next.unfitted > state.unfitted || !(next.measure <= limit)) return false;
   state = std::move(next);
   return true;
 }
@@ -226,14 +260,37 @@ SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, Eigen::Ve
     const bool rough = decay_rate == 0 && sigma >= least_sigma_for_rough_rate;
     const double rate = rough ? rough_decay_rate(options.flow, state.patch) : decay();
     SparseMatrix K = symmetric_part(options.flow, state.patch, state.ops);
+    store_diagonal(K);  // a vertex that no fit sees has no entry
     K.diagonal() += rate / sigma * mass;
-    K.makeCompressed();  // should a vertex be seen by no fit
     return K;
   };
   return general->solve(linear, mass.cwiseProduct(system.velocity()), s);
 }
 
+/// One trial of the semi-implicit scheme (§4) with the present sigma.
+FlowTrial Evolution::Impl::try_semi_implicit(const FlowSystem& system, StepRecord& record) {
+  Stopwatch watch;
+  FlowTrial trial;
+  Eigen::VectorXd s;
+  const SolveReport report = solve_flow_step(system, s);
+  record.solve_seconds += watch.lap();
+  record.iterations += report.iterations;
+  record.factorizations += report.factored ? 1 : 0;
+  if (!report.solved) return trial;
+  EvolutionState next = displaced(state, objective, stencil, s);
+  trial.accepted = acceptable(next, flow_tolerance * lowest_measure);
+  record.assemble_seconds += watch.lap();
+  if (!trial.accepted) return trial;
+  accept(std::move(next), record, s, sigma, decay());
+  trial.whole = true;
+  trial.move = history.back().max_move;
+  return trial;
+}
+
+/// One step of the paper's scheme. Where it fails twice, Gauss-Newton takes the implicit step of the size that was asked
+/// for, and a smaller one as long as that fails: it descends the same energy, and is stable where the scheme is not.
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
+  if (!can_be_fitted()) return stop(EvolutionStatus::failed, no_fits_words);
   Stopwatch watch;
   look_for_decay_rate();
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
@@ -241,38 +298,46 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));
   StepRecord record;
   record.assemble_seconds = watch.lap();
-  for (int trial = 0; trial < most_trials; ++trial) {
+  std::optional<GaussNewtonSystem> descent;
+  SparseMatrix curvature;
+  for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
-    if (trial == 2 && has_energy(options.flow)) {
-      mu = decay() / (2 * sigma);
-      sigma = std::min(wanted, 100 * sigma);
-      return gauss_newton_step(cancel);
+    const bool descends = k >= semi_implicit_trials && has_energy(options.flow);
+    if (descends && !descent) {
+      descent = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+      damping_unit = decay();
+      sigma = wanted;
     }
-    Eigen::VectorXd s;
-    const SolveReport report = solve_flow_step(system, s);
-    record.solve_seconds += watch.lap();
-    record.iterations += report.iterations;
-    record.factorizations += report.factored ? 1 : 0;
-    if (report.solved) {
-      EvolutionState next = displaced(state, objective, stencil, s);
-      const bool good = acceptable(next, flow_tolerance * lowest_measure);
-      record.assemble_seconds += watch.lap();
-      if (good) {
-        const double used = sigma;
-        accept(std::move(next), record, s, used, decay());
-        sigma = std::min(wanted, sigma * 3);
-        lowest_measure = std::min(lowest_measure, state.measure);
-        const bool small = history.back().max_move < small_move * std::min(1.0, used);
-        if (small && used >= 0.1 * wanted) return stop(EvolutionStatus::converged, "");
-        if (used < smallest_step * wanted) return stop(EvolutionStatus::failed, collapsed_words);
-        if (mesh_has_suffered()) care_for_mesh(flow_tolerance * lowest_measure);
-        return;
-      }
+    if (descends) mu = damping_unit / (2 * sigma);
+    const FlowTrial trial =
+        descends ? try_gauss_newton(*descent, curvature, record, cancel) : try_semi_implicit(system, record);
+    // Smaller steps move less: that is no rest. What counts is a step of the size that was asked for.
+    const bool stands_still = trial.move < small_move * std::min(1.0, sigma) && sigma >= 0.1 * wanted;
+    if (trial.accepted) {
+      lowest_measure = std::min(lowest_measure, state.measure);
+      if (trial.whole && stands_still) return stop(EvolutionStatus::converged, "");
+      if (sigma < smallest_step * wanted) return stop(EvolutionStatus::failed, collapsed_words);
+      sigma = std::min(wanted, sigma * 3);
+      if (mesh_has_suffered()) care_for_mesh(flow_tolerance * lowest_measure);
+      return;
     }
+    if (descends && trial.solved && stands_still) return stop(EvolutionStatus::converged, "");
     ++record.rejections;
     sigma /= 10;
   }
+  if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
   stop(EvolutionStatus::failed, collapsed_words);
+}
+
+/// The curvature must be known where the patch is free and at the loop, or there is nothing that a flow could follow.
+bool Evolution::Impl::can_be_fitted() const {
+  if (state.unfitted > 0) return false;
+  int loop = 0, known = 0;
+  for (int i = state.patch.free_count; i < state.patch.vertex_count() && state.patch.ring[i] == 1; ++i) {
+    ++loop;
+    known += state.ops.valid[i];
+  }
+  return loop == 0 || 2 * known > loop;
 }
 
 Evolution::Evolution(Patch start, EvolutionOptions options) : impl_(std::make_unique<Impl>()) {
@@ -294,6 +359,8 @@ void Evolution::step(const CancelToken& cancel) {
   const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
   if (!newton) return impl_->semi_implicit_step(cancel);
   if (impl_->blends_left > 0) return impl_->blend_step();
+  // Before the starts: what they alone have shaped must not pass for the flow's work.
+  if (!impl_->can_be_fitted()) return impl_->stop(EvolutionStatus::failed, no_fits_words);
   if (std::exchange(impl_->coarse_start_left, false)) {
     if (impl_->coarse_step(cancel)) return;
     if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
@@ -324,6 +391,7 @@ EvolutionStatus Evolution::status() const { return impl_->status; }
 const std::string& Evolution::message() const { return impl_->message; }
 const std::vector<StepRecord>& Evolution::history() const { return impl_->history; }
 double Evolution::initial_energy() const { return impl_->initial_energy; }
+Method Evolution::method() const { return impl_->method; }
 double Evolution::bending() const { return impl_->blend; }
 const std::optional<RimRoughness>& Evolution::roughness() const { return impl_->rim; }
 double Evolution::energy() const { return shown_energy(impl_->options.flow, impl_->state); }

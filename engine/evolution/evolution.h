@@ -35,11 +35,11 @@ enum class SteadyStart {
   as_given,
 };
 
-/// How MMCVF on its way to the steady state treats the surroundings' curvature.
-enum class RimTrust {
-  automatic,  ///< as the surroundings deserve: see RimRoughness::kind
-  exact,      ///< literally, whatever it is: the pure sixth order
-  smooth,     ///< as on rough surroundings, whatever they are: rim_blend
+/// How MMCVF on its way to the steady state treats the boundary data.
+enum class BoundaryTrust {
+  automatic,  ///< as RimRoughness::kind says: the flow itself, robust fairing, or something between
+  exact,      ///< literally, whatever it is: the flow itself
+  robust,     ///< as on rough scans, whatever it is: robust fairing in place of the flow (rim_blend)
 };
 
 struct EvolutionOptions {
@@ -54,8 +54,8 @@ struct EvolutionOptions {
   /// MMCVF to the steady state minimises ∫‖∇H‖² + β/R² ∫H², R the patch's radius: β = 0 is the pure flow, 60 to 150 suits
   /// rough scans. Empty: as the roughness of the surroundings asks for, 0 where they are smooth.
   std::optional<double> bending;
-  RimTrust rim =
-      RimTrust::automatic;  ///< MMCVF to the steady state; `bending`, where given, counts more than automatic
+  BoundaryTrust boundary =
+      BoundaryTrust::automatic;  ///< MMCVF to the steady state; `bending`, where given, counts more than automatic
   /// MMCVF to the steady state. Below curvature the patch is the linear fairing of that order, iterated.
   SeamContinuity continuity = SeamContinuity::curvature;
   std::optional<RimRoughness>
@@ -65,9 +65,13 @@ struct EvolutionOptions {
 /// @throws InvalidArgument if an option is out of range.
 void check(const EvolutionOptions& options);
 
+/// True if the boundary data decide how far the flow itself runs: nothing in the options does.
+bool is_judged(const EvolutionOptions& options);
+
 enum class EvolutionStatus {
   ready,       ///< more steps can be taken
-  converged,   ///< the steady state: a bold step moves nothing that could be seen, or many steps gained nothing
+  converged,   ///< the flow's steady state: a step of the size that was asked for moves nothing that could be seen
+  faired,      ///< the linear fairings that stand in for the flow are done; no flow has run
   step_limit,  ///< max_steps taken
   cancelled,   ///< by the token; the state is the last accepted one
   failed,      ///< stalled: no acceptable step was found; the state is the last accepted one
@@ -75,19 +79,33 @@ enum class EvolutionStatus {
 
 const char* to_string(EvolutionStatus status);
 
+/// What shaped a patch.
+enum class Method {
+  initial_patch,  ///< triangulation and remeshing; neither flow nor fairing
+  flow,           ///< the flow that was asked for, with the boundary data as they are
+  mixed_order,  ///< MMCVF with bending energy mixed in: ∫‖∇H‖² + β/R² ∫H², see EvolutionOptions::bending
+  denoised_flow,   ///< MMCVF between boundary data from which white noise was taken off
+  robust_fairing,  ///< a few linear fairings that weigh the boundary data; no flow
+  linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, iterated; no flow
+  interpolated,    ///< between the patches of MMCVF and of robust fairing
+};
+
+/// The word of reports: "mmcvf", "mmcvf_mixed_order", "robust_fairing", ...
+std::string method_name(Method method, FlowKind flow);
+
 /// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
 /// With bending blended in, what falls is the blend; the energy shown is still ∫‖∇H‖² dA alone, and may rise a little.
 /// Near a smooth steady state the fits go over from quadratics to cubics, and the energy is measured anew by these.
 /// Linear fairings, and the coarse start of a large patch, are steps with sigma = tau = 0; the latter's max_move is that of
 /// the middle of the patch. On rough surroundings all steps are such, and the energy shown need not fall.
 struct StepRecord {
-  int step = 0;            ///< from 1
-  double energy = 0;       ///< after the step
-  double sigma = 0;        ///< the step's size, dimensionless; of a Gauss-Newton step on a large patch only roughly known
-  double tau = 0;          ///< the step's size in the flow's own time, mesh units
-  double max_move = 0;     ///< largest move of a vertex, in mean edge lengths of the patch
-  int rejections = 0;      ///< trials thrown away before this one was accepted
-  int iterations = 0;      ///< of GMRES or conjugate gradients over all trials; none in linear fairings
+  int step = 0;         ///< from 1
+  double energy = 0;    ///< after the step
+  double sigma = 0;     ///< the step's size, dimensionless; of a Gauss-Newton step on a large patch only roughly known
+  double tau = 0;       ///< the step's size in the flow's own time, mesh units
+  double max_move = 0;  ///< largest move of a vertex, in mean edge lengths of the patch
+  int rejections = 0;   ///< trials thrown away before this one was accepted
+  int iterations = 0;   ///< of GMRES or conjugate gradients over all trials; none in linear fairings
   int factorizations = 0;  ///< made for this step, since those of earlier steps were no good; not of linear fairings
   double assemble_seconds = 0;
   double solve_seconds = 0;
@@ -121,6 +139,7 @@ class Evolution {
   const std::vector<StepRecord>& history() const;
   double initial_energy() const;  ///< of the start, units as in StepRecord; by the same fits as energy()
   double energy() const;          ///< of the present state
+  Method method() const;          ///< of the steps that the present options lead to
   double bending() const;         ///< β in force, see EvolutionOptions::bending; 0 for the pure flow
   /// Of the surroundings of the patch as it was at the last set_options(). Empty but for MMCVF to the steady state.
   const std::optional<RimRoughness>& roughness() const;

@@ -2,6 +2,7 @@
 #include "evolution/evolution_impl.h"
 #include "evolution/stopwatch.h"
 #include "flows/decay_rate.h"
+#include "solvers/diagonal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +29,9 @@ constexpr int largest_kept = 100000;            ///< free vertices: beyond, fact
 constexpr IterationLimits truncated{0.05, 100};
 /// So few iterations, or else new factors are the faster.
 constexpr IterationLimits by_kept_factors{1e-6, 8};
+constexpr const char* damped_words =
+    "stopped early: the flow has not come to rest, but only ever smaller steps lower the energy";
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
-
-EnergyWeights energy_of(const Objective& objective) {
-  return objective.flow == FlowKind::wf ? EnergyWeights{0, 1} : EnergyWeights{1, objective.bending};
-}
 
 }  // namespace
 
@@ -74,6 +73,19 @@ void Evolution::Impl::finish() {
   if (!go_over_to_cubic_fits()) stop(EvolutionStatus::converged, "");
 }
 
+/// Steps move nothing any more. Undamped ones say by that that this is the minimum; damped ones only that the damping holds
+/// them: then an undamped one is tried, once. @returns false if that is to come.
+bool Evolution::Impl::stand_still(bool undamped) {
+  if (!undamped && std::exchange(undamped_left, false)) {
+    mu = damping_unit / 2;
+    small_moves = 0;
+    creeping_from.clear();
+    return false;
+  }
+  undamped ? finish() : stop(EvolutionStatus::failed, damped_words);
+  return true;
+}
+
 /// With the factors of the last step for a preconditioner: near the end a few iterations do. @returns false if they do not.
 bool Evolution::Impl::solve_by_kept_factors(const GaussNewtonSystem& system, StepRecord& record, Eigen::VectorXd& s) {
   if (factored_topology != state.topology || !near_the_end()) return false;
@@ -108,13 +120,13 @@ bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Sparse
   if (by_kept) return true;
   factored_topology = nullptr;
   if (curvature.rows() == 0) curvature = system.curvature();
+  store_diagonal(curvature);  // a vertex that no fit sees has no entry
   record.assemble_seconds += watch.lap();
   ++record.factorizations;
   Eigen::MatrixXd solution;
   // The damping comes and goes in place: a copy of the matrix would be of the size of all else but its factors.
   const Eigen::VectorXd undamped = curvature.diagonal();
   curvature.diagonal() += mu * system.mass;
-  curvature.makeCompressed();  // should a vertex be seen by no fit
   const bool solved = spd->factorize(curvature) && spd->solve(-system.half_gradient, solution);
   curvature.diagonal() = undamped;
   record.solve_seconds += watch.lap();
@@ -138,16 +150,16 @@ bool Evolution::Impl::only_creeps(double move, double energy_before) {
 }
 
 /// One trial with the present mu: the whole step, a half, a quarter.
-GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature,
-                                                   StepRecord& record, const CancelToken& cancel) {
-  GaussNewtonTrial trial;
+FlowTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature,
+                                            StepRecord& record, const CancelToken& cancel) {
+  FlowTrial trial;
   Eigen::VectorXd s;
-  const bool solved = solve_gauss_newton(system, curvature, record, s);
+  trial.solved = solve_gauss_newton(system, curvature, record, s);
   if (state.patch.free_count > largest_kept) {
     spd = make_spd_solver();
     factored_topology = nullptr;
   }
-  if (!solved) return trial;
+  if (!trial.solved) return trial;
   Stopwatch watch;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();
   trial.promised = -system.half_gradient.dot(s);
@@ -165,6 +177,7 @@ GaussNewtonTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& syst
     if (!good) continue;
     accept(std::move(next), record, move, damping_unit / (2 * mu), damping_unit);
     trial.accepted = true;
+    trial.whole = share == 1 && reach >= 1;
     return trial;
   }
   return trial;
@@ -189,11 +202,12 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   }
   StepRecord record;
   record.assemble_seconds = watch.lap();
+  bool undamped = mu <= damping_unit, first = true;
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
     if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
     const double energy_before = state.measure;
-    const GaussNewtonTrial trial = try_gauss_newton(system, curvature, record, cancel);
+    const FlowTrial trial = try_gauss_newton(system, curvature, record, cancel);
     if (trial.accepted) {
       const double move = history.back().max_move;
       // Gauss-Newton steps shrink ever faster: two bold ones tell how far the next would go.
@@ -205,17 +219,24 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
       small_moves = small ? small_moves + 1 : 0;
       const bool bold = mu <= damping_unit;
       mu = std::max(0.2 * mu, 1e-8 * damping_unit);
-      if ((small && (bold || small_moves >= 3)) || only_creeps(move, energy_before)) return finish();
+      if ((small && (bold || small_moves >= 3)) || only_creeps(move, energy_before)) {
+        stand_still(bold);
+        return;
+      }
       if (history.back().max_move < near_move && go_over_to_cubic_fits()) return;
       return care_for_mesh(std::min(1.2 * state.measure, energy_before));
     }
-    if (k == 0) promised = trial.promised;
+    if (first) promised = trial.promised;
     ++record.rejections;
     if (trial.move > 0 && trial.move < small_move) {
       // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
-      const bool at_minimum = k == 0 || promised < 1e-2 * energy_before || promised < 1e-6 * start_measure;
-      return at_minimum ? finish() : stop(EvolutionStatus::failed, stalled_words);
+      const bool at_minimum = first || promised < 1e-2 * energy_before || promised < 1e-6 * start_measure;
+      if (!at_minimum) return stop(EvolutionStatus::failed, stalled_words);
+      if (stand_still(undamped)) return;
+      undamped = first = true;
+      continue;
     }
+    first = false;
     mu *= 10;
   }
   if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");

@@ -156,8 +156,12 @@ void Evolution::Impl::blend_step() {
   record.energy = shown_energy(options.flow, state);
   record.assemble_seconds = watch.lap();
   history.push_back(record);
+  // Fairings of lower order are iterated until they move nothing; robust ones are as many as they are.
   const bool at_rest = !judged && record.max_move < small_move;
-  if (blends_left == 0 || at_rest) stop(EvolutionStatus::converged, "");
+  if (at_rest || (judged && blends_left == 0)) return stop(EvolutionStatus::faired, "");
+  if (blends_left == 0)
+    stop(EvolutionStatus::failed,
+         "stopped early: after " + std::to_string(most_passes) + " fairings the patch still moved");
 }
 
 }  // namespace loopmend

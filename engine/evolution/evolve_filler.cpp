@@ -10,6 +10,7 @@
 #include "rim/white_noise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace loopmend {
@@ -18,7 +19,11 @@ namespace {
 
 /// A flow that stalled has stopped early, like one that ran out of steps; its message says which.
 LoopStatus status_after(EvolutionStatus status) {
-  return status == EvolutionStatus::converged ? LoopStatus::converged : LoopStatus::step_limit;
+  switch (status) {
+    case EvolutionStatus::converged: return LoopStatus::converged;
+    case EvolutionStatus::faired: return LoopStatus::faired;
+    default: return LoopStatus::step_limit;
+  }
 }
 
 void take_figures(const Evolution& evolution, Evolved& result) {
@@ -40,10 +45,7 @@ struct JudgedRim {
 
 /// Empty where the options leave nothing to be judged.
 std::optional<JudgedRim> judged_rim(const Patch& filler, const EvolutionOptions& options, const RimSurvey* survey) {
-  const bool judged = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady &&
-                      options.rim == RimTrust::automatic && !options.bending &&
-                      options.continuity == SeamContinuity::curvature;
-  if (!judged) return std::nullopt;
+  if (!is_judged(options)) return std::nullopt;
   CalmSurroundings calm = survey ? without_strays(filler, survey->strays) : without_strays(filler);
   if (calm.strays > 0) {
     const RimRoughness roughness = rim_roughness(calm.patch);
@@ -96,7 +98,7 @@ bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& opt
   take_figures(evolution, result);
   if (status == EvolutionStatus::cancelled) return false;
   if (status == EvolutionStatus::failed && evolution.history().empty()) {
-    result.message = "the flow could not start (" + evolution.message() + "): the filler was kept";
+    result.message = "the flow could not start: " + evolution.message();
     return false;
   }
   Patch patch = run.result_from(evolution.patch());
@@ -105,13 +107,14 @@ bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& opt
   side_by_side([&] { verdict = judge(site, patch); }, [&] { seams = seam_reports(patch); });
   const bool clean = verdict.folds == 0 && verdict.total() == 0;
   if (!clean && !no_worse(verdict, judge(site, filler))) {
-    result.message = "the flow would have folded the patch or cut the surface: the filler was kept";
+    result.message = "the flow would have folded the patch or cut the surface";
     return false;
   }
   result.patch = std::move(patch);
   result.verdict = std::move(verdict);
   result.seams = std::move(seams);
   result.status = status_after(status);
+  result.method = run.noise_share > 0 ? Method::denoised_flow : evolution.method();
   result.message = evolution.message();
   if (result.message.empty() && run.calm != nullptr) result.message = words_on_strays(run.calm->strays);
   result.bending = evolution.bending();
@@ -119,8 +122,8 @@ bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& opt
 }
 
 RunRating rate(const Evolved& evolved) {
-  return {evolved.status != LoopStatus::filled, evolved.status == LoopStatus::converged, evolved.faired, evolved.steps,
-          evolved.final_energy};
+  const bool at_its_end = evolved.status == LoopStatus::converged || evolved.status == LoopStatus::faired;
+  return {evolved.status != LoopStatus::filled, at_its_end, evolved.faired, evolved.steps, evolved.final_energy};
 }
 
 /// @returns true if a result may be kept.
@@ -139,7 +142,7 @@ bool from_the_best_start(const Run& run, const EvolutionOptions& options, Evolve
 
 /// Those of the linear fairings for rough surroundings, whatever share the surroundings ask for.
 EvolutionOptions robust_options(EvolutionOptions options, const RimRoughness& rim) {
-  options.rim = RimTrust::smooth;
+  options.boundary = BoundaryTrust::robust;
   options.roughness = rim;
   return options;
 }
@@ -175,6 +178,8 @@ bool evolve_between(const Run& run, const Patch& start, const EvolutionOptions& 
   result.patch = std::move(patch);
   result.verdict = std::move(verdict);
   result.seams = seam_reports(result.patch);
+  result.method = Method::interpolated;
+  if (result.message.empty() && run.calm != nullptr) result.message = words_on_strays(run.calm->strays);
   result.steps += literal.steps;
   result.assemble += literal.assemble;
   result.solve += literal.solve;
@@ -209,6 +214,7 @@ bool fair_and_retreat(const Run& run, const Patch& start, const EvolutionOptions
   result.verdict = std::move(retreat->verdict);
   result.seams = seam_reports(result.patch);
   result.status = status_after(status);
+  result.method = evolution.method();
   result.bending = evolution.bending();
   result.final_energy = shown_energy(
       options.flow, make_state(result.patch, {options.flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
@@ -247,24 +253,38 @@ std::vector<EvolutionOptions> gentler_options(Surroundings surroundings, const E
   std::vector<EvolutionOptions> gentler(4, options);
   gentler[0].bending = 60;
   gentler[1].bending = 300;
-  gentler[2].rim = RimTrust::smooth;
+  gentler[2].boundary = BoundaryTrust::robust;
   gentler[3].continuity = SeamContinuity::tangent;
   if (surroundings == Surroundings::rough) std::reverse(gentler.begin(), gentler.end());
   return gentler;
 }
 
-}  // namespace
+constexpr const char* how_to_get_the_flow = "; boundary exact runs the flow as it is";
 
-Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
-                      const EvolutionOptions& asked_for, const Evolution::OnStep& on_step, const CancelToken& cancel,
-                      const RimSurvey* survey) {
+/// Why the first choice is not the flow that was asked for. Empty where it is.
+std::string reason_for(const std::optional<RimRoughness>& rim) {
+  if (!rim) return "";
+  if (rim->rough_share >= 1)
+    return std::string("the scan around the hole is rough, so its curvature tells little about the hole") +
+           how_to_get_the_flow;
+  if (rim->rough_share > 0)
+    return "the scan around the hole is partly rough, so its curvature counts for " +
+           std::to_string(std::lround(100 * (1 - rim->rough_share))) + " % at most" + how_to_get_the_flow;
+  if (rim->noise_share > 0)
+    return std::string("the scan around the hole is noisy: the flow meets the surface without the noise") +
+           how_to_get_the_flow;
+  if (rim->bending > 0)
+    return std::string("the curvature around the hole changes over lengths shorter than the hole") +
+           how_to_get_the_flow;
+  return "";
+}
+
+/// The results of the methods in the order in which they are tried.
+Evolved first_that_holds(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
+                         const EvolutionOptions& asked_for, const Evolution::OnStep& on_step, const CancelToken& cancel,
+                         const RimSurvey* survey) {
   Evolved result;
   result.patch = filler;
-  if (filler.free_count == 0) {
-    result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
-    result.verdict = judge(site, filler);
-    return result;
-  }
   const std::optional<JudgedRim> judged = judged_rim(filler, asked_for, survey);
   const std::optional<RimRoughness> rim = judged ? std::optional(judged->roughness) : std::nullopt;
   EvolutionOptions options = asked_for;
@@ -272,6 +292,7 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vect
   const double noise_share = rim ? rim->noise_share : 0;
   const CalmSurroundings* calm = judged && judged->calm ? &*judged->calm : nullptr;
   const Run run{site, filler, noise_share, calm, on_step, cancel}, plain{site, filler, 0, calm, on_step, cancel};
+  result.reason = reason_for(rim);
   if (rim && rim->rough_share > 0) {
     const std::optional<Patch> creased = loops.empty() ? std::nullopt : unrelaxed(site, filler, loops, cancel);
     std::vector<const Patch*> starts{&filler};
@@ -283,16 +304,66 @@ Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vect
       first.bending = (1 - noise_share) * rim->bending;
     else
       first.roughness = rim;
-    if (from_the_best_start(run, first, result) || cancel.cancelled()) return result;
+    std::string reason = std::move(result.reason);
+    const bool holds = from_the_best_start(run, first, result);
+    result.reason = std::move(reason);
+    if (holds || cancel.cancelled()) return result;
   }
   if (options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending) {
+    result.reason = result.message;
     const Surroundings kind = rim ? rim->kind : rim_roughness(filler).kind;
     for (const EvolutionOptions& gentler : gentler_options(kind, options))
       if (evolve_once(plain, filler, gentler, result) || cancel.cancelled()) return result;
   }
+  result.reason.clear();
+  result.message += ": the initial patch was kept";
   result.verdict = judge(site, filler);
   result.final_energy = result.initial_energy;
   result.steps = 0;
+  return result;
+}
+
+/// In place of a patch out of proportion: what bulges less, if that is in proportion and valid.
+/// @returns false if there is none.
+bool replace_by_flatter(const Run& run, const EvolutionOptions& asked_for, Evolved& result) {
+  EvolutionOptions robust = asked_for, tangent = asked_for;
+  robust.boundary = BoundaryTrust::robust;
+  tangent.continuity = SeamContinuity::tangent;
+  for (const EvolutionOptions& options : {robust, tangent}) {
+    Evolved flatter;
+    if (!evolve_once(run, run.filler, options, flatter)) continue;
+    flatter.proportions = proportions_of(flatter.patch, run.filler);
+    if (out_of_proportion(flatter.proportions) || flatter.verdict.folds > 0) continue;
+    flatter.reason = "the patch of " + method_name(result.method, asked_for.flow) +
+                     " was out of proportion: " + describe(*out_of_proportion(result.proportions));
+    result = std::move(flatter);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Evolved evolve_filler(const FillSite& site, const Patch& filler, const std::vector<BoundaryLoop>& loops,
+                      const EvolutionOptions& asked_for, const Evolution::OnStep& on_step, const CancelToken& cancel,
+                      const RimSurvey* survey) {
+  if (filler.free_count == 0) {
+    Evolved result;
+    result.patch = filler;
+    result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    result.verdict = judge(site, filler);
+    return result;
+  }
+  Evolved result = first_that_holds(site, filler, loops, asked_for, on_step, cancel, survey);
+  if (cancel.cancelled() || result.status == LoopStatus::filled) return result;
+  result.proportions = proportions_of(result.patch, filler);
+  if (!out_of_proportion(result.proportions)) return result;
+  const Run plain{site, filler, 0, nullptr, on_step, cancel};
+  if (is_judged(asked_for) && replace_by_flatter(plain, asked_for, result)) return result;
+  if (cancel.cancelled()) return result;
+  result.status = LoopStatus::doubtful;
+  result.message = "the patch is out of proportion: " + describe(*out_of_proportion(result.proportions)) +
+                   (result.message.empty() ? "" : "; " + result.message);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "evolution/evolution.h"
 #include "evolution/fill_loops.h"
 #include "evolution/patch_verdict.h"
+#include "evolution/proportion.h"
 #include "rim/rim_survey.h"
 
 #include <string>
@@ -19,6 +20,9 @@ struct Evolved {
   std::vector<SeamReport> seams;  ///< of the patch, one for each loop; empty where it is a filler, or when cancelled
   LoopStatus status = LoopStatus::filled;
   std::string message;
+  Method method = Method::initial_patch;
+  std::string reason;  ///< why it is not the flow that was asked for, and how to get that; empty if it is
+  std::vector<Proportion> proportions;  ///< to the filler, one for each loop; empty where it is the filler
   int steps = 0;
   bool faired = false;  ///< set out from a linear fairing
   double bending = 0;
@@ -26,7 +30,8 @@ struct Evolved {
 };
 
 /// The flow from the filler. Where the sixth order would spoil the patch, bending energy is blended in; where that does
-/// not help either, the filler stays and the message says so.
+/// not help either, the filler stays and the message says so. Where the patch comes out of proportion, what bulges less is
+/// taken in its place, unless BoundaryTrust::exact asks for the flow itself; if nothing does, the status is `doubtful`.
 ///
 /// On rough surroundings, where a few linear fairings are the whole way, what they set out from matters: each takes the
 /// metric of the shape before it, and of all shapes the filler, a minimal surface, has the least area. There the first

@@ -14,8 +14,9 @@ struct Rate {
   RunRating operator()(const EvolvedPatch& result) const {
     const FillerQuality& now = result.quality;
     const bool valid = now.folds <= start.folds && now.self_intersections <= start.self_intersections;
-    return {valid && !result.history.empty(), result.status == EvolutionStatus::converged,
-            !result.history.empty() && result.history.front().sigma == 0, result.steps, result.energy.final};
+    const bool at_its_end = result.status == EvolutionStatus::converged || result.status == EvolutionStatus::faired;
+    return {valid && !result.history.empty(), at_its_end, !result.history.empty() && result.history.front().sigma == 0,
+            result.steps, result.energy.final};
   }
 };
 
@@ -36,6 +37,8 @@ EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const
   EvolvedPatch result;
   result.status = evolution.run(on_step, cancel);
   result.message = evolution.message();
+  result.flow = options.flow;
+  result.method = evolution.method();
   result.patch = evolution.patch();
   result.quality = patch_quality(result.patch);
   result.history = evolution.history();

@@ -11,7 +11,9 @@ namespace loopmend {
 struct EvolvedPatch {
   Patch patch;
   EvolutionStatus status = EvolutionStatus::ready;
-  std::string message;    ///< why it stopped early; empty when converged
+  std::string message;  ///< why it stopped early; empty when converged
+  FlowKind flow = FlowKind::mmcvf;
+  Method method = Method::flow;
   FillerQuality quality;  ///< folds and cuts within the patch and the rings around it
   int steps = 0;
   double bending = 0;  ///< EvolutionOptions::bending that was used

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <mutex>
 #include <numeric>
+#include <system_error>
 #include <thread>
 #include <unordered_map>
 
@@ -31,7 +32,11 @@ void run_parallel(int count, int threads, const std::function<void(int)>& job) {
     omp_set_num_threads(before);
   };
   std::vector<std::jthread> workers;
-  for (int t = 1; t < std::min(threads, count); ++t) workers.emplace_back(work);
+  try {
+    for (int t = 1; t < std::min(threads, count); ++t) workers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // No further thread is to be had: those that are there do all the work.
+  }
   work();
 }
 
@@ -90,13 +95,17 @@ class PastedPatches {
 const char* to_string(LoopStatus status) {
   switch (status) {
     case LoopStatus::converged: return "converged";
+    case LoopStatus::faired: return "faired";
     case LoopStatus::step_limit: return "step_limit";
+    case LoopStatus::doubtful: return "doubtful";
     case LoopStatus::filled: return "filled";
     case LoopStatus::failed: return "failed";
     case LoopStatus::skipped: return "skipped";
   }
   return "";
 }
+
+bool is_filled(LoopStatus status) { return status != LoopStatus::failed && status != LoopStatus::skipped; }
 
 std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   std::unordered_map<int, int> loop_at;
@@ -134,21 +143,63 @@ std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::
   return groups;
 }
 
+std::optional<Patch> joined_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                  const std::vector<FillerOutcome>& outcomes, double density) {
+  std::vector<BoundaryLoop> loops;
+  std::vector<LoopFiller> fillers;
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    if (!outcomes[k].filler) continue;
+    loops.push_back(group[k]);
+    fillers.push_back(*outcomes[k].filler);
+  }
+  if (loops.empty()) return std::nullopt;
+  Patch patch = make_patch(model, loops, fillers);
+  patch.grading.density = density;
+  return patch;
+}
+
 PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
                        const CancelToken& cancel) {
   PatchStart start;
-  std::vector<BoundaryLoop> loops;
-  std::vector<LoopFiller> fillers;
-  for (const BoundaryLoop& loop : group) {
+  for (const BoundaryLoop& loop : group)
     start.fillers.push_back(cancel.cancelled() ? FillerOutcome{} : fill_loop(model, loop, options, cancel));
-    if (!start.fillers.back().filler) continue;
-    loops.push_back(loop);
-    fillers.push_back(*start.fillers.back().filler);
-  }
-  if (loops.empty()) return start;
-  start.patch = make_patch(model, loops, fillers);
-  start.patch->grading.density = options.density;
+  start.patch = joined_patch(model, group, start.fillers, options.density);
   return start;
+}
+
+std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                           const std::vector<FillerOutcome>& fillers) {
+  if (group.size() < 2) return group.empty() ? std::vector<std::vector<int>>{} : std::vector<std::vector<int>>{{0}};
+  // How far the flow runs, in three kinds; between them the patches of one problem would have to be of different methods.
+  const auto kind_of = [](const RimRoughness& rim) { return rim.rough_share >= 1 ? 2 : rim.rough_share > 0 ? 1 : 0; };
+  std::vector<std::vector<int>> result, of_kind(3);
+  std::vector<RimRoughness> alone(group.size());
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const std::optional<Patch> patch = joined_patch(model, {group[k]}, {fillers[k]}, 1);
+    if (patch) alone[k] = rim_roughness(*patch);
+    of_kind[patch ? kind_of(alone[k]) : 0].push_back(static_cast<int>(k));
+  }
+  for (int kind = 0; kind < 3; ++kind) {
+    std::vector<BoundaryLoop> loops;
+    for (int k : of_kind[kind]) loops.push_back(group[k]);
+    for (const std::vector<int>& members : group_loops(model, loops)) {
+      std::vector<int> together;
+      for (int k : members) together.push_back(of_kind[kind][k]);
+      std::vector<BoundaryLoop> joint_loops;
+      std::vector<FillerOutcome> joint_fillers;
+      for (int k : together) {
+        joint_loops.push_back(group[k]);
+        joint_fillers.push_back(fillers[k]);
+      }
+      const std::optional<Patch> joint = joined_patch(model, joint_loops, joint_fillers, 1);
+      if (together.size() == 1 || !joint || kind_of(rim_roughness(*joint)) == kind)
+        result.push_back(together);
+      else
+        for (int k : together) result.push_back({k});
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,

@@ -5,6 +5,7 @@
 #include "analysis/seam_report.h"
 #include "core/cancel.h"
 #include "evolution/evolution.h"
+#include "evolution/proportion.h"
 #include "filling/loop_filler.h"
 #include "mesh/boundary_loops.h"
 #include "rim/rim_fits.h"
@@ -23,19 +24,26 @@ struct FillOptions {
 };
 
 enum class LoopStatus {
-  converged,   ///< filled, steady state reached
+  converged,   ///< filled; the flow that the method names reached its steady state
+  faired,      ///< filled by linear fairings, or by something between these and a flow: see the method
   step_limit,  ///< filled, stopped at the step limit or stalled before the steady state (see the message)
-  filled,      ///< the filler alone: asked for, or because the flow would have spoilt it (see the message)
+  doubtful,    ///< filled, but the patch is out of proportion (see the message): look at it
+  filled,      ///< the initial patch alone: asked for, or because the flow would have spoilt it (see the message)
   failed,      ///< left open; the message says why
   skipped,     ///< not asked for
 };
 
 const char* to_string(LoopStatus status);
+/// True if there is a patch in the loop.
+bool is_filled(LoopStatus status);
 
 struct LoopResult {
   BoundaryLoop loop;
   LoopStatus status = LoopStatus::skipped;
   std::string message;
+  std::string method;     ///< method_name() of what shaped the patch; empty where there is none
+  std::string reason;     ///< why it was not the flow that was asked for, and how to get that; empty if it was
+  Proportion proportion;  ///< of the patch
   int free_vertices = 0;
   int steps = 0;
   double bending = 0;  ///< EvolutionOptions::bending that was used: above 0 where the surroundings are rough
@@ -67,6 +75,16 @@ struct PatchStart {
 };
 PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
                        const CancelToken& cancel);
+
+/// The patch of those loops of a group that have an initial patch; empty if none has.
+/// @param fillers  one per loop of the group. @param density  Grading::density.
+std::optional<Patch> joined_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                  const std::vector<FillerOutcome>& fillers, double density);
+
+/// Parts a group into groups whose loops, each looked at alone, ask for the same treatment of the boundary data: one rough
+/// hole does not decide for its neighbours. @returns groups of indices into `group`.
+std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                           const std::vector<FillerOutcome>& fillers);
 
 /// Fills the loops and pastes the patches in the order of `loops`. On cancel the model is as it was.
 /// @returns one result per loop, in order; empty when cancelled.

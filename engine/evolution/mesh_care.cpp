@@ -53,7 +53,8 @@ Patch remeshed(const Patch& patch) {
     mesh.flip_to_delaunay();
     mesh.smooth_tangentially();
   }
-  return with_interior(patch, mesh);
+  Patch result = with_interior(patch, mesh);
+  return result.free_count > 0 ? result : patch;  // a flow needs a vertex that it can move
 }
 
 }  // namespace loopmend

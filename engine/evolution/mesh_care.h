@@ -12,7 +12,7 @@ Patch tangentially_relaxed(const EvolutionState& state);
 /// Guarded Delaunay flips inside the patch.
 Patch with_delaunay_flips(const Patch& patch);
 
-/// Splits, collapses, flips, smoothing and untangling under guard.
+/// Splits, collapses, flips, smoothing and untangling under guard. The patch as it was, where no free vertex would be left.
 Patch remeshed(const Patch& patch);
 
 }  // namespace loopmend

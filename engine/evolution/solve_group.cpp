@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
+#include <numeric>
 
 namespace loopmend {
 
@@ -26,8 +28,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void take_result(const Evolved& evolved, LoopResult& result) {
+void take_result(const Evolved& evolved, FlowKind flow, LoopResult& result) {
   result.status = evolved.status;
+  result.method = method_name(evolved.method, flow);
+  result.reason = evolved.reason;
   // What the filler lacked is past once the flow has mended it.
   if (evolved.status != LoopStatus::filled || !evolved.message.empty()) result.message = evolved.message;
   result.steps = evolved.steps;
@@ -58,11 +62,17 @@ struct SurveyedStart {
 };
 
 /// The fillers, and beside that a look at the surroundings.
-SurveyedStart surveyed_start(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillerOptions& options,
+/// @param known  fillers, one per loop; empty: they are made.
+SurveyedStart surveyed_start(const FillSite& site, const std::vector<BoundaryLoop>& group,
+                             const std::vector<FillerOutcome>& known, const FillerOptions& options,
                              const CancelToken& cancel) {
   SurveyedStart result;
   const bool surveyable = std::all_of(group.begin(), group.end(), [](const auto& loop) { return loop.diameter > 0; });
-  side_by_side([&] { result.start = start_patch(site.model, group, options, cancel); },
+  const auto start = [&]() -> PatchStart {
+    if (known.empty()) return start_patch(site.model, group, options, cancel);
+    return {joined_patch(site.model, group, known, options.density), known};
+  };
+  side_by_side([&] { result.start = start(); },
                [&] {
                  if (surveyable) result.survey = survey_rim(without_fillers(site.model, group));
                });
@@ -86,11 +96,13 @@ Evolved evolved_or_kept(const FillSite& site, const Patch& filler, const std::ve
   return kept;
 }
 
-GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
+/// @param fillers  as for surveyed_start.
+GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>& group,
+                           const std::vector<FillerOutcome>& fillers, const FillOptions& options,
                            const CancelToken& cancel) {
   const auto start = std::chrono::steady_clock::now();
   GroupOutcome outcome = failed_group(group, "");
-  const auto [first, survey] = surveyed_start(site, group, options.filler, cancel);
+  const auto [first, survey] = surveyed_start(site, group, fillers, options.filler, cancel);
   for (std::size_t k = 0; k < group.size(); ++k) {
     outcome.results[k].message = first.fillers[k].message;
     outcome.results[k].seconds.filler = seconds_since(start);
@@ -121,8 +133,9 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
     result.seam_after = after[p];
     result.free_vertices = free[p];
     result.rim = rims[p];
+    if (p < evolved.proportions.size()) result.proportion = evolved.proportions[p];
     if (verdict.total() == 0)
-      take_result(evolved, result);
+      take_result(evolved, options.evolution ? options.evolution->flow : FlowKind::mmcvf, result);
     else
       result.message = why_left_open(site, result.loop, verdict.intersections[p]);
     result.seconds.total = seconds_since(start);
@@ -133,11 +146,12 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   return outcome;
 }
 
-GroupOutcome solve_one_by_one(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
+GroupOutcome solve_one_by_one(const FillSite& site, const std::vector<BoundaryLoop>& group,
+                              const std::vector<FillerOutcome>& fillers, const FillOptions& options,
                               const CancelToken& cancel) {
   GroupOutcome outcome;
-  for (const BoundaryLoop& loop : group) {
-    GroupOutcome single = solve_jointly(site, {loop}, options, cancel);
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    GroupOutcome single = solve_jointly(site, {group[k]}, {fillers[k]}, options, cancel);
     for (FinishedPatch& patch : single.patches) {
       patch.loops = {static_cast<int>(outcome.results.size())};
       outcome.patches.push_back(std::move(patch));
@@ -150,6 +164,26 @@ GroupOutcome solve_one_by_one(const FillSite& site, const std::vector<BoundaryLo
 int count_status(const GroupOutcome& outcome, LoopStatus status) {
   return static_cast<int>(std::count_if(outcome.results.begin(), outcome.results.end(),
                                         [&](const LoopResult& r) { return r.status == status; }));
+}
+
+/// Loops that ask for one treatment, as far as the options leave that to the boundary data.
+std::vector<std::vector<int>> parts_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                       const std::vector<FillerOutcome>& fillers, const FillOptions& options) {
+  if (options.evolution && is_judged(*options.evolution)) return groups_alike(model, group, fillers);
+  std::vector<int> all(group.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {all};
+}
+
+/// Jointly; where that leaves one of the loops cut, folded, out of proportion or open, each by itself.
+GroupOutcome solve_part(const FillSite& site, const std::vector<BoundaryLoop>& loops,
+                        const std::vector<FillerOutcome>& fillers, const FillOptions& options,
+                        const CancelToken& cancel) {
+  GroupOutcome joint = solve_jointly(site, loops, fillers, options, cancel);
+  const bool spoilt = count_status(joint, LoopStatus::failed) > 0 || count_status(joint, LoopStatus::doubtful) > 0 ||
+                      (options.evolution && count_status(joint, LoopStatus::filled) > 0);
+  if (loops.size() == 1 || !spoilt || cancel.cancelled()) return joint;
+  return solve_one_by_one(site, loops, fillers, options, cancel);
 }
 
 }  // namespace
@@ -168,11 +202,28 @@ GroupOutcome failed_group(const std::vector<BoundaryLoop>& group, const std::str
 
 GroupOutcome solve_group(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
                          const CancelToken& cancel) try {
-  GroupOutcome joint = solve_jointly(site, group, options, cancel);
-  const bool spoilt =
-      count_status(joint, LoopStatus::failed) > 0 || (options.evolution && count_status(joint, LoopStatus::filled) > 0);
-  if (group.size() == 1 || !spoilt || cancel.cancelled()) return joint;
-  return solve_one_by_one(site, group, options, cancel);
+  if (group.size() == 1) return solve_jointly(site, group, {}, options, cancel);
+  const std::vector<FillerOutcome> fillers = start_patch(site.model, group, options.filler, cancel).fillers;
+  GroupOutcome outcome = failed_group(group, "");
+  if (cancel.cancelled()) return outcome;
+  for (const std::vector<int>& alike : parts_of(site.model, group, fillers, options)) {
+    std::vector<BoundaryLoop> loops;
+    std::vector<FillerOutcome> own;
+    for (int k : alike) {
+      loops.push_back(group[k]);
+      own.push_back(fillers[k]);
+    }
+    GroupOutcome part = solve_part(site, loops, own, options, cancel);
+    if (cancel.cancelled()) return outcome;
+    for (FinishedPatch& patch : part.patches) {
+      for (int& k : patch.loops) k = alike[k];
+      outcome.patches.push_back(std::move(patch));
+    }
+    for (std::size_t k = 0; k < alike.size(); ++k) outcome.results[alike[k]] = std::move(part.results[k]);
+  }
+  return outcome;
+} catch (const std::bad_alloc&) {
+  return failed_group(group, "not enough memory for this hole: left open; a smaller density needs less");
 } catch (const std::exception& error) {
   return failed_group(group, error.what());
 }

@@ -3,6 +3,8 @@
 #include "energy/curvature_energy.h"
 #include "mesh/quality.h"
 
+#include <algorithm>
+
 namespace loopmend {
 
 namespace {
@@ -47,6 +49,7 @@ EvolutionState state_of(Patch patch, const Objective& objective, Stencil stencil
   state.ops = fitted(patch, *state.topology, objective, stencil, fits, known);
   state.measure = measure_of(objective, patch, state.ops);
   state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  state.unfitted = static_cast<int>(std::count(state.ops.valid.begin(), state.ops.valid.begin() + patch.free_count, 0));
   state.patch = std::move(patch);
   return state;
 }

@@ -29,6 +29,7 @@ struct EvolutionState {
   OperatorSet ops;                           ///< on rings 0..Objective::reach
   double measure = 0;                        ///< what must not grow over steps: see measure_of()
   int folds = 0;                             ///< of the patch and its rim
+  int unfitted = 0;                          ///< free vertices without a valid fit: the flow is blind there
 };
 
 /// Patch frame: MMCVF ∫‖∇H‖² + bending ∫H², WF ∫H², MCF area; SDF has none, and takes ∫(ΔH)².

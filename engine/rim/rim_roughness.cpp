@@ -32,7 +32,7 @@ void fit_around(const Patch& patch, const FixedSurface& around, SurroundingFits&
   }
 }
 
-/// Of cubic fits at the four rings next to the patch.
+/// Of cubic fits at the four rings next to the patch; negative where there is no fit.
 std::vector<double> residuals_of(const Patch& patch, const FixedSurface& around, int rings) {
   constexpr int fitted_rings = 4;
   std::vector<char> mark(patch.vertex_count(), 0);
@@ -40,9 +40,27 @@ std::vector<double> residuals_of(const Patch& patch, const FixedSurface& around,
   for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
     if (patch.ring[i] > fitted_rings || around.normals[i].isZero()) continue;
     const auto fit = fit_cubic(patch.positions, around.topology, i, around.normals[i], rings, Outliers::count, mark);
-    if (fit) residuals.push_back(fit->residual);
+    residuals.push_back(fit ? fit->residual : -1);
   }
   return residuals;
+}
+
+/// Median of log₂(wide / narrow) over the vertices that have both; 0 if none has.
+double growth_of(const std::vector<double>& narrow, const std::vector<double>& wide) {
+  std::vector<double> growth;
+  for (std::size_t k = 0; k < narrow.size(); ++k)
+    if (narrow[k] > 0 && wide[k] > 0) growth.push_back(std::log2(wide[k] / narrow[k]));
+  return growth.empty() ? 0 : median(growth);
+}
+
+/// Of the loops, patch frame.
+double mean_loop_edge(const Patch& patch) {
+  double length = 0;
+  std::size_t edges = 0;
+  for (const std::vector<int>& loop : patch.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k, ++edges)
+      length += (patch.positions[loop[(k + 1) % loop.size()]] - patch.positions[loop[k]]).norm();
+  return edges > 0 ? length / static_cast<double>(edges) : 0;
 }
 
 void measure_residuals(const SurroundingFits& fits, RimRoughness& rim) {
@@ -51,6 +69,7 @@ void measure_residuals(const SurroundingFits& fits, RimRoughness& rim) {
   rim.spread = fits.spread;
   if (!(rim.noise > 0 && middle > 0 && wide > 0)) return;
   rim.growth = std::log2(wide / rim.noise);
+  rim.local_growth = fits.local_growth;
   const double outer = std::log(wide / middle) / std::log(4.0 / 3);
   if (outer > 0) rim.evenness = std::max(0.0, std::log(middle / rim.noise) / std::log(1.5) / outer);
 }
@@ -70,7 +89,11 @@ constexpr Band plain_roughness{0.3, 0.45};        ///< of unevenness: above, gro
 constexpr Band uncorrelated{0.985, 0.97};         ///< C: above, the rim's curvature tells that of the hole,
 constexpr Band even_growth{0.72, 0.85};           ///< but for relief of all scales, smooth as it may be,
 constexpr Band plain_growth{0.8, 1.3};            ///< which shows where the residual grows enough to tell
-constexpr Band noise_that_matters{0.001, 0.003};  ///< in mean edges: below, fits err by more than the noise
+constexpr Band noise_that_matters{0.001, 0.003};  ///< in edges: below, fits err by more than the noise
+constexpr Band residual_of_scans{3e-4,
+                                 1e-3};  ///< in edges: below, there is nothing that could be roughness. Scans have
+                                         ///< 1.5e-3 and more
+constexpr Band residual_of_features{3e-3, 1e-2};  ///< in edges: below, uneven curvature is that of a clean surface
 
 /// 0 at band.off and before, 1 at band.on and beyond, smooth in between.
 double passage(double value, const Band& band) {
@@ -84,15 +107,17 @@ double whiteness(const RimRoughness& rim) {
 }
 
 double rough_share_of(const RimRoughness& rim) {
-  const double plain = std::max(passage(rim.growth, not_smooth_growth), passage(rim.unevenness, plain_roughness));
+  const double features = passage(rim.unevenness, plain_roughness) * passage(rim.noise_per_edge, residual_of_features);
+  const double plain = std::max(passage(rim.local_growth, not_smooth_growth), features);
   const double relief = passage(rim.evenness, even_growth) * passage(rim.growth, plain_growth);
   const double unlike = std::max(passage(rim.correlation, uncorrelated), relief);
-  return (1 - whiteness(rim)) * std::min({passage(rim.unevenness, uneven_curvature), unlike, plain});
+  const double not_clean = passage(rim.noise_per_edge, residual_of_scans);
+  return (1 - whiteness(rim)) * not_clean * std::min({passage(rim.unevenness, uneven_curvature), unlike, plain});
 }
 
-void judge_kind(RimRoughness& rim, double edge) {
+void judge_kind(RimRoughness& rim) {
   rim.rough_share = rough_share_of(rim);
-  rim.noise_share = edge > 0 ? whiteness(rim) * passage(rim.noise / edge, noise_that_matters) : 0;
+  rim.noise_share = whiteness(rim) * passage(rim.noise_per_edge, noise_that_matters);
   rim.kind = whiteness(rim) == 1   ? Surroundings::noisy
              : rim.rough_share > 0 ? Surroundings::rough
                                    : Surroundings::smooth;
@@ -138,11 +163,14 @@ const char* to_string(Surroundings surroundings) {
 SurroundingFits fit_surroundings(const Patch& patch, const FixedSurface& around) {
   SurroundingFits fits;
   fit_around(patch, around, fits);
+  std::array<std::vector<double>, 3> residuals;
+  for (int k : {0, 1, 2}) residuals[k] = residuals_of(patch, around, 2 + k);
+  fits.local_growth = growth_of(residuals[0], residuals[2]);
   for (int k : {0, 1, 2}) {
-    const std::vector<double> residuals = residuals_of(patch, around, 2 + k);
-    fits.residual[k] = median(residuals);
-    const double low = quantile(residuals, 0.16);
-    if (k == 1 && low > 0) fits.spread = quantile(residuals, 0.84) / low;
+    std::erase_if(residuals[k], [](double residual) { return residual < 0; });
+    fits.residual[k] = median(residuals[k]);
+    const double low = quantile(residuals[k], 0.16);
+    if (k == 1 && low > 0) fits.spread = quantile(residuals[k], 0.84) / low;
   }
   return fits;
 }
@@ -167,7 +195,9 @@ RimRoughness rim_roughness(const Patch& patch, const SurroundingFits& fits) {
   const double gate = std::clamp(std::log(rim.unevenness / 0.1) / std::log(3.0), 0.0, 1.0);
   rim.bending = bending_for(per_length * per_length * gate);
   measure_residuals(fits, rim);
-  judge_kind(rim, edge);
+  const double loop_edge = mean_loop_edge(patch);
+  rim.noise_per_edge = loop_edge > 0 ? rim.noise / loop_edge : 0;
+  judge_kind(rim);
   return rim;
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr int least_halved = 2000;     ///< rows: below, a second thread does not pay
-constexpr int least_dissected = 300;   ///< rows
+constexpr int least_halved = 2000;    ///< rows: below, a second thread does not pay
+constexpr int least_dissected = 300;  ///< rows
 constexpr int least_dissected_of_widest = 450;
 constexpr double wide_stencil = 10;    ///< entries of the lower triangle in a column, in the mean
 constexpr double widest_stencil = 25;  ///< the same
@@ -37,10 +37,17 @@ class OrderedCholmod : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::L
     cholmod().method[0].ordering = CHOLMOD_GIVEN;
     cholmod_sparse view = Eigen::viewAsCholmod(A.selfadjointView<Eigen::Lower>());
     m_cholmodFactor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod());
-    if (m_cholmodFactor == nullptr) throw std::bad_alloc();
     m_isInitialized = true;
     m_analysisIsOk = 1;
     m_info = Eigen::Success;
+  }
+
+  /// Eigen looks at no analysis and at no lack of memory.
+  bool is_analyzed() const { return m_cholmodFactor != nullptr; }
+  /// @returns false if the matrix is not positive definite. @throws std::bad_alloc
+  bool is_factored() {
+    check_memory(cholmod());
+    return cholmod().status == CHOLMOD_OK && m_cholmodFactor->minor == m_cholmodFactor->n;
   }
 };
 
@@ -67,15 +74,17 @@ class WholeCholesky : public SpdSolver {
       settings.method[0].ordering = widest ? CHOLMOD_NATURAL : CHOLMOD_AMD;
       cholesky_.analyzePattern(A);
     }
+    check_memory(settings);
   }
   bool factorize(const SparseMatrix& A) override {
+    if (!cholesky_.is_analyzed()) return false;
     const NoThreadsWithin alone;
     cholesky_.factorize(A);
-    return cholesky_.info() == Eigen::Success;
+    return cholesky_.is_factored();
   }
   bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override {
     const Eigen::MatrixXd solution = cholesky_.solve(b);
-    if (!solution.allFinite()) return false;
+    if (cholesky_.info() != Eigen::Success || !solution.allFinite()) return false;
     x = solution;
     return true;
   }
@@ -87,18 +96,22 @@ class WholeCholesky : public SpdSolver {
 class CholeskySolver : public SpdSolver {
  public:
   bool factorize(const SparseMatrix& A) override {
-    if (!pattern_.matches(A)) {
+    factored_ = false;
+    if (A.rows() == 0 || A.rows() != A.cols() || !A.coeffs().allFinite()) return false;
+    const bool same_pattern = pattern_.matches(A);
+    if (!same_pattern || !factors_) {
       factors_.reset();  // its memory first
       factors_ = A.rows() >= least_halved ? make_halved_cholesky(A) : nullptr;
       if (!factors_) factors_ = std::make_unique<WholeCholesky>(A);
     }
-    return factors_->factorize(A);
+    return factored_ = factors_->factorize(A);
   }
-  bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override { return factors_->solve(b, x); }
+  bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override { return factored_ && factors_->solve(b, x); }
 
  private:
-  Pattern pattern_;
+  Pattern pattern_;  ///< of the factors, where there are any
   std::unique_ptr<SpdSolver> factors_;
+  bool factored_ = false;  ///< the last factorize() succeeded
 };
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <Eigen/SparseCore>
 
+#include <cholmod.h>
 #include <omp.h>
 
 #include <algorithm>
+#include <new>
 #include <vector>
 
 extern "C" void openblas_set_num_threads(int threads);
@@ -31,6 +33,12 @@ class NoThreadsWithin {
  private:
   int levels_;  ///< OpenMP keeps this by thread
 };
+
+/// Turns CHOLMOD's word on memory into the exception that says so. Everything else that goes wrong is a value.
+/// @throws std::bad_alloc
+inline void check_memory(const cholmod_common& common) {
+  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+}
 
 /// Remembers a sparsity pattern, to tell whether a symbolic analysis still holds.
 class Pattern {

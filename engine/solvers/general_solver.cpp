@@ -16,13 +16,19 @@ class LuSolver : public GeneralSolver {
   LuSolver() { use_one_blas_thread(); }
   SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
     SolveReport report;
-    report.factored = true;
     matrix_ = system.matrix();
-    if (!pattern_.matches(matrix_)) lu_.analyzePattern(matrix_);
+    if (matrix_.rows() == 0 || !matrix_.coeffs().allFinite()) return report;
+    report.factored = true;
+    const bool same_pattern = pattern_.matches(matrix_);
+    if (!same_pattern || !analyzed_) {
+      lu_.analyzePattern(matrix_);
+      analyzed_ = lu_.info() == Eigen::Success;
+      if (!analyzed_) return report;
+    }
     lu_.factorize(matrix_);
     if (lu_.info() != Eigen::Success) return report;
     const Eigen::VectorXd solution = lu_.solve(b);
-    report.solved = solution.allFinite();
+    report.solved = lu_.info() == Eigen::Success && solution.allFinite();
     if (report.solved) x = solution;
     return report;
   }
@@ -30,6 +36,7 @@ class LuSolver : public GeneralSolver {
  private:
   SparseMatrix matrix_;  ///< Eigen's wrapper of UMFPACK keeps a reference to it
   Pattern pattern_;
+  bool analyzed_ = false;  ///< of that pattern
   Eigen::UmfPackLU<SparseMatrix> lu_;
 };
 

@@ -74,6 +74,7 @@ class Half {
     cholmod_sparse values = view(part);
     const NoThreadsWithin alone;
     cholmod_factorize(&values, factor_.get(), common_.get());
+    check_memory(*common_);
     return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
 

@@ -15,10 +15,11 @@ namespace loopmend {
 class SpdSolver {
  public:
   virtual ~SpdSolver() = default;
-  /// @param A  n by n, compressed; only the lower triangle is read. @returns false if A is not positive definite.
+  /// @param A  n by n, compressed; only the lower triangle is read. @returns false if A is not positive definite, has no
+  /// rows or an entry that is not finite. @throws std::bad_alloc
   virtual bool factorize(const Eigen::SparseMatrix<double>& A) = 0;
   /// With the factors of the last factorize(). @param b  n by any number of columns. @param x  like b, written only on
-  /// success. @returns false if the solution is not finite.
+  /// success. @returns false if that failed, or the solution is not finite.
   virtual bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const = 0;
 };
 

@@ -55,6 +55,98 @@
             <source>The command line is in the clipboard.</source>
             <translation>Die Befehlszeile ist in der Zwischenablage.</translation>
         </message>
+        <message>
+            <source>Flow</source>
+            <translation>Fluss</translation>
+        </message>
+        <message>
+            <source>Boundary</source>
+            <translation>Rand</translation>
+        </message>
+        <message>
+            <source>How far MMCVF trusts the curvature of the scan around the hole</source>
+            <translation>Wie weit MMCVF der Krümmung des Scans um das Loch traut</translation>
+        </message>
+        <message>
+            <source>Auto</source>
+            <translation>Auto</translation>
+        </message>
+        <message>
+            <source>As far as it can be trusted: the flow on smooth scans, robust fairing on rough ones.</source>
+            <translation>Soweit man ihr trauen kann: der Fluss auf glatten Scans, robuste Glättung auf rauen.</translation>
+        </message>
+        <message>
+            <source>Exact</source>
+            <translation>Exakt</translation>
+        </message>
+        <message>
+            <source>As it is: the flow itself, also on rough scans.</source>
+            <translation>So, wie sie ist: der Fluss selbst, auch auf rauen Scans.</translation>
+        </message>
+        <message>
+            <source>Robust</source>
+            <translation>Robust</translation>
+        </message>
+        <message>
+            <source>Hardly: robust fairing in place of the flow.</source>
+            <translation>Kaum: robuste Glättung statt des Flusses.</translation>
+        </message>
+        <message>
+            <source>Continuity</source>
+            <translation>Übergang</translation>
+        </message>
+        <message>
+            <source>What MMCVF makes run through the seam</source>
+            <translation>Was mit MMCVF stetig durch die Naht läuft</translation>
+        </message>
+        <message>
+            <source>Curvature</source>
+            <translation>Krümmung</translation>
+        </message>
+        <message>
+            <source>Position, tangent and curvature: the flow itself.</source>
+            <translation>Lage, Tangente und Krümmung: der Fluss selbst.</translation>
+        </message>
+        <message>
+            <source>Tangent</source>
+            <translation>Tangente</translation>
+        </message>
+        <message>
+            <source>Position and tangent: linear fairing in place of the flow.</source>
+            <translation>Lage und Tangente: lineare Glättung statt des Flusses.</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Lage</translation>
+        </message>
+        <message>
+            <source>Position alone: a taut skin, with a crease at the seam.</source>
+            <translation>Nur die Lage: eine gespannte Haut, mit einem Knick an der Naht.</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Darstellung</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mittlere Krümmung H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaußsche Krümmung K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Schlicht</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophoten</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -913,6 +1005,14 @@
             <source>Two to four flows from one start, side by side, in a window of their own (C)</source>
             <translation>Zwei bis vier Flüsse von einem Anfang, nebeneinander in einem eigenen Fenster (C)</translation>
         </message>
+        <message>
+            <source>&amp;Boundary</source>
+            <translation>&amp;Rand</translation>
+        </message>
+        <message>
+            <source>Continuit&amp;y</source>
+            <translation>Über&amp;gang</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowPane</name>
@@ -927,10 +1027,6 @@
         <message>
             <source>stopped at step %1</source>
             <translation>angehalten bei Schritt %1</translation>
-        </message>
-        <message>
-            <source>at rest, %1 steps</source>
-            <translation>in Ruhe, %1 Schritte</translation>
         </message>
         <message>
             <source>stopped early, step %1</source>
@@ -975,6 +1071,14 @@
         <message>
             <source>Run the flows first</source>
             <translation>Zuerst die Flüsse laufen lassen</translation>
+        </message>
+        <message>
+            <source>converged, %1 steps</source>
+            <translation>konvergiert, %1 Schritte</translation>
+        </message>
+        <message>
+            <source>faired, %1 steps</source>
+            <translation>geglättet, %1 Schritte</translation>
         </message>
     </context>
     <context>
@@ -1107,7 +1211,7 @@
         </message>
         <message>
             <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</source>
-            <translation>Wie weit dem Scan um das Loch zu trauen ist, bekannt sobald es gefüllt ist: glatt, verrauscht oder rau</translation>
+            <translation>Wie weit man dem Scan um das Loch trauen kann, bekannt, sobald das Loch gefüllt ist: glatt, verrauscht oder rau</translation>
         </message>
         <message>
             <source>The loop's number within its scan, by falling perimeter</source>
@@ -2437,10 +2541,6 @@
             <translation>Schritt %1, Energie %2, %3 Ecken</translation>
         </message>
         <message>
-            <source>At rest after %1 steps, energy %2 → %3.</source>
-            <translation>In Ruhe nach %1 Schritten, Energie %2 → %3.</translation>
-        </message>
-        <message>
             <source>%1 steps, energy %2 → %3.</source>
             <translation>%1 Schritte, Energie %2 → %3.</translation>
         </message>
@@ -2463,6 +2563,10 @@
         <message>
             <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
             <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
+        </message>
+        <message>
+            <source>Converged after %1 steps, energy %2 → %3.</source>
+            <translation>Konvergiert nach %1 Schritten, Energie %2 → %3.</translation>
         </message>
     </context>
     <context>
@@ -2530,6 +2634,14 @@
         <message>
             <source>Copy the commands that do the same</source>
             <translation>Die Befehle kopieren, die dasselbe tun</translation>
+        </message>
+        <message>
+            <source>Boundary</source>
+            <translation>Rand</translation>
+        </message>
+        <message>
+            <source>Continuity</source>
+            <translation>Übergang</translation>
         </message>
     </context>
     <context>
@@ -3078,37 +3190,6 @@
         </message>
     </context>
     <context>
-        <name>loopmend::choices</name>
-        <message>
-            <source>Flow</source>
-            <translation>Fluss</translation>
-        </message>
-        <message>
-            <source>Shading</source>
-            <translation>Darstellung</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mittlere Krümmung H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaußsche Krümmung K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Schlicht</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophoten</translation>
-        </message>
-    </context>
-    <context>
         <name>loopmend::words</name>
         <message>
             <source>smooth</source>
@@ -3123,8 +3204,8 @@
             <translation>rau</translation>
         </message>
         <message>
-            <source>What smooth fits leave over of the scan&apos;s vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
-            <translation>Was glatte Näherungen von den Ecken des Scans um das Loch übrig lassen, ist %1 oder %2 % einer Kante. Sie kennen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 genau (sie ist dort %5, quadratisches Mittel); das Band im Schnitt zeigt es.</translation>
+            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation>Glatte Anpassungen lassen von den Punkten des Scans um das Loch %1 übrig, das sind %2 % einer Kante. Sie bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
         </message>
         <message>
             <source>hole</source>
@@ -3187,10 +3268,6 @@
             <translation>unterwegs</translation>
         </message>
         <message>
-            <source>at rest</source>
-            <translation>in Ruhe</translation>
-        </message>
-        <message>
             <source>stopped early</source>
             <translation>früh beendet</translation>
         </message>
@@ -3225,14 +3302,6 @@
         <message>
             <source>A flow has moved this patch; more steps can be taken.</source>
             <translation>Ein Fluss hat diesen Flicken bewegt; weitere Schritte sind möglich.</translation>
-        </message>
-        <message>
-            <source>The flow has come to rest.</source>
-            <translation>Der Fluss ist zur Ruhe gekommen.</translation>
-        </message>
-        <message>
-            <source>The flow stopped before it came to rest; this is its last good state.</source>
-            <translation>Der Fluss hielt vor der Ruhe an; dies ist sein letzter guter Zustand.</translation>
         </message>
         <message>
             <source>This patch cuts the surface or itself. It is not exported unless you accept it.</source>
@@ -3353,6 +3422,42 @@
         <message>
             <source>%1 vertices that no face uses</source>
             <translation>%1 Ecken ohne Fläche</translation>
+        </message>
+        <message>
+            <source>converged</source>
+            <translation>konvergiert</translation>
+        </message>
+        <message>
+            <source>faired</source>
+            <translation>geglättet</translation>
+        </message>
+        <message>
+            <source>doubtful</source>
+            <translation>fraglich</translation>
+        </message>
+        <message>
+            <source>The flow has converged to its steady state.</source>
+            <translation>Der Fluss ist konvergiert: Sein stationärer Zustand ist erreicht.</translation>
+        </message>
+        <message>
+            <source>Shaped by linear fairing, not by the flow.</source>
+            <translation>Durch lineare Glättung geformt, nicht durch den Fluss.</translation>
+        </message>
+        <message>
+            <source>Filled, but the patch is out of proportion to its hole: look at it.</source>
+            <translation>Gefüllt, aber die Fläche steht in keinem Verhältnis zum Loch: bitte ansehen.</translation>
+        </message>
+        <message>
+            <source>The flow stopped before it converged; this is its last good state.</source>
+            <translation>Der Fluss hielt an, bevor er konvergierte; dies ist sein letzter guter Zustand.</translation>
+        </message>
+        <message>
+            <source>But the patch is out of proportion to its hole.</source>
+            <translation>Aber die Fläche steht in keinem Verhältnis zum Loch.</translation>
+        </message>
+        <message>
+            <source>Fairing made the jump of curvature %1 times smaller.</source>
+            <translation>Die Glättung machte den Sprung der Krümmung %1-mal kleiner.</translation>
         </message>
     </context>
 </TS>

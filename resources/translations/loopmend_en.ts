@@ -55,6 +55,98 @@
             <source>The command line is in the clipboard.</source>
             <translation>The command line is in the clipboard.</translation>
         </message>
+        <message>
+            <source>Flow</source>
+            <translation>Flow</translation>
+        </message>
+        <message>
+            <source>Boundary</source>
+            <translation>Boundary</translation>
+        </message>
+        <message>
+            <source>How far MMCVF trusts the curvature of the scan around the hole</source>
+            <translation>How far MMCVF trusts the curvature of the scan around the hole</translation>
+        </message>
+        <message>
+            <source>Auto</source>
+            <translation>Auto</translation>
+        </message>
+        <message>
+            <source>As far as it can be trusted: the flow on smooth scans, robust fairing on rough ones.</source>
+            <translation>As far as it can be trusted: the flow on smooth scans, robust fairing on rough ones.</translation>
+        </message>
+        <message>
+            <source>Exact</source>
+            <translation>Exact</translation>
+        </message>
+        <message>
+            <source>As it is: the flow itself, also on rough scans.</source>
+            <translation>As it is: the flow itself, also on rough scans.</translation>
+        </message>
+        <message>
+            <source>Robust</source>
+            <translation>Robust</translation>
+        </message>
+        <message>
+            <source>Hardly: robust fairing in place of the flow.</source>
+            <translation>Hardly: robust fairing in place of the flow.</translation>
+        </message>
+        <message>
+            <source>Continuity</source>
+            <translation>Continuity</translation>
+        </message>
+        <message>
+            <source>What MMCVF makes run through the seam</source>
+            <translation>What MMCVF makes run through the seam</translation>
+        </message>
+        <message>
+            <source>Curvature</source>
+            <translation>Curvature</translation>
+        </message>
+        <message>
+            <source>Position, tangent and curvature: the flow itself.</source>
+            <translation>Position, tangent and curvature: the flow itself.</translation>
+        </message>
+        <message>
+            <source>Tangent</source>
+            <translation>Tangent</translation>
+        </message>
+        <message>
+            <source>Position and tangent: linear fairing in place of the flow.</source>
+            <translation>Position and tangent: linear fairing in place of the flow.</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Position</translation>
+        </message>
+        <message>
+            <source>Position alone: a taut skin, with a crease at the seam.</source>
+            <translation>Position alone: a taut skin, with a crease at the seam.</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Shading</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mean curvature H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaussian curvature K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Plain</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophotes</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -448,32 +540,8 @@
             <translation>Table, energies and profiles as CSV, as loopmend compare writes them</translation>
         </message>
         <message>
-            <source>Shading</source>
-            <translation>Shading</translation>
-        </message>
-        <message>
             <source>How all views are shown (keys 1 to 5)</source>
             <translation>How all views are shown (keys 1 to 5)</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mean curvature H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaussian curvature K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Plain</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophotes</translation>
         </message>
         <message>
             <source>&amp;Wireframe</source>
@@ -866,10 +934,6 @@
             <translation>2  Smooth by a flow</translation>
         </message>
         <message>
-            <source>Flow</source>
-            <translation>Flow</translation>
-        </message>
-        <message>
             <source>Which geometric flow moves the patch, and so how far the seam is matched</source>
             <translation>Which geometric flow moves the patch, and so how far the seam is matched</translation>
         </message>
@@ -941,6 +1005,14 @@
             <source>Two to four flows from one start, side by side, in a window of their own (C)</source>
             <translation>Two to four flows from one start, side by side, in a window of their own (C)</translation>
         </message>
+        <message>
+            <source>&amp;Boundary</source>
+            <translation>&amp;Boundary</translation>
+        </message>
+        <message>
+            <source>Continuit&amp;y</source>
+            <translation>Continuit&amp;y</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowPane</name>
@@ -955,10 +1027,6 @@
         <message>
             <source>stopped at step %1</source>
             <translation>stopped at step %1</translation>
-        </message>
-        <message>
-            <source>at rest, %1 steps</source>
-            <translation>at rest, %1 steps</translation>
         </message>
         <message>
             <source>stopped early, step %1</source>
@@ -1003,6 +1071,14 @@
         <message>
             <source>Run the flows first</source>
             <translation>Run the flows first</translation>
+        </message>
+        <message>
+            <source>converged, %1 steps</source>
+            <translation>converged, %1 steps</translation>
+        </message>
+        <message>
+            <source>faired, %1 steps</source>
+            <translation>faired, %1 steps</translation>
         </message>
     </context>
     <context>
@@ -1200,6 +1276,14 @@
         <message>
             <source>State</source>
             <translation>State</translation>
+        </message>
+        <message>
+            <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</source>
+            <translation>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</translation>
+        </message>
+        <message>
+            <source>Rim</source>
+            <translation>Rim</translation>
         </message>
     </context>
     <context>
@@ -1507,26 +1591,6 @@
         <message>
             <source>Bands of equal brightness: they stay when you move closer, and kink where tangents jump.</source>
             <translation>Bands of equal brightness: they stay when you move closer, and kink where tangents jump.</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mean curvature H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaussian curvature K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Plain</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophotes</translation>
         </message>
         <message>
             <source>Shading</source>
@@ -2210,6 +2274,10 @@
             <source>filler</source>
             <translation>filler</translation>
         </message>
+        <message>
+            <source>±σ</source>
+            <translation>±σ</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ShortcutSheet</name>
@@ -2473,10 +2541,6 @@
             <translation>Step %1, energy %2, %3 vertices</translation>
         </message>
         <message>
-            <source>At rest after %1 steps, energy %2 → %3.</source>
-            <translation>At rest after %1 steps, energy %2 → %3.</translation>
-        </message>
-        <message>
             <source>%1 steps, energy %2 → %3.</source>
             <translation>%1 steps, energy %2 → %3.</translation>
         </message>
@@ -2499,6 +2563,10 @@
         <message>
             <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
             <translation>%1 was taken over into the main window; Ctrl+Z there takes it back.</translation>
+        </message>
+        <message>
+            <source>Converged after %1 steps, energy %2 → %3.</source>
+            <translation>Converged after %1 steps, energy %2 → %3.</translation>
         </message>
     </context>
     <context>
@@ -2556,10 +2624,6 @@
             <translation>Give it up; the document is as it was</translation>
         </message>
         <message>
-            <source>Flow</source>
-            <translation>Flow</translation>
-        </message>
-        <message>
             <source>Which flow works on it</source>
             <translation>Which flow works on it</translation>
         </message>
@@ -2570,6 +2634,14 @@
         <message>
             <source>Copy the commands that do the same</source>
             <translation>Copy the commands that do the same</translation>
+        </message>
+        <message>
+            <source>Boundary</source>
+            <translation>Boundary</translation>
+        </message>
+        <message>
+            <source>Continuity</source>
+            <translation>Continuity</translation>
         </message>
     </context>
     <context>
@@ -3180,10 +3252,6 @@
             <translation>in progress</translation>
         </message>
         <message>
-            <source>at rest</source>
-            <translation>at rest</translation>
-        </message>
-        <message>
             <source>stopped early</source>
             <translation>stopped early</translation>
         </message>
@@ -3218,14 +3286,6 @@
         <message>
             <source>A flow has moved this patch; more steps can be taken.</source>
             <translation>A flow has moved this patch; more steps can be taken.</translation>
-        </message>
-        <message>
-            <source>The flow has come to rest.</source>
-            <translation>The flow has come to rest.</translation>
-        </message>
-        <message>
-            <source>The flow stopped before it came to rest; this is its last good state.</source>
-            <translation>The flow stopped before it came to rest; this is its last good state.</translation>
         </message>
         <message>
             <source>This patch cuts the surface or itself. It is not exported unless you accept it.</source>
@@ -3346,6 +3406,58 @@
         <message>
             <source>Noted: %1.</source>
             <translation>Noted: %1.</translation>
+        </message>
+        <message>
+            <source>converged</source>
+            <translation>converged</translation>
+        </message>
+        <message>
+            <source>faired</source>
+            <translation>faired</translation>
+        </message>
+        <message>
+            <source>doubtful</source>
+            <translation>doubtful</translation>
+        </message>
+        <message>
+            <source>The flow has converged to its steady state.</source>
+            <translation>The flow has converged to its steady state.</translation>
+        </message>
+        <message>
+            <source>Shaped by linear fairing, not by the flow.</source>
+            <translation>Shaped by linear fairing, not by the flow.</translation>
+        </message>
+        <message>
+            <source>Filled, but the patch is out of proportion to its hole: look at it.</source>
+            <translation>Filled, but the patch is out of proportion to its hole: look at it.</translation>
+        </message>
+        <message>
+            <source>The flow stopped before it converged; this is its last good state.</source>
+            <translation>The flow stopped before it converged; this is its last good state.</translation>
+        </message>
+        <message>
+            <source>But the patch is out of proportion to its hole.</source>
+            <translation>But the patch is out of proportion to its hole.</translation>
+        </message>
+        <message>
+            <source>Fairing made the jump of curvature %1 times smaller.</source>
+            <translation>Fairing made the jump of curvature %1 times smaller.</translation>
+        </message>
+        <message>
+            <source>smooth</source>
+            <translation>smooth</translation>
+        </message>
+        <message>
+            <source>noisy</source>
+            <translation>noisy</translation>
+        </message>
+        <message>
+            <source>rough</source>
+            <translation>rough</translation>
+        </message>
+        <message>
+            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</translation>
         </message>
     </context>
 </TS>

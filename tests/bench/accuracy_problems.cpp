@@ -98,6 +98,22 @@ HoleProblem graph_hole(MeshKind kind) {
   return disc_hole("graph surface", surface, kind, surface.project({0.1, -0.1, 0}), 0.4, 2.0 / 70);
 }
 
+/// The paper's own exact solution with H that changes.
+HoleProblem mvc_hole(MeshKind kind) {
+  const KnownSurface surface = known_mvc_cylinder(64);
+  return disc_hole("mvc cylinder", surface, kind, surface.project({0.2, 0, 0.1}), 0.45, 2.0 / 64);
+}
+
+/// A smooth sheet, bent at random: nothing in it is rough.
+AccuracyCase sheet_case(unsigned seed) {
+  const std::string name = "sheet " + std::to_string(seed);
+  return {name, [=](MeshKind kind) {
+            constexpr int cells = 56;
+            const KnownSurface surface = known_sheet(seed, cells);
+            return disc_hole(name, surface, kind, surface.project({0.1, -0.1, 0}), 0.4, 2.0 / cells);
+          }};
+}
+
 AccuracyCase unduloid_case(const std::string& label, int around, double target) {
   const std::string name = "unduloid, " + label;
   return {name, [=](MeshKind kind) { return unduloid_hole(name, around, kind); }, target};
@@ -121,7 +137,14 @@ std::vector<AccuracyCase> accuracy_cases() {
           {"catenoid", catenoid_hole, 0.05},
           {"torus", torus_hole, 0, true},
           {"ellipsoid", ellipsoid_hole, 0, true},
-          {"graph surface", graph_hole, 0, true}};
+          {"graph surface", graph_hole, 0, true},
+          {"mvc cylinder", mvc_hole, 0.05},
+          sheet_case(1),
+          sheet_case(2),
+          sheet_case(3),
+          sheet_case(4),
+          sheet_case(5),
+          sheet_case(6)};
 }
 
 std::vector<AccuracyCase> density_cases() {

@@ -154,7 +154,7 @@ TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
   EXPECT_EQ(evolved.status, LoopStatus::converged) << evolved.message;
   EXPECT_EQ(evolved.verdict.total() + evolved.verdict.folds, 0);
   EvolutionOptions robust;
-  robust.rim = RimTrust::smooth;
+  robust.boundary = BoundaryTrust::robust;
   robust.roughness = rim;
   Evolution expected(triangulated, robust);
   expected.run(nullptr, {});

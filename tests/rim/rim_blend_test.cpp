@@ -235,7 +235,7 @@ TEST(RimBlend, AFairingThatWouldFoldAlongNormalsSpreadsTheVerticesAnew) {
     return count_folds(patch.positions, patch.triangles, patch.patch_triangles);
   };
   EvolutionOptions options;
-  options.rim = RimTrust::smooth;
+  options.boundary = BoundaryTrust::robust;
   options.triangles = PatchTriangles::fixed;
   int spread_anew = 0;
   for (double height : {-0.3, -0.4, -0.5, -0.6})
@@ -263,10 +263,10 @@ TEST(RimBlend, ASpikeDoesNotBendThePatch) {
   Patch patch = test::start_of(test::open_sphere(5, 0.8));
   patch.positions[patch.loops[0][7]] *= 1.08;
   EvolutionOptions smooth;
-  smooth.rim = RimTrust::smooth;
+  smooth.boundary = BoundaryTrust::robust;
   EvolutionOptions unjudged;
   unjudged.bending = rough_bending;
-  unjudged.rim = RimTrust::exact;
+  unjudged.boundary = BoundaryTrust::exact;
   const double robust = largest_distance_to_unit_sphere(solved(patch, smooth).patch());
   Evolution literal(patch, unjudged);
   literal.run(nullptr, {});
@@ -276,7 +276,7 @@ TEST(RimBlend, ASpikeDoesNotBendThePatch) {
 TEST(RimBlend, CleanSurroundingsGiveTheSameBitsWithAndWithoutTheJudgement) {
   const Patch start = test::start_of(test::rough_open_sphere(4, 0.6));
   EvolutionOptions exact;
-  exact.rim = RimTrust::exact;
+  exact.boundary = BoundaryTrust::exact;
   const Evolution automatic = solved(start, {}), literal = solved(start, exact);
   EXPECT_EQ(automatic.patch().positions, literal.patch().positions);
   EXPECT_EQ(automatic.roughness()->kind, Surroundings::smooth);

@@ -1,5 +1,6 @@
 #include "rim/rim_roughness.h"
 
+#include "known_surfaces.h"
 #include "mesh/quality.h"
 #include "samples/random.h"
 #include "support/patches.h"
@@ -58,6 +59,44 @@ TEST(RimRoughness, WhiteNoiseIsAlikeEverywhere) {
   EXPECT_GT(patchy.spread, 2.6);
   EXPECT_EQ(patchy.noise_share, 0);
   EXPECT_EQ(patchy.kind, Surroundings::rough);
+}
+
+/// Nothing in these is rough, however much their curvature changes from one vertex to the next.
+TEST(RimRoughness, CleanBentSheetsAreSmooth) {
+  int looked_at = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+    for (bench::MeshKind kind : {bench::MeshKind::regular, bench::MeshKind::irregular}) {
+      const bench::KnownSurface sheet = bench::with_mesh(bench::known_sheet(seed, 40), kind, 3);
+      const Vec3 center = sheet.project({0.1, -0.1, 0});
+      const SurfaceModel model =
+          make_surface_model(trim_rims(cut(sheet.mesh, [&](const Vec3& p) { return (p - center).norm() < 0.35; })));
+      for (const BoundaryLoop& loop : find_boundary_loops(model)) {
+        if (loop.kind != LoopKind::hole) continue;
+        const RimRoughness rim = rim_roughness(*start_patch(model, {loop}, {}, {}).patch);
+        EXPECT_EQ(rim.rough_share, 0) << "sheet " << seed << ", " << to_string(kind) << ": growth " << rim.local_growth
+                                      << ", residual " << rim.noise_per_edge;
+        EXPECT_EQ(rim.kind, Surroundings::smooth);
+        ++looked_at;
+      }
+    }
+  EXPECT_EQ(looked_at, 24);
+}
+
+TEST(RimRoughness, TheExactSolutionOfTheEquationIsSmooth) {
+  const bench::KnownSurface surface = bench::known_mvc_cylinder(64);
+  const Vec3 center = surface.project({0.2, 0, 0.1});
+  const SurfaceModel model =
+      make_surface_model(trim_rims(cut(surface.mesh, [&](const Vec3& p) { return (p - center).norm() < 0.45; })));
+  int holes = 0;
+  for (const BoundaryLoop& loop : find_boundary_loops(model)) {
+    if (loop.kind != LoopKind::hole) continue;
+    ++holes;
+    const RimRoughness rim = rim_roughness(*start_patch(model, {loop}, {}, {}).patch);
+    EXPECT_EQ(rim.rough_share, 0);
+    EXPECT_EQ(rim.noise_share, 0);
+    EXPECT_EQ(rim.bending, 0);
+  }
+  EXPECT_EQ(holes, 1);
 }
 
 }  // namespace

@@ -67,11 +67,11 @@ struct Filled {
   bool exterior_unchanged = false;
 };
 
-Filled fill(const Known& known, const Spikes& spikes, RimTrust trust) {
+Filled fill(const Known& known, const Spikes& spikes, BoundaryTrust trust) {
   SurfaceModel model = make_surface_model(known.open);
   const double edge = edge_of(test::start_of(model));
   FillOptions options;
-  options.evolution->rim = trust;
+  options.evolution->boundary = trust;
   for (const LoopResult& result : fill_loops(model, find_boundary_loops(model), options, nullptr, {}))
     EXPECT_EQ(result.status, LoopStatus::converged) << result.message;
   Filled filled;
@@ -160,7 +160,7 @@ TEST(StrayVertices, APatchBesideASpikeIsThatOfTheSmoothSurface) {
       for (double height : {0.3, 1.0, 3.0}) {
         Known known = make();
         const Spikes spikes = add_spikes(known, ring, 1, height);
-        const Filled filled = fill(known, spikes, RimTrust::automatic);
+        const Filled filled = fill(known, spikes, BoundaryTrust::automatic);
         EXPECT_TRUE(filled.exterior_unchanged);
         // The patch must meet a spike on its own rim, so that something of it is left beside; a second ring it need not meet.
         EXPECT_LT(filled.rms, ring == 1 ? 0.005 * height : 0.001) << known.name << ", ring " << ring << ", " << height;
@@ -171,7 +171,7 @@ TEST(StrayVertices, APatchBesideASpikeIsThatOfTheSmoothSurface) {
 TEST(StrayVertices, AreMetLiterallyWhereThatIsAsked) {
   Known known = sphere();
   const Spikes spikes = add_spikes(known, 1, 1, 0.3);
-  EXPECT_GT(fill(known, spikes, RimTrust::exact).rms, 50 * fill(known, spikes, RimTrust::automatic).rms);
+  EXPECT_GT(fill(known, spikes, BoundaryTrust::exact).rms, 50 * fill(known, spikes, BoundaryTrust::automatic).rms);
 }
 
 }  // namespace

@@ -28,13 +28,13 @@ double rms_distance_of_fixed(const Patch& patch) {
 }
 
 /// rms distance of the new vertices from the sphere, over three seeds.
-double error_of_fill(double share, RimTrust trust) {
+double error_of_fill(double share, BoundaryTrust trust) {
   double sum = 0, count = 0;
   for (unsigned seed : {3U, 4U, 5U}) {
     SurfaceModel model = noisy_sphere(share, seed);
     const Points before = model.soup.points;
     FillOptions options;
-    options.evolution->rim = trust;
+    options.evolution->boundary = trust;
     for (const LoopResult& result : fill_loops(model, find_boundary_loops(model), options, nullptr, {}))
       EXPECT_EQ(result.status, LoopStatus::converged);
     EXPECT_TRUE(std::equal(before.begin(), before.end(), model.soup.points.begin()));
@@ -73,7 +73,7 @@ TEST(WhiteNoise, ComesBackBitForBit) {
 
 TEST(WhiteNoise, TheErrorStaysBelowThatOfTheLiteralFlow) {
   for (double share : {0.01, 0.05})
-    EXPECT_LT(error_of_fill(share, RimTrust::automatic), 0.8 * error_of_fill(share, RimTrust::exact)) << share;
+    EXPECT_LT(error_of_fill(share, BoundaryTrust::automatic), 0.8 * error_of_fill(share, BoundaryTrust::exact)) << share;
 }
 
 }  // namespace

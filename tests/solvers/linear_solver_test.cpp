@@ -1,11 +1,13 @@
 #include "solvers/linear_solver.h"
 
 #include "core/threads.h"
+#include "solvers/diagonal.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -310,6 +312,53 @@ TEST(AutomaticSolver, GoesOverToTheDirectWayWhereNothingSymmetricIsNear) {
   EXPECT_FALSE(make_general_solver(SolverKind::gmres)->solve(system, b, x).solved);
   EXPECT_TRUE(make_general_solver(SolverKind::automatic)->solve(system, b, x).solved);
   EXPECT_LT((A * x - b).norm(), 1e-10 * b.norm());
+}
+
+TEST(SpdSolver, RefusesWhatHoldsNothingToFactor) {
+  const auto solver = make_spd_solver();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Sparse empty(0, 0), zero(4, 4), broken = grid_matrix(3, 1, 0);
+  broken.coeffRef(0, 0) = nan;
+  Eigen::MatrixXd x;
+  for (const Sparse* A : {&empty, &zero, &broken}) {
+    EXPECT_FALSE(solver->factorize(*A));
+    EXPECT_FALSE(solver->solve(Eigen::MatrixXd::Ones(A->rows(), 1), x));
+  }
+  // It is none the worse for that.
+  const Sparse good = grid_matrix(3, 1, 0);
+  ASSERT_TRUE(solver->factorize(good));
+  ASSERT_TRUE(solver->solve(Eigen::MatrixXd::Ones(9, 1), x));
+  EXPECT_LT((good.selfadjointView<Eigen::Lower>() * x - Eigen::MatrixXd::Ones(9, 1)).norm(), 1e-12);
+}
+
+TEST(GeneralSolver, RefusesWhatHoldsNothingToFactor) {
+  for (SolverKind kind : {SolverKind::automatic, SolverKind::direct, SolverKind::gmres}) {
+    const auto solver = make_general_solver(kind);
+    for (int size : {0, 3}) {
+      const Sparse zero(size, size);
+      GeneralSystem system;
+      system.times = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(zero * v); };
+      system.matrix = system.nearby = [&] { return zero; };
+      Eigen::VectorXd x;
+      EXPECT_FALSE(solver->solve(system, Eigen::VectorXd::Ones(size), x).solved) << static_cast<int>(kind);
+    }
+  }
+}
+
+TEST(StoreDiagonal, AddsWhatIsMissingAndNothingElse) {
+  Sparse A(4, 4);
+  A.insert(2, 0) = 5;
+  A.insert(1, 1) = 7;
+  A.makeCompressed();
+  const Eigen::MatrixXd before = A;
+  store_diagonal(A);
+  EXPECT_EQ(Eigen::MatrixXd(A), before);
+  EXPECT_EQ(A.nonZeros(), 5);
+  A.diagonal() += Eigen::VectorXd::Ones(4);
+  EXPECT_EQ(Eigen::MatrixXd(A), before + Eigen::MatrixXd::Identity(4, 4));
+  const double* values = A.valuePtr();
+  store_diagonal(A);
+  EXPECT_EQ(A.valuePtr(), values) << "a full diagonal is left where it is";
 }
 
 }  // namespace

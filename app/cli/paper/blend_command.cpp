@@ -36,6 +36,8 @@ Json blend_report(const BlendCommand& command, const OpenedParts& parts, const s
     json["inputs"].push_back(input_json(parts.paths[k], parts.imports[k], parts.repairs[k]));
   json["status"] = to_string(result.status);
   json["message"] = result.message;
+  json["method"] = result.method;
+  json["reason"] = result.reason;
   json["turned_faces"] = result.turned_faces;
   json["free_vertices"] = result.patch ? result.patch->free_count : 0;
   json["folds"] = result.quality.folds;
@@ -69,9 +71,9 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
     std::fprintf(out, "%6s  %6d  %9.4f -> %8.4f  %9.4f -> %8.4f\n", loops[k].name.c_str(), loops[k].loop.edges(),
                  result.seams_before[k].g1_rms_deg, result.seams_after[k].g1_rms_deg,
                  result.seams_before[k].h_jump_rms_times_diameter, result.seams_after[k].h_jump_rms_times_diameter);
-  std::fprintf(out, "%zu loops joined by %d new vertices: %s after %d steps%s%s; %s written in %.2f s\n", loops.size(),
-               result.patch->free_count, to_string(result.status), result.steps, result.message.empty() ? "" : ", ",
-               result.message.c_str(), command.output.c_str(), seconds);
+  std::fprintf(out, "%zu loops joined by %d new vertices: %s (%s) after %d steps%s%s; %s written in %.2f s\n",
+               loops.size(), result.patch->free_count, to_string(result.status), result.method.c_str(), result.steps,
+               result.message.empty() ? "" : ", ", result.message.c_str(), command.output.c_str(), seconds);
 }
 
 }  // namespace

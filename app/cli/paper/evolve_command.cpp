@@ -33,10 +33,10 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
     else
       std::fprintf(out, "%5zu  the surface's own boundary: nothing beyond to compare with\n", k + 1);
   }
-  std::fprintf(out, "%d vertices: %s after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
-               evolved.patch.free_count, to_string(evolved.status), evolved.steps, evolved.energy.initial,
-               evolved.energy.final, evolved.message.empty() ? "" : ", ", evolved.message.c_str(),
-               command.output.c_str(), seconds);
+  std::fprintf(out, "%d vertices: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
+               evolved.patch.free_count, to_string(evolved.status), method_name(evolved.method, evolved.flow).c_str(),
+               evolved.steps, evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
+               evolved.message.c_str(), command.output.c_str(), seconds);
 }
 
 }  // namespace

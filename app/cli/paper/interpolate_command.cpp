@@ -42,10 +42,11 @@ int run_interpolate(const InterpolateCommand& command) {
   }
   if (!command.words.quiet)
     std::fprintf(command.words.report == "-" ? stderr : stdout,
-                 "%d vertices fixed, %d found: %s after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
-                 result.fixed_count, evolved.patch.free_count, to_string(evolved.status), evolved.steps,
-                 evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
-                 evolved.message.c_str(), command.output.c_str(), seconds);
+                 "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
+                 result.fixed_count, evolved.patch.free_count, to_string(evolved.status),
+                 method_name(evolved.method, evolved.flow).c_str(), evolved.steps, evolved.energy.initial,
+                 evolved.energy.final, evolved.message.empty() ? "" : ", ", evolved.message.c_str(),
+                 command.output.c_str(), seconds);
   return exit_done;
 }
 

@@ -82,6 +82,7 @@ void add_compare(CLI::App& app, CompareCommand& command) {
   compare->add_option("--fixed", command.fixed, "With --subdivide: go through these vertices alone")->type_name("FILE");
   compare->add_flag_callback(
       "--open", [&command] { command.rim = PolyhedronRim::smooth; }, "With --subdivide: take an open polyhedron");
+  command.words.boundary = "exact";  // the flows themselves are compared
   add_flow_options(*compare, command.words, DensityOption::offer);
   compare->remove_option(compare->get_option("--flow"));
   compare->remove_option(compare->get_option("--ascii"));

@@ -1,7 +1,7 @@
 // The commands for the paper's other problems: blend, interpolate, evolve, compare, reproduce.
 #pragma once
 
-#include "flow_words.h"
+#include "cli/flow_words.h"
 
 #include "filling/subdivide_polyhedron.h"
 

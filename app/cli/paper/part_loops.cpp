@@ -83,8 +83,8 @@ std::vector<NamedLoop> choose_part_loops(const JoinedParts& parts, const std::st
   } else {
     const auto& loops = parts.loops.front();
     if (loops.size() != 2)
-      throw UsageError("the file has " + std::to_string(loops.size()) +
-                       (loops.size() == 1 ? " loop" : " loops") + ", not two: name those to be joined, such as --loops 1:1,1:2");
+      throw UsageError("the file has " + std::to_string(loops.size()) + (loops.size() == 1 ? " loop" : " loops") +
+                       ", not two: name those to be joined, such as --loops 1:1,1:2");
     for (std::size_t l = 0; l < 2; ++l) chosen.push_back({name_of(0, l), loops[l]});
   }
   if (chosen.size() < 2) throw UsageError("a blend needs at least two loops: --loops names one");

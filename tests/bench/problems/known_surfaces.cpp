@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 
 namespace loopmend::bench {
 
@@ -65,24 +66,64 @@ Vec3 onto_ellipsoid(const Vec3& p, const Vec3& a) {
   return a2 * p.array() / (a2 + t);
 }
 
+/// A height over the plane and its slope.
+struct Graph {
+  std::function<double(double, double)> height;
+  std::function<Eigen::Vector2d(double, double)> slope;
+};
+
 double graph_height(double x, double y) { return 0.3 * std::sin(2 * x) * std::cos(1.5 * y) + 0.1 * x * x; }
 
 Eigen::Vector2d graph_slope(double x, double y) {
   return {0.6 * std::cos(2 * x) * std::cos(1.5 * y) + 0.2 * x, -0.45 * std::sin(2 * x) * std::sin(1.5 * y)};
 }
 
+/// Four waves; the same for the same seed on every machine.
+Graph waves(unsigned seed) {
+  struct Wave {
+    double height, kx, ky, phase;
+  };
+  std::mt19937 random(seed);
+  const auto drawn = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  std::array<Wave, 4> all{};
+  for (Wave& wave : all) {
+    wave.height = drawn(0.02, 0.2);
+    wave.kx = drawn(-4, 4);
+    wave.ky = drawn(-4, 4);
+    wave.phase = drawn(0, 2 * pi);
+  }
+  return {[all](double x, double y) {
+            double z = 0;
+            for (const auto& [height, kx, ky, phase] : all) z += height * std::sin(kx * x + ky * y + phase);
+            return z;
+          },
+          [all](double x, double y) {
+            Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+            for (const auto& [height, kx, ky, phase] : all)
+              slope += height * std::cos(kx * x + ky * y + phase) * Eigen::Vector2d(kx, ky);
+            return slope;
+          }};
+}
+
 /// Gauss-Newton over (x, y).
-Vec3 onto_graph(const Vec3& p) {
+Vec3 onto_graph(const Vec3& p, const Graph& graph) {
   Eigen::Vector2d q = p.head<2>();
   for (int k = 0; k < 100; ++k) {
-    const Eigen::Vector2d slope = graph_slope(q.x(), q.y());
-    const double rise = p.z() - graph_height(q.x(), q.y());
+    const Eigen::Vector2d slope = graph.slope(q.x(), q.y());
+    const double rise = p.z() - graph.height(q.x(), q.y());
     const Eigen::Vector2d rest = p.head<2>() - q + rise * slope;
     const Eigen::Vector2d step = rest - slope * (slope.dot(rest) / (1 + slope.squaredNorm()));
     q += step;
     if (step.norm() < 1e-16) break;
   }
-  return {q.x(), q.y(), graph_height(q.x(), q.y())};
+  return {q.x(), q.y(), graph.height(q.x(), q.y())};
+}
+
+KnownSurface surface_of(std::string name, Graph graph, int cells) {
+  TriangleSoup mesh = make_graph(graph.height, 1, cells);
+  return {std::move(name), std::move(mesh), [graph = std::move(graph)](const Vec3& p) { return onto_graph(p, graph); }};
 }
 
 /// Rows evenly spaced in arc length, as far apart as the vertices of a circle of radius 1.
@@ -143,7 +184,29 @@ KnownSurface known_ellipsoid(const Vec3& half_axes, int frequency) {
   return surface;
 }
 
-KnownSurface known_graph(int cells) { return {"graph", make_graph(graph_height, 1, cells), onto_graph}; }
+KnownSurface known_graph(int cells) { return surface_of("graph", {graph_height, graph_slope}, cells); }
+
+KnownSurface known_sheet(unsigned seed, int cells) {
+  return surface_of("sheet " + std::to_string(seed), waves(seed), cells);
+}
+
+KnownSurface known_mvc_cylinder(int cells) {
+  constexpr double half_length = 1, known_beyond = 0.1;
+  const ProfileCurve profile = mvc_profile({0.8, 1.2, -1.5, -0.8}, half_length + known_beyond);
+  KnownSurface surface;
+  surface.name = "mvc cylinder";
+  surface.mesh = make_graph([](double, double) { return 0.0; }, half_length, cells);
+  for (Vec3& p : surface.mesh.points) {
+    const Eigen::Vector2d place = profile.point(p.x());
+    p = {place.x(), place.y(), p.y()};
+  }
+  surface.project = [=](const Vec3& p) -> Vec3 {
+    constexpr double reach = half_length + known_beyond;
+    const Eigen::Vector2d place = profile.point(nearest_arc_length(profile, p.head<2>(), -reach, reach));
+    return {place.x(), place.y(), p.z()};
+  };
+  return surface;
+}
 
 KnownSurface known_catenoid(double half_length, int around) {
   return revolution("catenoid", catenoid_profile(), half_length, around);

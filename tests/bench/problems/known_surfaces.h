@@ -37,6 +37,12 @@ KnownSurface known_catenoid(double half_length, int around);
 /// neck at −π/2 and bulge at π/2) in the middle, −half_length..half_length.
 KnownSurface known_unduloid(double bulge, double half_length, int around);
 
+/// The cylinder over mvc_profile({0.8, 1.2, -1.5, -0.8}, 1.1), arc length and height −1..1: an exact solution of the paper's
+/// equation whose H is not constant. @param cells  quads along a side.
+KnownSurface known_mvc_cylinder(int cells);
+/// z = the sum of four waves over [−1, 1]², their heights and wave vectors drawn by `seed`, normals up.
+KnownSurface known_sheet(unsigned seed, int cells);
+
 /// The surface's mesh made irregular; the vertices stay on the surface.
 KnownSurface with_mesh(KnownSurface surface, MeshKind kind, unsigned seed);
 

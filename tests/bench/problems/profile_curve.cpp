@@ -1,5 +1,6 @@
 #include "profile_curve.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -50,7 +51,53 @@ class RiseTable {
   std::vector<double> z_;
 };
 
+/// x, y, the angle of the tangent, κ, κ', κ'', κ'''.
+using CurveState = Eigen::Matrix<double, 7, 1>;
+
+CurveState mvc_rate(const CurveState& at) {
+  CurveState rate;
+  rate << std::cos(at[2]), std::sin(at[2]), at[3], at[4], at[5], at[6], at[3] * (at[4] * at[4] / 2 - at[3] * at[5]);
+  return rate;
+}
+
+CurveState mvc_step(const CurveState& at, double step) {
+  const CurveState a = mvc_rate(at), b = mvc_rate(at + step / 2 * a), c = mvc_rate(at + step / 2 * b),
+                   d = mvc_rate(at + step * c);
+  return at + step / 6 * (a + 2 * b + 2 * c + d);
+}
+
+/// States at evenly spaced knots.
+class CurveTable {
+ public:
+  CurveTable(const Eigen::Vector4d& curvature, double length) : half_(static_cast<int>(std::ceil(length / spacing))) {
+    states_.resize(2 * half_ + 1);
+    states_[half_] << 0, 0, 0, curvature;
+    for (int k = 1; k <= half_; ++k) {
+      states_[half_ + k] = mvc_step(states_[half_ + k - 1], spacing);
+      states_[half_ - k] = mvc_step(states_[half_ - k + 1], -spacing);
+    }
+  }
+  CurveState at(double s) const {
+    const int k = std::clamp(static_cast<int>(std::lround(s / spacing)), -half_, half_);
+    return mvc_step(states_[half_ + k], s - k * spacing);
+  }
+
+ private:
+  static constexpr double spacing = 1e-3;
+  int half_;
+  std::vector<CurveState> states_;
+};
+
 }  // namespace
+
+ProfileCurve mvc_profile(const Eigen::Vector4d& curvature, double length) {
+  const auto table = std::make_shared<const CurveTable>(curvature, length);
+  return {[=](double s) -> Vector2d { return table->at(s).head<2>(); },
+          [=](double s) {
+            const double angle = table->at(s)[2];
+            return Vector2d(std::cos(angle), std::sin(angle));
+          }};
+}
 
 ProfileCurve catenoid_profile() {
   const auto radius = [](double s) { return std::sqrt(1 + s * s); };

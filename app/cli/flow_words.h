@@ -1,9 +1,9 @@
 // The options of a flow as words on the command line, shared by the commands that evolve a patch.
 #pragma once
 
-#include "cli/progress_line.h"
 #include "evolution/fill_loops.h"
 #include "io/write_mesh.h"
+#include "progress_line.h"
 
 #include <string>
 
@@ -14,7 +14,7 @@ class App;
 namespace loopmend {
 
 struct FlowWords {
-  std::string flow = "mmcvf", mode = "steady", solver = "auto";
+  std::string flow = "mmcvf", mode = "steady", solver = "auto", boundary = "auto", continuity = "curvature";
   int steps = 0;  ///< 0: the default
   double sigma = 10;
   double density = 1;
@@ -27,12 +27,13 @@ struct FlowWords {
 
 enum class DensityOption { offer, leave_out };
 
-/// --flow, --mode, --steps, --sigma, --solver, --report, --ascii, --quiet, and --density where offered.
+/// --flow, --mode, --steps, --sigma, --solver, --boundary, --continuity, --report, --ascii, --quiet, and --density where
+/// offered.
 void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density);
 
 FillOptions options_of(const FlowWords& words);
 
-/// The time step and the number of steps alone, for commands that choose the flow themselves.
+/// All but the flow, for commands that choose that themselves.
 EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow);
 
 }  // namespace loopmend

@@ -1,6 +1,6 @@
 #include "flow_words.h"
 
-#include "cli/number_range.h"
+#include "number_range.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,8 +22,24 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
   command.add_option("--solver", words.solver, "Linear solver of the steps")
       ->check(CLI::IsMember({"auto", "direct", "gmres"}))
       ->capture_default_str();
+  command
+      .add_option("--boundary", words.boundary,
+                  "Curvature around the hole, for mmcvf: auto, taken as far as it can be trusted; exact, as it is (the "
+                  "flow itself); robust, hardly (robust fairing in place of the flow)")
+      ->check(CLI::IsMember({"auto", "exact", "robust"}))
+      ->capture_default_str();
+  command
+      .add_option("--rim", words.boundary)  // the name of earlier versions, which said smooth for robust
+      ->check(CLI::IsMember({"auto", "exact", "smooth"}))
+      ->group("");
+  command
+      .add_option(
+          "--continuity", words.continuity,
+          "What runs through the seam, for mmcvf; position and tangent are linear fairings in place of the flow")
+      ->check(CLI::IsMember({"position", "tangent", "curvature"}))
+      ->capture_default_str();
   if (density == DensityOption::offer)
-    command.add_option("--density", words.density, "Vertices along a length, relative to the surroundings")
+    command.add_option("--density", words.density, "Vertices along a length, relative to the mesh around")
         ->check(between(0.1, 10))
         ->capture_default_str();
   command.add_option("--report", words.report, "Write a JSON report to FILE, or to standard output for -")
@@ -35,8 +51,17 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
 EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow) {
   static const std::map<std::string, SolverKind> solvers{
       {"auto", SolverKind::automatic}, {"direct", SolverKind::direct}, {"gmres", SolverKind::gmres}};
+  static const std::map<std::string, BoundaryTrust> boundaries{{"auto", BoundaryTrust::automatic},
+                                                               {"exact", BoundaryTrust::exact},
+                                                               {"robust", BoundaryTrust::robust},
+                                                               {"smooth", BoundaryTrust::robust}};
+  static const std::map<std::string, SeamContinuity> continuities{{"position", SeamContinuity::position},
+                                                                  {"tangent", SeamContinuity::tangent},
+                                                                  {"curvature", SeamContinuity::curvature}};
   EvolutionOptions options;
   options.flow = flow;
+  options.boundary = boundaries.at(words.boundary);
+  options.continuity = continuities.at(words.continuity);
   options.mode = words.mode == "steps" ? EvolutionMode::steps : EvolutionMode::steady;
   options.solver = solvers.at(words.solver);
   options.sigma = words.sigma;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is a patch in proportion to its loops? A flow may end in a bubble that its energy does not tell from a good patch.
+#pragma once
+
+#include "mesh/patch.h"
+
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// No units.
+struct Proportion {
+  double area = 1;    ///< of the patch, in that of the initial patch, which is about the least
+  double depth = 0;   ///< farthest that the patch leaves the box of its initial patch, in that box's diagonal
+  double energy = 0;  ///< ∫‖∇H‖² dA over the patch × its area: 0 on a sphere, plane or cylinder of any size
+};
+
+/// One for each loop of the patch: of the connected part that it bounds.
+/// @param initial  the initial patch of the same loops, in the same order; its triangles may be others.
+std::vector<Proportion> proportions_of(const Patch& patch, const Patch& initial);
+
+/// A large or deep patch is right where it runs on as a sphere does, with next to no energy. With energy it is a bubble.
+bool is_out_of_proportion(const Proportion& proportion);
+
+/// The first that is out of proportion; null if there is none.
+const Proportion* out_of_proportion(const std::vector<Proportion>& proportions);
+
+/// "its area is 3.8 times that of the initial patch, and it reaches 1.2 diameters beyond it"
+std::string describe(const Proportion& proportion);
+
+}  // namespace loopmend
