@@ -83,8 +83,7 @@ TEST_F(Cli, FillClosesAllHolesAndReports) {
     for (const char* key : {"filler", "assemble", "solve", "total"}) EXPECT_TRUE(loop["seconds"].contains(key)) << key;
     EXPECT_LT(loop["energy"]["final"], 1e-4 * loop["energy"]["initial"].get<double>());
     for (const char* side : {"seam_before", "seam_after"})
-      for (const char* key :
-           {"g0_gap", "g1_rms_deg", "g1_max_deg", "h_jump_rms", "h_jump_max", "h_jump_rms_times_diameter"})
+      for (const char* key : {"g1_rms_deg", "g1_max_deg", "h_jump_rms", "h_jump_max", "h_jump_rms_times_diameter"})
         EXPECT_TRUE(loop[side].contains(key)) << key;
     EXPECT_LT(loop["seam_after"]["g1_rms_deg"], 0.2);
   }
