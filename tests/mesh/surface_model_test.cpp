@@ -229,11 +229,16 @@ TEST(TriangleIndex, FindsWhatTheBoxMeets) {
   const TriangleIndex index(sphere.points, sphere.triangles);
   EXPECT_EQ(index.near({-2, -2, -2}, {2, 2, 2}).size(), sphere.triangles.size());
   EXPECT_TRUE(index.near({3, 3, 3}, {4, 4, 4}).empty());
-  for (int f : index.near({0.9, -0.1, -0.1}, {1.1, 0.1, 0.1})) {
-    double x = -1;
-    for (int v : sphere.triangles[f]) x = std::max(x, sphere.points[v].x());
-    EXPECT_GE(x, 0.9);
+  const Eigen::AlignedBox3d box(Vec3(0.9, -0.1, -0.1), Vec3(1.1, 0.1, 0.1));
+  std::vector<int> met, found = index.near(box.min(), box.max());
+  for (std::size_t f = 0; f < sphere.triangles.size(); ++f) {
+    Eigen::AlignedBox3d own;
+    for (int v : sphere.triangles[f]) own.extend(sphere.points[v]);
+    if (own.intersects(box)) met.push_back(static_cast<int>(f));
   }
+  std::sort(found.begin(), found.end());
+  ASSERT_GT(met.size(), 3u);
+  EXPECT_EQ(found, met);
 }
 
 TEST(Quality, AnglesFoldsAndLengths) {
