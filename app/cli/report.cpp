@@ -19,10 +19,11 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 }  // namespace
 
 Json seam_json(const SeamReport& seam) {
-  return {
-      {"g0_gap", number(seam.g0_gap)},         {"g1_rms_deg", number(seam.g1_rms_deg)},
-      {"g1_max_deg", number(seam.g1_max_deg)}, {"h_jump_rms", number(seam.h_jump_rms)},
-      {"h_jump_max", number(seam.h_jump_max)}, {"h_jump_rms_times_diameter", number(seam.h_jump_rms_times_diameter)}};
+  return {{"g1_rms_deg", number(seam.g1_rms_deg)},
+          {"g1_max_deg", number(seam.g1_max_deg)},
+          {"h_jump_rms", number(seam.h_jump_rms)},
+          {"h_jump_max", number(seam.h_jump_max)},
+          {"h_jump_rms_times_diameter", number(seam.h_jump_rms_times_diameter)}};
 }
 
 Json input_json(const std::filesystem::path& path, const ImportReport& import, const ModelRepairs& repairs) {

@@ -107,16 +107,19 @@ class Reader {
   QString path_;
 };
 
+/// The first number of a seam was a gap that nothing measured: written as 0 and not read, so that the layout stays.
+constexpr double no_gap = 0;
+
 void put(Writer& out, const SeamReport& seam) {
-  for (double x : {seam.g0_gap, seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max,
-                   seam.h_jump_rms_times_diameter})
+  for (double x :
+       {no_gap, seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max, seam.h_jump_rms_times_diameter})
     out.put(x);
 }
 
 SeamReport seam(Reader& in) {
   SeamReport s;
-  for (double* x :
-       {&s.g0_gap, &s.g1_rms_deg, &s.g1_max_deg, &s.h_jump_rms, &s.h_jump_max, &s.h_jump_rms_times_diameter})
+  in.number<double>();
+  for (double* x : {&s.g1_rms_deg, &s.g1_max_deg, &s.h_jump_rms, &s.h_jump_max, &s.h_jump_rms_times_diameter})
     *x = in.number<double>();
   return s;
 }

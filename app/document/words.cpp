@@ -135,14 +135,13 @@ QString number(double value) {
 }
 
 QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStage stage) {
-  if (now.g0_gap > 0) return tr("The patch does not meet the scan: there is a gap of %1.").arg(number(now.g0_gap));
   const bool tangent = now.g1_rms_deg < tangent_seen_deg;
   const bool curvature = tangent && now.h_jump_rms_times_diameter < curvature_seen;
-  QString sentence = tr("Position, tangent and curvature run through the seam.");
+  QString sentence = tr("Tangent and curvature run through the seam.");
   if (!tangent) sentence = tr("The patch meets the scan with a crease of %1\u00b0 (rms).").arg(number(now.g1_rms_deg));
   if (tangent && !curvature)
-    sentence = tr("Position and tangent run through the seam; the mean curvature jumps by %1 (rms).")
-                   .arg(number(now.h_jump_rms));
+    sentence =
+        tr("The tangent runs through the seam; the mean curvature jumps by %1 (rms).").arg(number(now.h_jump_rms));
   if (stage == PatchStage::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
   if (stage == PatchStage::doubtful)
     return sentence + QLatin1Char(' ') + tr("But the patch is out of proportion to its hole.");

@@ -24,11 +24,10 @@ namespace {
 
 constexpr std::size_t most_rows = 200;
 constexpr int refresh_ms = 120;  ///< while a flow runs
-enum Column { hole, gap, angle_rms, angle_max, jump_rms, jump_max, jump_free, column_count };
+enum Column { hole, angle_rms, angle_max, jump_rms, jump_max, jump_free, column_count };
 
 double value(const SeamReport& seam, int column) {
   switch (column) {
-    case gap: return seam.g0_gap;
     case angle_rms: return seam.g1_rms_deg;
     case angle_max: return seam.g1_max_deg;
     case jump_rms: return seam.h_jump_rms;
@@ -86,10 +85,9 @@ InspectPanel::InspectPanel(const Document& document, const HoleSelection& select
 QWidget* InspectPanel::build_seam() {
   seam_ = new QTableWidget(0, column_count);
   seam_->setObjectName(QStringLiteral("seamTable"));
-  seam_->setHorizontalHeaderLabels({tr("Hole"), tr("Gap"), tr("Angle rms"), tr("Angle max"), tr("H jump rms"),
-                                    tr("H jump max"), tr("H jump \u00b7 size")});
+  seam_->setHorizontalHeaderLabels(
+      {tr("Hole"), tr("Angle rms"), tr("Angle max"), tr("H jump rms"), tr("H jump max"), tr("H jump \u00b7 size")});
   const char* const help[] = {QT_TR_NOOP("The hole's number"),
-                              QT_TR_NOOP("Largest distance between the two sides of the seam"),
                               QT_TR_NOOP("Angle between the normals on both sides, root mean square"),
                               QT_TR_NOOP("Angle between the normals on both sides, largest"),
                               QT_TR_NOOP("Jump of the mean curvature across the seam, root mean square, 1/length"),
@@ -110,7 +108,7 @@ QWidget* InspectPanel::build_seam() {
   seam_->verticalHeader()->hide();
   seam_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 9);
   seam_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  for (int column : {hole, gap}) seam_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  seam_->horizontalHeader()->setSectionResizeMode(hole, QHeaderView::ResizeToContents);
   sentence_ = new QLabel;
   sentence_->setObjectName(QStringLiteral("seamSentence"));
   sentence_->setWordWrap(true);

@@ -1,4 +1,5 @@
-// The seam in numbers: is the patch joined by position, by tangent, by curvature?
+// The seam in numbers: do tangent and curvature run through it? The position does by construction: a patch has no boundary
+// vertices of its own, it joins those of the boundary loop.
 #pragma once
 
 #include "mesh/patch.h"
@@ -10,7 +11,6 @@ namespace loopmend {
 /// At the vertices of a loop, from one-sided fits: inside (the patch) against outside (the surroundings). Mesh units.
 /// NaN where no vertex of the loop has enough triangles on both sides.
 struct SeamReport {
-  double g0_gap = 0;      ///< distance between the two sides at the loop: 0, since they share their vertices
   double g1_rms_deg = 0;  ///< angle between the one-sided normals
   double g1_max_deg = 0;
   double h_jump_rms = 0;  ///< |H_in − H_out|, 1/length

@@ -102,7 +102,9 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
                            const CancelToken& cancel) {
   const auto start = std::chrono::steady_clock::now();
   GroupOutcome outcome = failed_group(group, "");
-  const auto [first, survey] = surveyed_start(site, group, fillers, options.filler, cancel);
+  const SurveyedStart surveyed = surveyed_start(site, group, fillers, options.filler, cancel);
+  const PatchStart& first = surveyed.start;  // no structured binding: clang 14 has none in a lambda's captures
+  const RimSurvey& survey = surveyed.survey;
   for (std::size_t k = 0; k < group.size(); ++k) {
     outcome.results[k].message = first.fillers[k].message;
     outcome.results[k].seconds.filler = seconds_since(start);

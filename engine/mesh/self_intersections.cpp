@@ -172,10 +172,10 @@ void sweep(const Boxes& boxes, int axis, int count, const Visit& visit) {
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.begin < b.begin; });
   for (auto a = entries.begin(); a != entries.end(); ++a)
     for (auto b = a + 1; b != entries.end() && b->begin <= a->end; ++b) {
-      // No branches: none of these can be foretold.
-      const bool touch = (a->low[0] <= b->high[0]) & (b->low[0] <= a->high[0]) & (a->low[1] <= b->high[1]) &
-                         (b->low[1] <= a->high[1]) & (std::min(a->number, b->number) < count);
-      if (touch) visit(std::min(a->number, b->number), std::max(a->number, b->number));
+      // No branches: none of these can be foretold. A sum, since clang warns of & between bools.
+      const int met = (a->low[0] <= b->high[0]) + (b->low[0] <= a->high[0]) + (a->low[1] <= b->high[1]) +
+                      (b->low[1] <= a->high[1]) + (std::min(a->number, b->number) < count);
+      if (met == 5) visit(std::min(a->number, b->number), std::max(a->number, b->number));
     }
 }
 

@@ -1383,16 +1383,8 @@
             <translation>Loch</translation>
         </message>
         <message>
-            <source>Gap</source>
-            <translation>Spalt</translation>
-        </message>
-        <message>
             <source>The hole's number</source>
             <translation>Die Nummer des Lochs</translation>
-        </message>
-        <message>
-            <source>Largest distance between the two sides of the seam</source>
-            <translation>Größter Abstand zwischen beiden Seiten der Naht</translation>
         </message>
         <message>
             <source>Angle between the normals on both sides, root mean square</source>
@@ -3348,20 +3340,16 @@
             <translation>Mittlerer Krümmungsfluss, zweite Ordnung: kleinste Fläche; an der Naht bleibt eine Falte.</translation>
         </message>
         <message>
-            <source>The patch does not meet the scan: there is a gap of %1.</source>
-            <translation>Der Flicken trifft den Scan nicht: es bleibt ein Spalt von %1.</translation>
-        </message>
-        <message>
-            <source>Position, tangent and curvature run through the seam.</source>
-            <translation>Lage, Tangente und Krümmung laufen durch die Naht.</translation>
+            <source>Tangent and curvature run through the seam.</source>
+            <translation>Tangente und Krümmung laufen durch die Naht.</translation>
         </message>
         <message>
             <source>The patch meets the scan with a crease of %1° (rms).</source>
             <translation>Der Flicken trifft den Scan mit einer Falte von %1° (rms).</translation>
         </message>
         <message>
-            <source>Position and tangent run through the seam; the mean curvature jumps by %1 (rms).</source>
-            <translation>Lage und Tangente laufen durch die Naht; die mittlere Krümmung springt um %1 (rms).</translation>
+            <source>The tangent runs through the seam; the mean curvature jumps by %1 (rms).</source>
+            <translation>Die Tangente läuft durch die Naht; die mittlere Krümmung springt um %1 (rms).</translation>
         </message>
         <message>
             <source>No flow has run yet.</source>

@@ -1383,16 +1383,8 @@
             <translation>Hole</translation>
         </message>
         <message>
-            <source>Gap</source>
-            <translation>Gap</translation>
-        </message>
-        <message>
             <source>The hole's number</source>
             <translation>The hole's number</translation>
-        </message>
-        <message>
-            <source>Largest distance between the two sides of the seam</source>
-            <translation>Largest distance between the two sides of the seam</translation>
         </message>
         <message>
             <source>Angle between the normals on both sides, root mean square</source>
@@ -3332,20 +3324,16 @@
             <translation>Mean curvature flow, second order: least area; a crease stays at the seam.</translation>
         </message>
         <message>
-            <source>The patch does not meet the scan: there is a gap of %1.</source>
-            <translation>The patch does not meet the scan: there is a gap of %1.</translation>
-        </message>
-        <message>
-            <source>Position, tangent and curvature run through the seam.</source>
-            <translation>Position, tangent and curvature run through the seam.</translation>
+            <source>Tangent and curvature run through the seam.</source>
+            <translation>Tangent and curvature run through the seam.</translation>
         </message>
         <message>
             <source>The patch meets the scan with a crease of %1° (rms).</source>
             <translation>The patch meets the scan with a crease of %1° (rms).</translation>
         </message>
         <message>
-            <source>Position and tangent run through the seam; the mean curvature jumps by %1 (rms).</source>
-            <translation>Position and tangent run through the seam; the mean curvature jumps by %1 (rms).</translation>
+            <source>The tangent runs through the seam; the mean curvature jumps by %1 (rms).</source>
+            <translation>The tangent runs through the seam; the mean curvature jumps by %1 (rms).</translation>
         </message>
         <message>
             <source>No flow has run yet.</source>

@@ -46,10 +46,12 @@ TEST_F(CliCompare, WritesMeshesPictureProfileAndTables) {
   // As many cells in each row as heads, and every one a number or a word.
   std::istringstream table(test::text_of(work / "flows" / "table.csv"));
   std::string row;
-  for (int k = 0; std::getline(table, row); ++k) {
+  int rows = 0;
+  for (; std::getline(table, row); ++rows) {
     EXPECT_EQ(std::count(row.begin(), row.end(), ','), 11) << row;
     EXPECT_THAT(row, Not(HasSubstr("nan")));
   }
+  EXPECT_EQ(rows, 5);  // the head and the four flows
 }
 
 TEST_F(CliCompare, RefusesASurfaceWithoutHoles) {

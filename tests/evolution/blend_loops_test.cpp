@@ -23,6 +23,9 @@ void expect_good(const BlendResult& result) {
   EXPECT_EQ(result.status, LoopStatus::converged) << result.message;
   EXPECT_EQ(result.quality.folds, 0);
   EXPECT_EQ(result.quality.self_intersections, 0);
+  double worst = 0;
+  for (const SeamReport& seam : result.seams_after) worst = std::max(worst, seam.g1_rms_deg);
+  EXPECT_EQ(result.message.find("crease") != std::string::npos, worst > 5) << worst << " " << result.message;
 }
 
 TEST(BlendLoops, TubesAtOddAnglesConverge) {
@@ -150,7 +153,8 @@ TEST(BlendLoops, ACreaseThatIsLeftBetweenATubesOwnEndsIsToldOf) {
   ASSERT_TRUE(result.patch) << result.message;
   double worst = 0;
   for (const SeamReport& seam : result.seams_after) worst = std::max(worst, seam.g1_rms_deg);
-  EXPECT_EQ(result.message.find("crease") != std::string::npos, worst > 5) << worst << " " << result.message;
+  EXPECT_GT(worst, 5);  // measured: 30
+  EXPECT_NE(result.message.find("crease"), std::string::npos) << result.message;
 }
 
 TEST(BlendLoops, OnCancelTheModelIsAsItWas) {

@@ -3,7 +3,9 @@
 #include "core/error.h"
 #include "io/read_mesh.h"
 #include "mesh/self_intersections.h"
+#include "samples/mesh_facts.h"
 #include "samples/sample_scan.h"
+#include "support/filled_surface.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +13,9 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <mutex>
+#include <set>
 
 namespace loopmend {
 namespace {
@@ -84,6 +88,7 @@ TEST(FillLoops, TheResultDoesNotDependOnTheNumberOfThreads) {
     SurfaceModel model = holey_sphere();
     options.threads = threads;
     fill_loops(model, holes_of(model), options, nullptr, {});
+    EXPECT_TRUE(find_boundary_loops(model).empty());
     points.push_back(model.soup.points);
   }
   EXPECT_EQ(points[0], points[1]);
@@ -178,9 +183,12 @@ TEST(FillLoops, OptionsOutOfRangeThrowBeforeAnyWork) {
 TEST(FillLoops, ColoursOfTheInputStayAndNewVerticesGetOne) {
   SurfaceModel model = test::open_sphere(3, 0.8);
   model.soup.colors.assign(model.soup.points.size(), Color{1, 2, 3, 255});
+  const std::size_t before = model.soup.points.size();
   fill_loops(model, holes_of(model), {}, nullptr, {});
-  EXPECT_EQ(model.soup.colors.size(), model.soup.points.size());
-  EXPECT_EQ(model.soup.colors.front(), (Color{1, 2, 3, 255}));
+  ASSERT_GT(model.soup.points.size(), before);
+  ASSERT_EQ(model.soup.colors.size(), model.soup.points.size());
+  for (std::size_t i = 0; i < before; ++i) EXPECT_EQ(model.soup.colors[i], (Color{1, 2, 3, 255}));
+  for (std::size_t i = before; i < model.soup.points.size(); ++i) EXPECT_EQ(model.soup.colors[i][3], 255) << i;
 }
 
 TEST(FillLoops, TheSampleIsFilledCloseToTheTruth) {
@@ -201,6 +209,21 @@ TEST(FillLoops, TheSampleIsFilledCloseToTheTruth) {
   EXPECT_LT(errors.back(), 4);  // measured 3.4 mm, at the top of the lost chin
 }
 
+/// A patch has no boundary vertices of its own: that is why it meets the scan, and why no gap is measured.
+TEST(FillLoops, PatchesJoinTheLoopsOwnVertices) {
+  for (bool flow : {false, true}) {
+    SurfaceModel model = holey_sphere();
+    const TriangleSoup before = model.soup;
+    const std::vector<BoundaryLoop> holes = holes_of(model);
+    const std::set<test::DirectedEdge> edges = test::loop_edges(model, holes);
+    ASSERT_GT(edges.size(), 40u);
+    FillOptions options;
+    if (!flow) options.evolution.reset();
+    fill_loops(model, holes, options, nullptr, {});
+    EXPECT_EQ(test::boundary_edges(test::added_triangles(before, model.soup)), edges);
+  }
+}
+
 struct Scan {
   const char* file;
   int loops;
@@ -215,30 +238,93 @@ INSTANTIATE_TEST_SUITE_P(Data, FillsRealScans,
                            return name.substr(0, name.find('.'));
                          });
 
+/// The triangles of each loop's patch. No two loops of these scans have a vertex in common.
+std::vector<Triangles> patch_of_each_loop(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                          const Triangles& added) {
+  std::map<int, std::vector<const Triangle*>> at;
+  for (const Triangle& t : added)
+    for (int v : t) at[v].push_back(&t);
+  std::vector<Triangles> patches;
+  for (const BoundaryLoop& loop : loops) {
+    std::set<int> seen{model.soup_vertex[loop.vertices.front()]};
+    std::vector<int> queue(seen.begin(), seen.end());
+    std::set<Triangle> patch;
+    while (!queue.empty()) {
+      const int from = queue.back();
+      queue.pop_back();
+      for (const Triangle* t : at[from]) {
+        patch.insert(*t);
+        for (int v : *t)
+          if (seen.insert(v).second) queue.push_back(v);
+      }
+    }
+    patches.emplace_back(patch.begin(), patch.end());
+  }
+  return patches;
+}
+
+// What the status says is not asked: linear fairings reach their end whatever comes of them.
 TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
   const std::filesystem::path path = std::filesystem::path(LOOPMEND_SHARED_DIR) / "data" / GetParam().file;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
-  SurfaceModel model = make_surface_model(read_mesh(path).soup);
-  const TriangleSoup before = model.soup;
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  const SurfaceModel open = make_surface_model(read_mesh(path).soup);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(open);
   ASSERT_EQ(static_cast<int>(loops.size()), GetParam().loops);
+  SurfaceModel model = open, flat = open;
+  FillOptions no_flow;
+  no_flow.evolution.reset();
+  fill_loops(flat, loops, no_flow, nullptr, {});
   for (const LoopResult& r : fill_loops(model, loops, {}, nullptr, {})) {
-    EXPECT_EQ(r.status, LoopStatus::converged) << r.loop.number << ": " << r.message;
+    EXPECT_NE(r.status, LoopStatus::failed) << r.loop.number << ": " << r.message;
     // A rough rim is let go of where it says nothing about the hole: there H may jump a little more.
     const double room = r.rim.roughness.kind == Surroundings::rough ? 1.2 : 1;
     EXPECT_LE(r.seam_after.h_jump_rms, room * r.seam_before.h_jump_rms) << r.loop.number;
   }
-  expect_input_first(before, model.soup);
-  // Seen anew from the soup alone: nothing to repair, nothing open.
-  const SurfaceModel again = make_surface_model(model.soup);
-  EXPECT_TRUE(find_boundary_loops(again).empty());
-  EXPECT_EQ(again.repairs.non_manifold_edges + again.repairs.non_manifold_vertices + again.repairs.reoriented_faces,
-            0u);
-  Triangles patch_first(model.soup.triangles.begin() + static_cast<long>(before.triangles.size()),
-                        model.soup.triangles.end());
-  const int own = static_cast<int>(patch_first.size());
-  patch_first.insert(patch_first.end(), before.triangles.begin(), before.triangles.end());
-  EXPECT_TRUE(self_intersections(model.soup.points, patch_first, own).empty());
+  expect_input_first(open.soup, model.soup);
+  const test::MeshFacts facts = test::mesh_facts(model.soup);
+  EXPECT_TRUE(facts.loops.empty());
+  EXPECT_TRUE(facts.oriented);
+  EXPECT_TRUE(facts.vertex_manifold);
+
+  const Triangles added = test::added_triangles(open.soup, model.soup);
+  EXPECT_EQ(test::boundary_edges(added), test::loop_edges(open, loops));
+  EXPECT_EQ(test::count_self_intersections(open.soup, model.soup), 0u);
+  const std::vector<Triangles> patches = patch_of_each_loop(open, loops, added),
+                               flat_patches =
+                                   patch_of_each_loop(open, loops, test::added_triangles(open.soup, flat.soup));
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    SCOPED_TRACE(loops[k].number);
+    ASSERT_GE(patches[k].size() + 2, loops[k].vertices.size());
+    EXPECT_LT(test::sharpest_fold_deg(model.soup.points, patches[k]), 150);  // measured: 61
+    const double growth =
+        test::area_of(model.soup.points, patches[k]) / test::area_of(flat.soup.points, flat_patches[k]);
+    EXPECT_GT(growth, 0.5);
+    EXPECT_LT(growth, 2);  // measured: 1.37 at the tip of the head's nose, below 1.13 elsewhere
+  }
+}
+
+TEST(RealScans, TheHeadsPatchesLieNearWhatWasCutOut) {
+  const std::filesystem::path folder = std::filesystem::path(LOOPMEND_SHARED_DIR) / "data";
+  if (!std::filesystem::exists(folder / "head.ply")) GTEST_SKIP() << folder << " is not here";
+  const test::Truth truth(read_mesh(folder / "head.ply").soup);
+  SurfaceModel model = make_surface_model(read_mesh(folder / "head_holes.ply").soup);
+  const SurfaceModel open = model;
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(open);
+  ASSERT_EQ(loops.size(), 5u);
+  fill_loops(model, loops, {}, nullptr, {});
+  const std::vector<Triangles> patches = patch_of_each_loop(open, loops, test::added_triangles(open.soup, model.soup));
+  // Measured, in thousandths of the hole's diameter: 1.3, 7.5, 7.8, 4.7 and 52 at the tip of the nose.
+  const double bounds[] = {0.0026, 0.012, 0.012, 0.0075, 0.075};
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    std::set<int> free;
+    for (const Triangle& t : patches[k])
+      for (int v : t)
+        if (v >= static_cast<int>(open.soup.points.size())) free.insert(v);
+    ASSERT_GT(free.size(), 20u);
+    double sum = 0;
+    for (int v : free) sum += std::pow(truth.distance(model.soup.points[v]) / loops[k].diameter, 2);
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(free.size())), bounds[k]) << "loop " << loops[k].number;
+  }
 }
 
 }  // namespace

@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
+#include <set>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -71,14 +74,22 @@ TEST(LeastFolded, OfEqualsTooAndWithPointsInOneLine) {
                               (along - Vec3(0.5, 0.5, 0)));
     }
   for (const Vec3& p : square.points) square.across.push_back(2 * p);
+  ASSERT_EQ(least_folded_triangulation(square).size(), 22u);
   EXPECT_EQ(sorted(least_folded_triangulation(square)), sorted(triangulation_by_cgal(square)));
   for (Vec3& p : square.points) p = p.array().round();
   EXPECT_EQ(sorted(least_folded_triangulation(square)), sorted(triangulation_by_cgal(square)));
 }
 
 TEST(LeastFolded, WindsLikeTheLoop) {
-  for (const Triangle& t : least_folded_triangulation(wavy_loop(12, 2)))
-    EXPECT_EQ((t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]), 2);
+  for (int n : {3, 4, 12, 60}) {
+    const Triangles found = least_folded_triangulation(wavy_loop(n, 2));
+    ASSERT_EQ(found.size(), static_cast<std::size_t>(n - 2));
+    std::map<std::pair<int, int>, int> edges;
+    for (const Triangle& t : found)
+      for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    EXPECT_EQ(edges.size(), 3 * found.size()) << "a directed edge twice";
+    for (int i = 0; i < n; ++i) EXPECT_TRUE(edges.contains({i, (i + 1) % n})) << n << ": edge " << i;
+  }
 }
 
 TEST(LeastFolded, ChordsThatArePresentAreNotMade) {

@@ -86,13 +86,13 @@ TEST(LoopFiller, ConcaveAndSlitShapedLoops) {
   const auto slit = [](const Vec3& p) { return p.z() > 0 && std::abs(p.y()) < 0.06 && std::abs(p.x()) < 0.7; };
   for (const auto& shape : {std::function<bool(const Vec3&)>(star), std::function<bool(const Vec3&)>(slit)}) {
     const SurfaceModel model = make_surface_model(trim_rims(cut(sphere, shape)));
-    for (const BoundaryLoop& loop : find_boundary_loops(model)) {
-      const FillerOutcome outcome = fill_loop(model, loop, {}, {});
-      ASSERT_TRUE(outcome.filler);
-      expect_closes(model, loop, *outcome.filler);
-      EXPECT_EQ(outcome.quality.folds, 0);
-      EXPECT_EQ(outcome.quality.self_intersections, 0);
-    }
+    const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+    ASSERT_EQ(loops.size(), 1u);
+    const FillerOutcome outcome = fill_loop(model, loops[0], {}, {});
+    ASSERT_TRUE(outcome.filler);
+    expect_closes(model, loops[0], *outcome.filler);
+    EXPECT_EQ(outcome.quality.folds, 0);
+    EXPECT_EQ(outcome.quality.self_intersections, 0);
   }
 }
 
@@ -101,8 +101,8 @@ TEST(LoopFiller, WhereRemeshingWouldCutTheSurroundingsThePatchGetsItsVerticesAll
   TriangleSoup sheet =
       make_graph([](double x, double y) { return 1.5 * std::exp(-x * x / 0.0064) * std::exp(-2 * y * y); }, 2, 100);
   for (Vec3& p : sheet.points) p.x() += p.z();
-  const SurfaceModel model = make_surface_model(
-      trim_rims(cut(sheet, [](const Vec3& p) { return (p - Vec3(0.2, 0.6, 0.5)).norm() < 0.9; })));
+  const SurfaceModel model =
+      make_surface_model(trim_rims(cut(sheet, [](const Vec3& p) { return (p - Vec3(0.2, 0.6, 0.5)).norm() < 0.9; })));
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   const auto hole = std::find_if(loops.begin(), loops.end(), [](const auto& l) { return l.edges() == 142; });
   ASSERT_NE(hole, loops.end());

@@ -4,9 +4,13 @@
 #include "evolution/state.h"
 #include "filling/fairing.h"
 #include "flows/decay_rate.h"
+#include "mesh/region.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -34,9 +38,24 @@ TEST(FlowTerms, ConstantMeanCurvatureIsStationaryForMmcvfSdfAndTheSphereForWf) {
   EXPECT_NEAR(flow_velocity(FlowKind::mcf, sphere).mean(), -exact.patch.scale, 0.01 * exact.patch.scale);
 }
 
+/// The upper part of a bumpy sphere, with the triangles of the icosphere: a filler's irregular ones would blur the sixth
+/// order by as much as one of its terms.
+Patch bumpy_region() {
+  TriangleSoup ball = make_icosphere(5);
+  std::vector<int> upper;
+  for (std::size_t i = 0; i < ball.points.size(); ++i)
+    if (ball.points[i].z() > 0.2) upper.push_back(static_cast<int>(i));
+  for (Vec3& p : ball.points) p *= 1 + 0.1 * std::cos(3 * p.x() + 1) * std::cos(2 * p.y() + 0.5);
+  return make_region(make_surface_model(ball), upper).patch;
+}
+
 /// V is minus the L² gradient of the flow's energy: dE/ds·φ = −c ∫Vφ for φ that vanishes towards the seam.
-void expect_descent(FlowKind flow, const Objective& objective, double factor) {
-  const EvolutionState state = make_state(disturbed_state().patch, objective, Stencil::two_ring);
+/// @param tolerance  relative: below half of what the least term of the flow contributes here, 8 % (MMCVF) and 9 % (WF)
+void expect_descent(FlowKind flow, double factor, double tolerance) {
+  constexpr Stencil stencil = Stencil::two_ring_cubic;
+  const Objective objective{flow, 0};
+  const EvolutionState state = make_state(bumpy_region(), objective, stencil);
+  ASSERT_EQ(state.patch.loops.size(), 1u);
   Eigen::VectorXd phi(state.patch.free_count);
   for (int i = 0; i < phi.size(); ++i) {
     double distance = 1;
@@ -45,17 +64,18 @@ void expect_descent(FlowKind flow, const Objective& objective, double factor) {
     phi[i] = std::pow(distance, 4) * (1 + state.patch.positions[i].x());
   }
   constexpr double step = 1e-5;
-  const double difference = (displaced(state, objective, Stencil::two_ring, step * phi).measure -
-                             displaced(state, objective, Stencil::two_ring, -step * phi).measure) /
+  const double difference = (displaced(state, objective, stencil, step * phi).measure -
+                             displaced(state, objective, stencil, -step * phi).measure) /
                             (2 * step);
   const Eigen::VectorXd V = flow_velocity(flow, FlowState(state.ops, state.patch.free_count));
   const double predicted = -factor * V.cwiseProduct(masses(state)).dot(phi);
-  EXPECT_NEAR(predicted, difference, 0.15 * std::abs(difference)) << to_string(flow);
+  EXPECT_NEAR(predicted, difference, tolerance * std::abs(difference)) << to_string(flow);
 }
 
-TEST(FlowTerms, McfDescendsArea) { expect_descent(FlowKind::mcf, {FlowKind::mcf, 0}, 2); }
-TEST(FlowTerms, WfDescendsBendingEnergy) { expect_descent(FlowKind::wf, {FlowKind::wf, 0}, 1); }
-TEST(FlowTerms, MmcvfDescendsTheVariationOfH) { expect_descent(FlowKind::mmcvf, {FlowKind::mmcvf, 0}, 1); }
+// Measured: 0.03, 1.5 and 0.6 %.
+TEST(FlowTerms, McfDescendsArea) { expect_descent(FlowKind::mcf, 2, 0.002); }
+TEST(FlowTerms, WfDescendsBendingEnergy) { expect_descent(FlowKind::wf, 1, 0.03); }
+TEST(FlowTerms, MmcvfDescendsTheVariationOfH) { expect_descent(FlowKind::mmcvf, 1, 0.02); }
 
 /// Row i of the paper's system before it is reduced: V_i as a linear form in all coordinates r_m^{k+1} (3 #V), by the
 /// splits of §4 written out with the weights, H_l = ½ ⟨n_l, Σ_m w_lm r_m⟩ and K_i = Σ_m ⟨w^K_im, r_m⟩.
@@ -134,17 +154,53 @@ Patch flat_patch(const std::function<bool(const Vec3&)>& inside) {
   return *start_patch(model, holes, {}, CancelToken()).patch;
 }
 
-Patch disc() {
-  return flat_patch([](const Vec3& p) { return p.head<2>().norm() < 1 - 1e-9; });
+/// A round hole of n edges in rings of almost equilateral triangles.
+Patch disc(int n) {
+  constexpr int rings = 8;
+  TriangleSoup soup;
+  const double growth = 1 + 2 * M_PI / n;
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * M_PI * (i + 0.5 * (j % 2)) / n, r = std::pow(growth, j);
+      soup.points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+    }
+  for (int j = 0; j + 1 < rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * n + i, b = j * n + (i + 1) % n, c = a + n, d = b + n;
+      if (j % 2 == 0)
+        soup.triangles.insert(soup.triangles.end(), {{a, c, b}, {b, c, d}});
+      else
+        soup.triangles.insert(soup.triangles.end(), {{a, d, b}, {a, c, d}});
+    }
+  const SurfaceModel model = make_surface_model(soup);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  EXPECT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops.back().kind, LoopKind::hole);
+  return *start_patch(model, {loops.back()}, {}, CancelToken()).patch;
 }
 
-TEST(DecayRate, OfADiscFollowsTheKnownEigenvalues) {
-  // NUMERICS §4: disc of radius R, clamped: T = 1/λ₁ ≈ 2(R/2.41)² MCF, 2(R/3.2)⁴ SDF, 2(R/3.9)⁶ MMCVF.
-  const Patch patch = disc();
+/// k of the eigenvalue (k/R)^order that the rate is half of.
+double wave_number(FlowKind flow, int order, const Patch& patch) {
   const double R = std::sqrt(patch_area(patch) / M_PI);
-  EXPECT_NEAR(slowest_decay_rate(FlowKind::mcf, patch), std::pow(2.405 / R, 2) / 2, 0.03 * std::pow(2.405 / R, 2) / 2);
-  EXPECT_NEAR(slowest_decay_rate(FlowKind::sdf, patch), std::pow(3.196 / R, 4) / 2, 0.25 * std::pow(3.196 / R, 4) / 2);
-  EXPECT_NEAR(slowest_decay_rate(FlowKind::mmcvf, patch), std::pow(3.9 / R, 6) / 2, 0.5 * std::pow(3.9 / R, 6) / 2);
+  return R * std::pow(2 * slowest_decay_rate(flow, patch), 1.0 / order);
+}
+
+/// The clamped eigenvalues of a disc: of −Δ from J0(k) = 0, of Δ² from J0 I1 + J1 I0 = 0, of −Δ³ from u = u′ = u″ = 0 for
+/// J0 of k times the three sixth roots. The mesh clamps a little beyond the loop, an error of the first order in the edge
+/// (MCF: second) that two meshes take off. Measured: 0.006, 0.04 and 0.45 % are left.
+TEST(DecayRate, OfADiscTendsToTheKnownEigenvalues) {
+  struct Known {
+    FlowKind flow;
+    int order;
+    double k, weight, tolerance;  ///< weight of the finer mesh in the extrapolation; relative tolerance
+  };
+  const Patch coarse = disc(64), fine = disc(128);
+  for (const Known& known :
+       {Known{FlowKind::mcf, 2, 2.40483, 4.0 / 3, 0.001}, Known{FlowKind::sdf, 4, 3.19622, 2, 0.002},
+        Known{FlowKind::wf, 4, 3.19622, 2, 0.002}, Known{FlowKind::mmcvf, 6, 3.98046, 2, 0.01}}) {
+    const double from = wave_number(known.flow, known.order, coarse), to = wave_number(known.flow, known.order, fine);
+    EXPECT_NEAR(from + known.weight * (to - from), known.k, known.tolerance * known.k) << to_string(known.flow);
+  }
 }
 
 double exact_by_rough(FlowKind flow, const Patch& patch) {
@@ -153,8 +209,8 @@ double exact_by_rough(FlowKind flow, const Patch& patch) {
 
 TEST(DecayRate, IsRoughlyForetoldByAreaAndRim) {
   for (FlowKind flow : all_flows) {
-    const double of_disc = exact_by_rough(flow, disc());
-    EXPECT_TRUE(of_disc > 0.5 && of_disc < 1.3) << to_string(flow) << ": " << of_disc;
+    const double of_disc = exact_by_rough(flow, disc(128));  // measured: 0.99, 0.90, 0.90, 0.85
+    EXPECT_TRUE(of_disc > 0.8 && of_disc < 1.05) << to_string(flow) << ": " << of_disc;
   }
   // A long strip of width w has (2π/w)⁶ for (3.9/w)⁶; six cells across are fewer than the sixth order needs. A disc of this
   // slit's area would be off by another factor of 30.

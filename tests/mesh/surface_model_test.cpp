@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -76,13 +79,29 @@ TEST(SurfaceModel, DegenerateAndDuplicateFacesAreCountedAndKeptInTheSoup) {
   EXPECT_EQ(model.mesh.n_faces(), 4u);
 }
 
+/// Of each loop, by falling perimeter: its kind, and its vertices as points of the soup in ascending order.
+std::vector<std::pair<LoopKind, std::vector<int>>> loops_of(const SurfaceModel& model) {
+  std::vector<std::pair<LoopKind, std::vector<int>>> result;
+  for (const BoundaryLoop& loop : find_boundary_loops(model)) {
+    std::vector<int>& vertices = result.emplace_back(loop.kind, std::vector<int>()).second;
+    for (int v : loop.vertices) vertices.push_back(model.soup_vertex[v]);
+    std::sort(vertices.begin(), vertices.end());
+  }
+  return result;
+}
+
 TEST(SurfaceModel, ThreeFacesAtAnEdgeCutTheViewAndTheCutIsNoHole) {
-  TriangleSoup soup = tetrahedron();
-  soup.points.push_back(Vec3(2, 2, 2));
-  soup.triangles.push_back({1, 2, 4});  // a fin on edge 1-2
+  // An octahedron without one face, which is a hole, and with a fin on an edge of the opposite one.
+  TriangleSoup soup{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {-2, -2, 0}},
+                    {{2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}, {1, 3, 6}},
+                    {}};
   const SurfaceModel model = make_surface_model(soup);
   EXPECT_EQ(model.repairs.non_manifold_edges, 1u);
-  for (const BoundaryLoop& loop : find_boundary_loops(model)) EXPECT_EQ(loop.kind, LoopKind::cut);
+  EXPECT_EQ(model.mesh.n_faces(), 8u);
+  const auto loops = loops_of(model);
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[0], std::pair(LoopKind::cut, std::vector<int>{1, 3, 6}));  // the fin, cut off
+  EXPECT_EQ(loops[1], std::pair(LoopKind::hole, std::vector<int>{0, 2, 4}));
 }
 
 TEST(SurfaceModel, IndexOutOfRangeThrows) {
@@ -119,8 +138,17 @@ TEST(BoundaryLoops, EndsOfATubeAreHoles) {
 }
 
 TEST(BoundaryLoops, TwoHolesThatMeetAtAVertexAreTouching) {
-  for (const BoundaryLoop& loop : find_boundary_loops(make_surface_model(grid_without(6, {{2, 2}, {3, 3}}))))
-    EXPECT_EQ(loop.kind, loop.edges() > 20 ? LoopKind::outer_rim : LoopKind::touching);
+  const auto loops = loops_of(make_surface_model(grid_without(6, {{2, 2}, {3, 3}})));
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[0].first, LoopKind::outer_rim);
+  EXPECT_EQ(loops[0].second.size(), 24u);
+  // One loop goes round both, twice through the vertex (3, 3), which is the 24th.
+  EXPECT_EQ(loops[1], std::pair(LoopKind::touching, std::vector<int>{16, 17, 23, 24, 24, 25, 31, 32}));
+  // One that they do not share makes them two holes.
+  const auto apart = loops_of(make_surface_model(grid_without(6, {{2, 2}, {4, 3}})));
+  ASSERT_EQ(apart.size(), 3u);
+  EXPECT_EQ(apart[1].first, LoopKind::hole);
+  EXPECT_EQ(apart[2].first, LoopKind::hole);
 }
 
 TEST(BoundaryLoops, ASlitBetweenCoincidentVerticesIsACrack) {
@@ -201,11 +229,16 @@ TEST(TriangleIndex, FindsWhatTheBoxMeets) {
   const TriangleIndex index(sphere.points, sphere.triangles);
   EXPECT_EQ(index.near({-2, -2, -2}, {2, 2, 2}).size(), sphere.triangles.size());
   EXPECT_TRUE(index.near({3, 3, 3}, {4, 4, 4}).empty());
-  for (int f : index.near({0.9, -0.1, -0.1}, {1.1, 0.1, 0.1})) {
-    double x = -1;
-    for (int v : sphere.triangles[f]) x = std::max(x, sphere.points[v].x());
-    EXPECT_GE(x, 0.9);
+  const Eigen::AlignedBox3d box(Vec3(0.9, -0.1, -0.1), Vec3(1.1, 0.1, 0.1));
+  std::vector<int> met, found = index.near(box.min(), box.max());
+  for (std::size_t f = 0; f < sphere.triangles.size(); ++f) {
+    Eigen::AlignedBox3d own;
+    for (int v : sphere.triangles[f]) own.extend(sphere.points[v]);
+    if (own.intersects(box)) met.push_back(static_cast<int>(f));
   }
+  std::sort(found.begin(), found.end());
+  ASSERT_GT(met.size(), 3u);
+  EXPECT_EQ(found, met);
 }
 
 TEST(Quality, AnglesFoldsAndLengths) {

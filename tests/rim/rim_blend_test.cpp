@@ -1,11 +1,11 @@
 #include "rim/rim_blend.h"
 
 #include "analysis/seam_report.h"
+#include "energy/curvature_energy.h"
 #include "evolution/evolution.h"
 #include "evolution/mesh_care.h"
 #include "mesh/quality.h"
 #include "operators/local_fit.h"
-#include "operators/operator_set.h"
 #include "rim/rim_roughness.h"
 #include "samples/random.h"
 #include "support/patches.h"
@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -32,9 +32,12 @@ Patch rough_start(int level = 5, double height = 0.85, double relief = 1) {
   return test::start_of(make_surface_model(trim_rims(cut(scan, [=](const Vec3& p) { return p.z() > height; }))));
 }
 
-Evolution solved(const Patch& start, const EvolutionOptions& options) {
+/// Run to its end, whatever that is called: a linear fairing converges to nothing.
+Evolution evolved(const Patch& start, const EvolutionOptions& options) {
   Evolution evolution(start, options);
-  EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+  const EvolutionStatus status = evolution.run(nullptr, {});
+  EXPECT_NE(status, EvolutionStatus::failed) << evolution.message();
+  EXPECT_NE(status, EvolutionStatus::step_limit) << evolution.message();
   return evolution;
 }
 
@@ -55,27 +58,35 @@ TEST(RimBlend, EvenRimIsTrusted) {
   EXPECT_GT(trust_of(patch).minCoeff(), 0.999);
 }
 
-/// A patch in the unit sphere with ever finer triangles towards x = 1, where alone the surroundings are scattered.
-Patch patch_with_fine_and_scattered_side() {
-  TriangleSoup soup = make_icosphere(5);
+/// A hole in the unit sphere within rings of vertices. A third of its boundary loop is fine, with scattered surroundings;
+/// the rest is smooth, with this many vertices. The free vertices lie on the sphere.
+Patch patch_with_fine_and_scattered_side(int smooth_vertices) {
+  constexpr int fine_vertices = 96, rings = 10;
+  constexpr double third = 2 * std::numbers::pi / 3;
+  std::vector<double> angle;
+  for (int k = 0; k < fine_vertices; ++k) angle.push_back(-third / 2 + third * k / fine_vertices);
+  for (int k = 0; k < smooth_vertices; ++k) angle.push_back(third / 2 + 2 * third * k / smooth_vertices);
+  const int n = static_cast<int>(angle.size());
+  TriangleSoup soup;
   Random random(4);
-  constexpr double pull = 0.8;  // conformal: the sphere is mapped to itself
-  for (Vec3& p : soup.points) {
-    const double x = (p.x() + pull) / (1 + pull * p.x()), shrink = std::sqrt(1 - pull * pull) / (1 + pull * p.x());
-    p = Vec3(x, shrink * p.y(), shrink * p.z()).normalized();
-    if (p.x() > 0.3) p *= 1 + 0.02 * random.bell();
-  }
-  return test::start_of(make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.8; }))));
-}
-
-Eigen::VectorXd bend_of(const Patch& patch) {
-  std::vector<int> all(patch.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  Eigen::MatrixX3d x(patch.vertex_count(), 3);
-  for (int i = 0; i < patch.vertex_count(); ++i) x.row(i) = patch.positions[i].transpose();
-  const SparseMatrix C = clamped_cotan_stiffness(patch.positions, patch.triangles, all, robust_clamp);
-  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
-  return (mass.cwiseInverse().asDiagonal() * Eigen::MatrixX3d(C * x)).rowwise().norm();
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double from_axis = std::acos(0.8) + 0.02 * j;
+      const bool scattered = i > 2 && i < fine_vertices - 3;
+      soup.points.push_back((1 + (scattered ? 0.004 * random.bell() : 0)) *
+                            Vec3(std::sin(from_axis) * std::cos(angle[i]), std::sin(from_axis) * std::sin(angle[i]),
+                                 std::cos(from_axis)));
+    }
+  for (int j = 0; j + 1 < rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * n + i, b = j * n + (i + 1) % n, c = a + n, d = b + n;
+      soup.triangles.insert(soup.triangles.end(), {{a, c, b}, {b, c, d}});
+    }
+  const SurfaceModel model = make_surface_model(soup);
+  Patch patch = *start_patch(model, {find_boundary_loops(model).back()}, {}, {}).patch;
+  for (int i = 0; i < patch.free_count; ++i)
+    patch.positions[i] = patch.to_frame(patch.to_mesh(patch.positions[i]).normalized());
+  return patch;
 }
 
 /// One half of the surroundings is left as it is: there the curvature is known, and on the other it is not.
@@ -111,10 +122,25 @@ TEST(RimBlend, PassageKeepsTheLiteralPatchLongestWhereTheRimIsTrusted) {
   EXPECT_EQ(passage_between(literal, robust, 0, trust).positions, literal.positions);
   for (int v : literal.loops[0])
     if (literal.to_mesh(literal.positions[v]).x() > 0) trust[v] = 0.1;
-  const Patch patch = passage_between(literal, robust, 0.3, trust);
-  for (int i = 0; i < patch.free_count; ++i) {
-    EXPECT_GE(share_at(patch, i), 0.3 - 1e-9);
-    EXPECT_LE(share_at(patch, i), 0.3 / (0.3 + 0.07) + 1e-9);
+  double last = 0;
+  for (double share : {0.1, 0.3, 0.6, 0.9}) {
+    const Patch patch = passage_between(literal, robust, share, trust);
+    double doubted = 0, trusted = 0, middle = 0, of_doubted = 0, of_trusted = 0, of_middle = 0;
+    for (int i = 0; i < patch.free_count; ++i) {
+      const Vec3 p = literal.to_mesh(literal.positions[i]);
+      const double way = std::hypot(p.x(), p.y()) / 0.6, at = share_at(patch, i);  // 0.6: radius of the loop
+      if (way > 0.9 && p.x() > 0.4) doubted += at, ++of_doubted;
+      if (way > 0.9 && p.x() < -0.4) trusted += at, ++of_trusted;
+      if (way < 0.15) middle += at, ++of_middle;
+    }
+    doubted /= of_doubted, trusted /= of_trusted, middle /= of_middle;
+    EXPECT_NEAR(trusted, share, 0.02);
+    // Ten times as many for the robust patch: measured 0.51, 0.80, 0.93 and 0.99.
+    EXPECT_GT(doubted, 0.95 * 10 * share / (1 + 9 * share));
+    // A harmonic function has its mean in the middle, and each side has half of the circle.
+    EXPECT_NEAR(middle, (doubted + trusted) / 2, 0.02);
+    EXPECT_GT(middle, last);
+    last = middle;
   }
 }
 
@@ -129,26 +155,30 @@ TEST(RimBlend, OneSpikeAtTheRimLosesItsTrustAndTheRestKeepsIt) {
   EXPECT_LE(doubted, 9);  // the spike and what has an edge to it
 }
 
-/// Most vertices of the rim lie on its fine side, most of its length on the other.
+/// How fine the smooth part of a rim is says nothing about the rest of it. The median over the vertices would trust the
+/// scattered part a quarter more where it has most of the vertices.
 TEST(RimBlend, TheFinestPartOfTheRimDoesNotDecideWhatIsUsual) {
-  Patch patch = patch_with_fine_and_scattered_side();
-  const double radius = rim_roughness(patch).radius;
-  ASSERT_TRUE(blend_once(patch, SeamContinuity::tangent, {}, radius));  // no crease at the loop
-  const Eigen::VectorXd bend = bend_of(patch);
-  std::vector<double> rim;
-  for (int v = patch.free_count; v < patch.vertex_count(); ++v)
-    if (patch.ring[v] <= 2) rim.push_back(bend[v]);
-  std::nth_element(rim.begin(), rim.begin() + static_cast<long>(rim.size() / 2), rim.end());
-  const double limit_by_vertices = 1 / (1 / (8 * rim[rim.size() / 2]) + radius / 8);
-  const Eigen::VectorXd known = Eigen::VectorXd::Ones(patch.vertex_count() - patch.free_count);
-  const Eigen::VectorXd trust = rim_trust(patch, radius, known);
-  int doubted = 0;
-  for (int v : patch.loops[0]) {
-    if (trust[v] == 1) continue;
-    ++doubted;
-    EXPECT_LT(std::sqrt(trust[v]) * bend[v], 0.9 * limit_by_vertices);
+  std::vector<double> trust_in_scattered;
+  for (int smooth_vertices : {32, 192}) {  // 192: as fine as the scattered part
+    const Patch patch = patch_with_fine_and_scattered_side(smooth_vertices);
+    ASSERT_EQ(patch.loops[0].size(), static_cast<std::size_t>(96 + smooth_vertices));
+    const Eigen::VectorXd known = Eigen::VectorXd::Ones(patch.vertex_count() - patch.free_count);
+    const Eigen::VectorXd trust = rim_trust(patch, rim_roughness(patch).radius, known);
+    double scattered = 0, smooth = 0;
+    int of_scattered = 0, of_smooth = 0;
+    for (int v : patch.loops[0]) {
+      const Vec3 p = patch.to_mesh(patch.positions[v]);
+      const double angle = std::abs(std::atan2(p.y(), p.x()));
+      if (angle < 0.9) scattered += trust[v], ++of_scattered;
+      if (angle > 1.3) smooth += trust[v], ++of_smooth;
+    }
+    ASSERT_GT(of_scattered, 70);
+    ASSERT_GT(of_smooth, 20);
+    EXPECT_GT(smooth / of_smooth, 0.9);
+    trust_in_scattered.push_back(scattered / of_scattered);
   }
-  EXPECT_GT(doubted, 0);
+  EXPECT_LT(trust_in_scattered[1], 0.3);  // measured: 0.143 and 0.156
+  EXPECT_NEAR(trust_in_scattered[0] / trust_in_scattered[1], 1, 0.15);
 }
 
 /// Every so often an edge between two of the patch's triangles is turned to the other diagonal.
@@ -176,8 +206,8 @@ TEST(RimBlend, FairingsTurnEdgesThatAreNotDelaunay) {
   ASSERT_NE(turned.triangles, start.triangles);
   EvolutionOptions fixed;
   fixed.triangles = PatchTriangles::fixed;
-  const Patch expected = solved(start, {}).patch(), patch = solved(turned, {}).patch(),
-              literal = solved(turned, fixed).patch();
+  const Patch expected = evolved(start, {}).patch(), patch = evolved(turned, {}).patch(),
+              literal = evolved(turned, fixed).patch();
   const auto way = [&](const Patch& other) {
     double most = 0;
     for (int i = 0; i < start.free_count; ++i)
@@ -207,6 +237,19 @@ TEST(RimBlend, AreaThatWasLostIsTakenFromTheWiderPatchAndNoOther) {
   for (int i = 0; i < patch.free_count; ++i) EXPECT_LT((all.positions[i] - wide.positions[i]).norm(), 1e-12);
 }
 
+/// From a start that has the whole bulge: without the return of the area that the fairings lose 0.971 would be left.
+TEST(RimBlend, FairingsKeepTheAreaOfABulge) {
+  Patch start = rough_start(5, 0.5);
+  for (int i = 0; i < start.free_count; ++i)
+    start.positions[i] = start.to_frame(start.to_mesh(start.positions[i]).normalized());
+  EvolutionOptions options;
+  options.boundary = BoundaryTrust::smooth;
+  options.triangles = PatchTriangles::fixed;
+  const double kept = patch_area(evolved(start, options).patch()) / patch_area(start);
+  EXPECT_GT(kept, 0.99);
+  EXPECT_LT(kept, 1.04);
+}
+
 TEST(RimBlend, FairingsAfterTheFirstMoveAlongNormals) {
   EvolutionOptions options;
   options.triangles = PatchTriangles::fixed;
@@ -229,7 +272,7 @@ TEST(RimBlend, FairingsAfterTheFirstMoveAlongNormals) {
   }
 }
 
-/// Two thirds of rough spheres are missing: in some, the vertices of the second fairing must slide, or folds are left.
+/// Two thirds of rough spheres are missing: in some, the vertices of the later fairings must slide, or folds are left.
 TEST(RimBlend, AFairingThatWouldFoldAlongNormalsSpreadsTheVerticesAnew) {
   const auto folds_of = [](const Patch& patch) {
     return count_folds(patch.positions, patch.triangles, patch.patch_triangles);
@@ -237,26 +280,21 @@ TEST(RimBlend, AFairingThatWouldFoldAlongNormalsSpreadsTheVerticesAnew) {
   EvolutionOptions options;
   options.boundary = BoundaryTrust::robust;
   options.triangles = PatchTriangles::fixed;
-  int spread_anew = 0;
+  int left = 0;
   for (double height : {-0.3, -0.4, -0.5, -0.6})
-    for (double relief : {1.0, 2.0, 3.0, 6.0}) {
+    for (double relief : {1.0, 2.0, 3.0}) {
       const Patch start = rough_start(4, height, relief);
-      options.roughness = rim_roughness(start);
-      const double radius = options.roughness->radius;
       Evolution evolution(start, options);
-      evolution.step({});
-      const Patch before = evolution.patch();
-      Patch spread = before;
-      const Eigen::VectorXd trust = rim_trust(before, radius, data_trust(start, radius));
-      ASSERT_TRUE(blend_once(spread, SeamContinuity::curvature, trust, radius));
-      const Patch mended = along_normals(before, spread);
-      const bool folds = folds_of(mended) > folds_of(spread);
-      spread_anew += folds;
-      evolution.step({});
-      EXPECT_EQ(evolution.patch().positions, (folds ? spread : mended).positions);
+      int folds = folds_of(start);
+      ASSERT_GT(folds, 0);
+      while (evolution.status() == EvolutionStatus::ready) {
+        evolution.step({});
+        EXPECT_LE(folds_of(evolution.patch()), folds) << height << ", " << relief;
+        folds = folds_of(evolution.patch());
+      }
+      left += folds;
     }
-  EXPECT_GT(spread_anew, 0);
-  EXPECT_LT(spread_anew, 16);
+  EXPECT_LE(left, 1);  // measured: 1
 }
 
 TEST(RimBlend, ASpikeDoesNotBendThePatch) {
@@ -267,7 +305,7 @@ TEST(RimBlend, ASpikeDoesNotBendThePatch) {
   EvolutionOptions unjudged;
   unjudged.bending = rough_bending;
   unjudged.boundary = BoundaryTrust::exact;
-  const double robust = largest_distance_to_unit_sphere(solved(patch, smooth).patch());
+  const double robust = largest_distance_to_unit_sphere(evolved(patch, smooth).patch());
   Evolution literal(patch, unjudged);
   literal.run(nullptr, {});
   EXPECT_LT(robust, 0.3 * largest_distance_to_unit_sphere(literal.patch()));
@@ -277,17 +315,19 @@ TEST(RimBlend, CleanSurroundingsGiveTheSameBitsWithAndWithoutTheJudgement) {
   const Patch start = test::start_of(test::rough_open_sphere(4, 0.6));
   EvolutionOptions exact;
   exact.boundary = BoundaryTrust::exact;
-  const Evolution automatic = solved(start, {}), literal = solved(start, exact);
+  const Evolution automatic = evolved(start, {}), literal = evolved(start, exact);
   EXPECT_EQ(automatic.patch().positions, literal.patch().positions);
   EXPECT_EQ(automatic.roughness()->kind, Surroundings::smooth);
 }
 
-TEST(RimBlend, RoughSurroundingsAreBlendedLinearly) {
+TEST(RimBlend, OnRoughSurroundingsThePatchBulgesLikeTheSphere) {
   const Patch start = rough_start();
-  const Evolution evolution = solved(start, {});
+  const Evolution evolution = evolved(start, {});
   EXPECT_EQ(evolution.roughness()->kind, Surroundings::rough);
-  EXPECT_EQ(evolution.history().size(), 3U);
-  EXPECT_EQ(evolution.bending(), rough_bending);
+  EXPECT_GT(largest_distance_to_unit_sphere(start), 0.15);
+  // Measured: 0.032, of which 0.016 is the relief.
+  EXPECT_LT(largest_distance_to_unit_sphere(evolution.patch()), 0.04);
+  ASSERT_EQ(evolution.patch().vertex_count(), start.vertex_count());
   for (int i = start.free_count; i < start.vertex_count(); ++i)
     EXPECT_EQ(evolution.patch().positions[i], start.positions[i]);
 }
@@ -300,7 +340,7 @@ TEST(SeamContinuity, EachOrderHasWhatItPromisesAndNoMore) {
   for (SeamContinuity continuity : {SeamContinuity::position, SeamContinuity::tangent, SeamContinuity::curvature}) {
     EvolutionOptions options;
     options.continuity = continuity;
-    const Evolution evolution = solved(start, options);
+    const Evolution evolution = evolved(start, options);
     const Patch& patch = evolution.patch();
     seam[continuity] = seam_reports(patch).front();
     for (int i = 0; i < patch.free_count; ++i) {

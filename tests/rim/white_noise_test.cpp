@@ -68,7 +68,14 @@ TEST(WhiteNoise, ComesBackBitForBit) {
   const Patch noisy = test::start_of(model), back = with_noise_again(without_noise(noisy, model, 1), noisy);
   for (int i = noisy.free_count; i < noisy.vertex_count(); ++i) EXPECT_EQ(back.positions[i], noisy.positions[i]);
   // The free vertices come back up to the change of the metric on the way.
-  for (int i = 0; i < noisy.free_count; ++i) EXPECT_LT((back.positions[i] - noisy.positions[i]).norm(), 0.02);
+  const Patch quiet = without_noise(noisy, model, 1);
+  double away = 0, left = 0;
+  for (int i = 0; i < noisy.free_count; ++i) {
+    away = std::max(away, (quiet.positions[i] - noisy.positions[i]).norm());
+    left = std::max(left, (back.positions[i] - noisy.positions[i]).norm());
+  }
+  EXPECT_GT(away, 0.001);  // measured: 0.0013, of which 0.0002 are left
+  EXPECT_LT(left, 0.3 * away);
 }
 
 TEST(WhiteNoise, TheErrorStaysBelowThatOfTheLiteralFlow) {
