@@ -55,6 +55,34 @@
             <source>The command line is in the clipboard.</source>
             <translation>Die Befehlszeile ist in der Zwischenablage.</translation>
         </message>
+        <message>
+            <source>Flow</source>
+            <translation>Fluss</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Darstellung</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mittlere Krümmung H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaußsche Krümmung K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Schlicht</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophoten</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -1103,11 +1131,11 @@
         <name>loopmend::HoleTable</name>
         <message>
             <source>Rim</source>
-            <translation>Rand</translation>
+            <translation type="unfinished">Rand</translation>
         </message>
         <message>
             <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</source>
-            <translation>Wie weit dem Scan um das Loch zu trauen ist, bekannt sobald es gefüllt ist: glatt, verrauscht oder rau</translation>
+            <translation type="unfinished">Wie weit dem Scan um das Loch zu trauen ist, bekannt sobald es gefüllt ist: glatt, verrauscht oder rau</translation>
         </message>
         <message>
             <source>The loop's number within its scan, by falling perimeter</source>
@@ -2140,7 +2168,7 @@
         <name>loopmend::SectionView</name>
         <message>
             <source>±σ</source>
-            <translation>±σ</translation>
+            <translation type="unfinished">±σ</translation>
         </message>
         <message>
             <source>Mean curvature along a section across the seam</source>
@@ -3076,55 +3104,32 @@
             <source>Taking over %1</source>
             <translation>%1 wird übernommen</translation>
         </message>
-    </context>
-    <context>
-        <name>loopmend::choices</name>
         <message>
-            <source>Flow</source>
-            <translation>Fluss</translation>
+            <source> Not in it: %1.</source>
+            <translation> Nicht darin: %1.</translation>
         </message>
         <message>
-            <source>Shading</source>
-            <translation>Darstellung</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mittlere Krümmung H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaußsche Krümmung K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Schlicht</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophoten</translation>
+            <source> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</source>
+            <translation> STL rundet: Ecken wurden um bis zu %1 verschoben; PLY behält jede Stelle.</translation>
         </message>
     </context>
     <context>
         <name>loopmend::words</name>
         <message>
             <source>smooth</source>
-            <translation>glatt</translation>
+            <translation type="unfinished">glatt</translation>
         </message>
         <message>
             <source>noisy</source>
-            <translation>verrauscht</translation>
+            <translation type="unfinished">verrauscht</translation>
         </message>
         <message>
             <source>rough</source>
-            <translation>rau</translation>
+            <translation type="unfinished">rau</translation>
         </message>
         <message>
-            <source>What smooth fits leave over of the scan&apos;s vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
-            <translation>Was glatte Näherungen von den Ecken des Scans um das Loch übrig lassen, ist %1 oder %2 % einer Kante. Sie kennen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 genau (sie ist dort %5, quadratisches Mittel); das Band im Schnitt zeigt es.</translation>
+            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation type="unfinished">Was glatte Näherungen von den Ecken des Scans um das Loch übrig lassen, ist %1 oder %2 % einer Kante. Sie kennen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 genau (sie ist dort %5, quadratisches Mittel); das Band im Schnitt zeigt es.</translation>
         </message>
         <message>
             <source>hole</source>
@@ -3353,6 +3358,78 @@
         <message>
             <source>%1 vertices that no face uses</source>
             <translation>%1 Ecken ohne Fläche</translation>
+        </message>
+        <message>
+            <source>%1 vertices without a colour, made white</source>
+            <translation>%1 Ecken ohne Farbe, weiß gemacht</translation>
+        </message>
+        <message>
+            <source>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</source>
+            <translation>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; `loopmend fill --weld` verbindet sie)</translation>
+        </message>
+        <message>
+            <source>Will not be saved: %1.</source>
+            <translation>Wird nicht gespeichert: %1.</translation>
+        </message>
+        <message>
+            <source>normals</source>
+            <translation>Normalen</translation>
+        </message>
+        <message>
+            <source>face normals</source>
+            <translation>Flächennormalen</translation>
+        </message>
+        <message>
+            <source>texture coordinates</source>
+            <translation>Texturkoordinaten</translation>
+        </message>
+        <message>
+            <source>texture coordinates of faces</source>
+            <translation>Texturkoordinaten von Flächen</translation>
+        </message>
+        <message>
+            <source>face colours</source>
+            <translation>Flächenfarben</translation>
+        </message>
+        <message>
+            <source>vertex colours</source>
+            <translation>Eckenfarben</translation>
+        </message>
+        <message>
+            <source>alpha values</source>
+            <translation>Alphawerte</translation>
+        </message>
+        <message>
+            <source>vertices without faces</source>
+            <translation>Ecken ohne Flächen</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>Materialien</translation>
+        </message>
+        <message>
+            <source>material libraries</source>
+            <translation>Materialbibliotheken</translation>
+        </message>
+        <message>
+            <source>objects</source>
+            <translation>Objekte</translation>
+        </message>
+        <message>
+            <source>groups</source>
+            <translation>Gruppen</translation>
+        </message>
+        <message>
+            <source>smoothing groups</source>
+            <translation>Glättungsgruppen</translation>
+        </message>
+        <message>
+            <source>lines</source>
+            <translation>Linien</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>Punkte</translation>
         </message>
     </context>
 </TS>

@@ -55,6 +55,34 @@
             <source>The command line is in the clipboard.</source>
             <translation>The command line is in the clipboard.</translation>
         </message>
+        <message>
+            <source>Flow</source>
+            <translation>Flow</translation>
+        </message>
+        <message>
+            <source>Shading</source>
+            <translation>Shading</translation>
+        </message>
+        <message>
+            <source>Mean curvature H</source>
+            <translation>Mean curvature H</translation>
+        </message>
+        <message>
+            <source>Gaussian curvature K</source>
+            <translation>Gaussian curvature K</translation>
+        </message>
+        <message>
+            <source>Plain</source>
+            <translation>Plain</translation>
+        </message>
+        <message>
+            <source>Zebra</source>
+            <translation>Zebra</translation>
+        </message>
+        <message>
+            <source>Isophotes</source>
+            <translation>Isophotes</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -448,32 +476,8 @@
             <translation>Table, energies and profiles as CSV, as loopmend compare writes them</translation>
         </message>
         <message>
-            <source>Shading</source>
-            <translation>Shading</translation>
-        </message>
-        <message>
             <source>How all views are shown (keys 1 to 5)</source>
             <translation>How all views are shown (keys 1 to 5)</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mean curvature H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaussian curvature K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Plain</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophotes</translation>
         </message>
         <message>
             <source>&amp;Wireframe</source>
@@ -866,10 +870,6 @@
             <translation>2  Smooth by a flow</translation>
         </message>
         <message>
-            <source>Flow</source>
-            <translation>Flow</translation>
-        </message>
-        <message>
             <source>Which geometric flow moves the patch, and so how far the seam is matched</source>
             <translation>Which geometric flow moves the patch, and so how far the seam is matched</translation>
         </message>
@@ -1201,6 +1201,14 @@
             <source>State</source>
             <translation>State</translation>
         </message>
+        <message>
+            <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</source>
+            <translation>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</translation>
+        </message>
+        <message>
+            <source>Rim</source>
+            <translation>Rim</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HolesPanel</name>
@@ -1507,26 +1515,6 @@
         <message>
             <source>Bands of equal brightness: they stay when you move closer, and kink where tangents jump.</source>
             <translation>Bands of equal brightness: they stay when you move closer, and kink where tangents jump.</translation>
-        </message>
-        <message>
-            <source>Mean curvature H</source>
-            <translation>Mean curvature H</translation>
-        </message>
-        <message>
-            <source>Gaussian curvature K</source>
-            <translation>Gaussian curvature K</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Plain</translation>
-        </message>
-        <message>
-            <source>Zebra</source>
-            <translation>Zebra</translation>
-        </message>
-        <message>
-            <source>Isophotes</source>
-            <translation>Isophotes</translation>
         </message>
         <message>
             <source>Shading</source>
@@ -2210,6 +2198,10 @@
             <source>filler</source>
             <translation>filler</translation>
         </message>
+        <message>
+            <source>±σ</source>
+            <translation>±σ</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ShortcutSheet</name>
@@ -2554,10 +2546,6 @@
         <message>
             <source>Give it up; the document is as it was</source>
             <translation>Give it up; the document is as it was</translation>
-        </message>
-        <message>
-            <source>Flow</source>
-            <translation>Flow</translation>
         </message>
         <message>
             <source>Which flow works on it</source>
@@ -3116,6 +3104,14 @@
             <source>Taking over %1</source>
             <translation>Taking over %1</translation>
         </message>
+        <message>
+            <source> Not in it: %1.</source>
+            <translation> Not in it: %1.</translation>
+        </message>
+        <message>
+            <source> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</source>
+            <translation> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::words</name>
@@ -3346,6 +3342,94 @@
         <message>
             <source>Noted: %1.</source>
             <translation>Noted: %1.</translation>
+        </message>
+        <message>
+            <source>smooth</source>
+            <translation>smooth</translation>
+        </message>
+        <message>
+            <source>noisy</source>
+            <translation>noisy</translation>
+        </message>
+        <message>
+            <source>rough</source>
+            <translation>rough</translation>
+        </message>
+        <message>
+            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</translation>
+        </message>
+        <message>
+            <source>%1 vertices without a colour, made white</source>
+            <translation>%1 vertices without a colour, made white</translation>
+        </message>
+        <message>
+            <source>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</source>
+            <translation>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</translation>
+        </message>
+        <message>
+            <source>Will not be saved: %1.</source>
+            <translation>Will not be saved: %1.</translation>
+        </message>
+        <message>
+            <source>normals</source>
+            <translation>normals</translation>
+        </message>
+        <message>
+            <source>face normals</source>
+            <translation>face normals</translation>
+        </message>
+        <message>
+            <source>texture coordinates</source>
+            <translation>texture coordinates</translation>
+        </message>
+        <message>
+            <source>texture coordinates of faces</source>
+            <translation>texture coordinates of faces</translation>
+        </message>
+        <message>
+            <source>face colours</source>
+            <translation>face colours</translation>
+        </message>
+        <message>
+            <source>vertex colours</source>
+            <translation>vertex colours</translation>
+        </message>
+        <message>
+            <source>alpha values</source>
+            <translation>alpha values</translation>
+        </message>
+        <message>
+            <source>vertices without faces</source>
+            <translation>vertices without faces</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>materials</translation>
+        </message>
+        <message>
+            <source>material libraries</source>
+            <translation>material libraries</translation>
+        </message>
+        <message>
+            <source>objects</source>
+            <translation>objects</translation>
+        </message>
+        <message>
+            <source>groups</source>
+            <translation>groups</translation>
+        </message>
+        <message>
+            <source>smoothing groups</source>
+            <translation>smoothing groups</translation>
+        </message>
+        <message>
+            <source>lines</source>
+            <translation>lines</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>points</translation>
         </message>
     </context>
 </TS>
