@@ -159,8 +159,10 @@ TEST_F(Files, CancellingBeforeAnythingStandsSaysSo) {
   write_mesh(work / "big.ply", cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0; }));
   const std::string script = std::string(LOOPMEND_PROGRAM) + " compare " + path("big.ply") + "-o " + path("new/flows") +
                              "2>" + path("said") + "& program=$!; for k in $(seq 300); do [ -e " + path("new/flows") +
-                             "] && break; sleep 0.1; done; kill -INT $program; wait $program; echo $? >" + path("code");
-  std::system(("bash -mc \"" + script + "\"").c_str());
+                             "] && break; sleep 0.1; done; kill -TERM $program; wait $program; echo $? >" +
+                             path("code");
+  std::system(script.c_str());
+  EXPECT_EQ(text_of(work / "code"), "130\n");
   EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled; nothing was written"));
   EXPECT_FALSE(std::filesystem::exists(work / "new"));
 }
