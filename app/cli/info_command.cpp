@@ -4,6 +4,8 @@
 #include "outputs.h"
 #include "report.h"
 
+#include <Eigen/Geometry>
+
 #include <cstdio>
 
 namespace loopmend {
@@ -35,8 +37,12 @@ void print_not_kept(const OpenedModel& opened) {
     const std::vector<NotKept> list = not_kept_by_format(std::string("x.") + format, opened.as_read);
     if (!list.empty()) std::printf("  not in %s: %s\n", format, to_string(list).c_str());
   }
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : opened.as_read.points) box.extend(point);
   const double rounding = largest_rounding("x.stl", opened.as_read.points, Encoding::binary);
-  if (rounding > 0) std::printf("  binary STL would move vertices by up to %.3g\n", rounding);
+  // That of coordinates of the mesh's own size is no news; a scan far from the origin is.
+  if (rounding > 1e-6 * box.diagonal().norm())
+    std::printf("  binary STL would move vertices by up to %.3g\n", rounding);
 }
 
 void print_loops(const std::vector<BoundaryLoop>& loops) {

@@ -87,8 +87,9 @@ std::string why_no_hole(const BoundaryLoop& loop, FillCommand::OuterRim outer_ri
 std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command, bool named, bool round_piece) {
   const bool rim = bounds_a_sheet(loop) || (loop.kind == LoopKind::touching && round_piece);
   if (!named && rim && command.outer_rim == FillCommand::OuterRim::leave)
-    return loop.kind == LoopKind::touching ? "outer rim that touches itself or another loop at a vertex: left open"
-                                           : "outer rim of an open sheet: left open (--include-outer-rim fills it)";
+    return loop.kind == LoopKind::touching
+               ? "outer rim that touches itself or another loop at a vertex: left open, with what it touches"
+               : "outer rim of an open sheet: left open (--include-outer-rim fills it)";
   if (command.max_edges && loop.edges() > *command.max_edges)
     return "has more than " + std::to_string(*command.max_edges) + " edges (--max-edges)";
   if (command.max_diameter && loop.diameter > *command.max_diameter) return "is wider than --max-diameter";

@@ -116,7 +116,7 @@ void print_losses(std::FILE* out, const std::filesystem::path& output, const Out
     std::fprintf(
         out,
         "Binary STL holds single precision: vertices were moved by up to %.3g (mesh units), those of the scan by "
-        "up to %.3g. PLY, OBJ, OFF and --ascii keep every digit.\n",
+        "up to %.3g. Other formats and --ascii keep every digit.\n",
         losses.largest_rounding, losses.largest_exterior_rounding);
 }
 

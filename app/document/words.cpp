@@ -234,8 +234,8 @@ QString not_kept(const std::vector<NotKept>& list) {
   for (const NotKept& entry : list) {
     const auto word =
         std::find_if(std::begin(known), std::end(known), [&](const char* name) { return entry.what == name; });
-    words << count(entry.count) + QLatin1Char(' ') +
-                 (word != std::end(known) ? tr(*word) : QString::fromStdString(entry.what));
+    const QString what = word != std::end(known) ? tr(*word) : QString::fromStdString(entry.what);
+    words << QStringLiteral("%1 (%2)").arg(what, count(entry.count));
   }
   return words.join(QStringLiteral(", "));
 }

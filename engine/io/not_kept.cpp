@@ -18,7 +18,7 @@ std::string to_string(const std::vector<NotKept>& list) {
   std::string text;
   for (const NotKept& entry : list) {
     if (!text.empty()) text += ", ";
-    text += std::to_string(entry.count) + " " + entry.what;
+    text += entry.what + " (" + std::to_string(entry.count) + ")";
   }
   return text;
 }

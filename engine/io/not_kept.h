@@ -24,7 +24,7 @@ void count_not_kept(std::vector<NotKept>& list, const std::string& what, std::si
 /// @throws WriteError for an unknown extension.
 std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const TriangleSoup& soup);
 
-/// "9992 normals, 3 materials"; empty for an empty list.
+/// "normals (9992), materials (3)"; empty for an empty list.
 std::string to_string(const std::vector<NotKept>& list);
 
 }  // namespace loopmend

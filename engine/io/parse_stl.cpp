@@ -61,7 +61,7 @@ class AsciiStl {
       }
     }
     if (inside) errors_.truncated("a solid: \"endsolid\" is missing", cursor_.place());
-    if (solids > 1) count_not_kept(soup_.not_kept, "solids: all faces become one", solids);
+    if (solids > 1) count_not_kept(soup_.not_kept, "separate solids", solids);
     return std::move(soup_);
   }
 
@@ -169,7 +169,7 @@ PolygonSoup parse_stl_binary(const FileContent& file) {
     const std::size_t attribute_at = header_bytes + facet * facet_bytes + 48;
     attributes += file.bytes[attribute_at] != 0 || file.bytes[attribute_at + 1] != 0 ? 1 : 0;
   }
-  count_not_kept(soup.not_kept, "face attributes (some programs keep colours in them)", attributes);
+  count_not_kept(soup.not_kept, "face attributes", attributes);
   return soup;
 }
 

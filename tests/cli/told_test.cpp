@@ -58,11 +58,11 @@ TEST_F(Told, WhatIsNotInTheOutputWithItsCount) {
   write_mesh(work / "in.obj", soup);
   add_normals(work / "in.obj", 642);
   EXPECT_THAT(loopmend_program("info " + path("in.obj")).out,
-              AllOf(HasSubstr("in no file that Loopmend writes: 642 normals, 1 materials"),
-                    HasSubstr("not in STL: " + std::to_string(soup.points.size()) + " vertex colours")));
+              AllOf(HasSubstr("in no file that Loopmend writes: normals (642), materials (1)"),
+                    HasSubstr("not in STL: vertex colours (" + std::to_string(soup.points.size()) + ")")));
   const std::string command = "fill " + path("in.obj") + "--flow none -o ";
   EXPECT_THAT(loopmend_program(command + path("out.ply")).out,
-              HasSubstr("Not in " + (work / "out.ply").string() + ": 642 normals, 1 materials.\n"));
+              HasSubstr("Not in " + (work / "out.ply").string() + ": normals (642), materials (1).\n"));
   const Outcome stl = loopmend_program(command + path("out.stl") + "--report " + path("r.json"));
   const json report = json::parse(test::text_of(work / "r.json"));
   EXPECT_EQ(report["input"]["import"]["not_kept"][0], (json{{"what", "normals"}, {"count", 642}}));
@@ -91,6 +91,15 @@ TEST_F(Told, StlAtLargeCoordinatesHasMovedTheScan) {
   report(path("in.ply") + "-o " + path("floats.stl"));
   const json floats = report(path("floats.stl") + "-o " + path("again.stl"));
   EXPECT_EQ(floats["exterior_unchanged"], true);
+}
+
+TEST_F(Told, InfoWarnsOfStlOnlyFarFromTheOrigin) {
+  TriangleSoup soup = cut(make_icosphere(2), [](const Vec3& p) { return p.z() > 0.9; });
+  write_mesh(work / "in.ply", soup);
+  EXPECT_THAT(info().out, Not(HasSubstr("binary STL")));
+  for (Vec3& p : soup.points) p.x() += 1e5;
+  write_mesh(work / "in.ply", soup);
+  EXPECT_THAT(info().out, HasSubstr("binary STL would move vertices by up to 0.00"));
 }
 
 TEST_F(Told, ColoursThatAreMissing) {

@@ -232,7 +232,7 @@ TEST_F(AtomicFile, OneFileUnderManyNames) {
   std::filesystem::create_symlink("a", folder_ / "soft");
   std::filesystem::create_symlink("not yet", folder_ / "dangling");
   std::filesystem::create_directory_symlink(".", folder_ / "here");
-  for (const char* name : {"a", "./a", "hard", "soft", "here/a", "here/../a"})
+  for (const char* name : {"a", "./a", "hard", "soft", "here/a", "here/./a"})
     EXPECT_TRUE(same_file(folder_ / "a", folder_ / name)) << name;
   for (const char* name : {"other", "not yet", "dangling"})
     EXPECT_FALSE(same_file(folder_ / "a", folder_ / name)) << name;

@@ -25,8 +25,8 @@ TEST_F(NotKeptTest, ObjNamesAllThatIsNeitherVertexNorFace) {
                "vt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\ng left\nusemtl red\ns 1\nf 1/1/1 2/2/2 3/1/3\n"
                "g right\nusemtl blue\ns off\nf 2 4 3\nusemtl red\nl 1 2\nl 2 3 4\np 1\n",
            "rich.obj"),
-      "2 texture coordinates, 3 normals, 2 lines, 1 points, 1 material libraries, 1 objects, 2 groups, 2 materials, "
-      "1 smoothing groups");
+      "texture coordinates (2), normals (3), lines (2), points (1), material libraries (1), objects (1), groups (2), "
+      "materials (2), smoothing groups (1)");
 }
 
 TEST_F(NotKeptTest, PlyNamesPropertiesAndElements) {
@@ -40,8 +40,8 @@ TEST_F(NotKeptTest, PlyNamesPropertiesAndElements) {
       "0 0 0 0 0 1 0.5 1 2 3 0 0\n1 0 0 0 0 1 0.5 1 2 3 0 0\n0 1 0 0 0 1 0.5 1 2 3 0 0\n3 0 1 2 9 9 9 1\n0 1\n1 2\n";
   const ImportedMesh mesh = read(text, "rich.ply");
   EXPECT_EQ(to_string(mesh.report.not_kept),
-            "3 normals, 3 vertex properties \"quality\", 3 texture coordinates, 1 face colours, 1 face properties "
-            "\"flags\", 2 elements \"edge\"");
+            "normals (3), vertex properties \"quality\" (3), texture coordinates (3), face colours (1), "
+            "face properties \"flags\" (1), elements \"edge\" (2)");
   EXPECT_EQ(mesh.report.skipped_elements, 2U);
   EXPECT_TRUE(mesh.report.has_colors);
 }
@@ -51,14 +51,14 @@ TEST_F(NotKeptTest, PlyColoursWithoutBlueAreProperties) {
                  "property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                  "0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n",
                  "red.ply"),
-            "3 vertex properties \"red\"");
+            "vertex properties \"red\" (3)");
 }
 
 TEST_F(NotKeptTest, OffNamesNormalsTextureAndFaceColours) {
   EXPECT_EQ(lost("STNOFF\n4 2 0\n0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n0 1 0 0 0 1 0 1\n1 1 0 0 0 1 1 1\n"
                  "3 0 1 2 255 0 0\n3 1 3 2\n",
                  "rich.off"),
-            "4 normals, 4 texture coordinates, 1 face colours");
+            "normals (4), texture coordinates (4), face colours (1)");
 }
 
 TEST_F(NotKeptTest, StlNamesAttributesAndSolids) {
@@ -70,11 +70,11 @@ TEST_F(NotKeptTest, StlNamesAttributesAndSolids) {
     bytes.append(reinterpret_cast<const char*>(values), sizeof values);
     bytes.append(facet == 0 ? std::string("\0\0", 2) : std::string("\x1f\x80", 2));
   }
-  EXPECT_EQ(lost(bytes, "colored.stl"), "1 face attributes (some programs keep colours in them)");
+  EXPECT_EQ(lost(bytes, "colored.stl"), "face attributes (1)");
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
   EXPECT_EQ(lost("solid a\n" + facet + "endsolid a\nsolid b\n" + facet + "endsolid b\n", "two.stl"),
-            "2 solids: all faces become one");
+            "separate solids (2)");
   EXPECT_EQ(lost("solid a\n" + facet + "endsolid a\n", "one.stl"), "");
 }
 
@@ -84,8 +84,8 @@ TEST_F(NotKeptTest, FormatsHaveRoomForDifferentThings) {
   const auto words = [&](const char* name) { return to_string(not_kept_by_format(name, soup)); };
   EXPECT_EQ(words("a.ply"), "");
   EXPECT_EQ(words("a.off"), "");
-  EXPECT_EQ(words("a.obj"), "1 alpha values");
-  EXPECT_EQ(words("a.STL"), "5 vertex colours, 1 vertices without faces");
+  EXPECT_EQ(words("a.obj"), "alpha values (1)");
+  EXPECT_EQ(words("a.STL"), "vertex colours (5), vertices without faces (1)");
   EXPECT_THROW(not_kept_by_format("a.xyz", soup), WriteError);
 }
 
