@@ -275,6 +275,9 @@ int run_fill(const FillCommand& command) {
   print_report(command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
+    if (command.coincident == CoincidentVertices::weld)
+      std::fprintf(out, "%zu vertices were welded; the output is compared with the welded mesh.\n",
+                   opened.import.vertices_welded);
     if (model.repairs.reoriented_faces > 0)
       std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n",
                    model.repairs.reoriented_faces);

@@ -144,6 +144,7 @@ TEST_F(Told, AMeshSplitAtSeamsIsNoSilentZero) {
   const json report = json::parse(welded.out);
   EXPECT_EQ(report["input"]["import"]["vertices_welded"], 8);
   EXPECT_EQ(report["exterior_unchanged"], true);
+  EXPECT_THAT(welded.err, HasSubstr("8 vertices were welded"));
   EXPECT_THAT(welded.err, HasSubstr("1 filled, 0 failed, 1 left as asked"));
 }
 

@@ -130,6 +130,44 @@ class RenderTest : public QObject {
     QVERIFY(count_colors(picture.copy(400, 0, 400, 400)) >= 64);
   }
 
+  void one_loop_fills_the_picture_and_sides_are_chosen() {
+    RenderOptions options;
+    options.width = options.height = 200;
+    options.shading = Shading::plain;
+    const auto picture = [&] { return QImage::fromData(QByteArray::fromStdString(render_surface(model_, options))); };
+    const QImage whole = picture();
+    options.loop = 2;
+    const QImage loop = picture();
+    // In the corner is ground beside the whole surface, and the loop's surroundings in its own picture.
+    QVERIFY(loop.pixel(0, 0) != whole.pixel(0, 0));
+    options.view = NamedView::top;
+    QVERIFY(picture() != loop);
+    options.loop.reset();
+    QList<QImage> sides;
+    for (NamedView view : {NamedView::front, NamedView::back, NamedView::left, NamedView::right, NamedView::top,
+                           NamedView::bottom, NamedView::iso}) {
+      options.view = view;
+      sides << picture();
+      QVERIFY(sides.count(sides.back()) == 1);
+    }
+    options.loop = 99;
+    QVERIFY_EXCEPTION_THROWN(picture(), InvalidArgument);
+  }
+
+  void both_pictures_of_a_pair_are_seen_whole() {
+    // After is twice as high as before: fitted to the first alone, its top would be cut off.
+    TriangleSoup tall = make_sample_scan();
+    for (Vec3& p : tall.points) p.y() *= 2;
+    RenderOptions options;
+    options.width = 800;
+    options.height = 400;
+    options.shading = Shading::plain;
+    options.view = NamedView::front;
+    const SurfaceModel after = make_surface_model(tall);
+    const QImage pair = QImage::fromData(QByteArray::fromStdString(render_before_after(model_, after, options)));
+    for (int x = 500; x < 800; ++x) QVERIFY2(pair.pixel(x, 1) == pair.pixel(401, 1), "cut off at the top");
+  }
+
   void wrong_sizes_are_refused() {
     RenderOptions options;
     options.width = 10;
