@@ -7,6 +7,7 @@
 #include "views/mesh_view.h"
 
 #include <QApplication>
+#include <QThread>
 
 #include <clocale>
 #include <cstdio>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int exit_usage = 2;
 constexpr int exit_no_display = 1;
+constexpr int exit_no_memory = 5;
 
 constexpr const char* help =
     "loopmend-gui - close holes in scanned meshes, in a window\n"
@@ -75,13 +77,25 @@ bool has_display() {
 
 int main(int argc, char** argv) {
   loopmend::keep_freed_memory();
-  if (const int code = answer_options(argc, argv); code >= 0) return code;
+  // Not exit(): where `ulimit -v` is tight, OpenBLAS would wait for a thread of its own that asks for memory for ever.
+  if (const int code = answer_options(argc, argv); code >= 0) {
+    std::fflush(stdout);
+    std::_Exit(code);
+  }
+  if (loopmend::claim_work_memory(QThread::idealThreadCount()) == 0) {
+    std::fprintf(stderr,
+                 "loopmend-gui: the address space of this process is limited (ulimit -v) and there is too little left "
+                 "of it for the work (%zu MB). "
+                 "Raise the limit.\n",
+                 loopmend::least_work_memory >> 20);
+    std::_Exit(exit_no_memory);
+  }
   if (!has_display()) {
     std::fputs(
         "loopmend-gui: there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set). "
         "Start it from a desktop session, or use the command line: loopmend --help\n",
         stderr);
-    return exit_no_display;
+    std::_Exit(exit_no_display);
   }
   loopmend::MeshView::prepare_graphics();
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);

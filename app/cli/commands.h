@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "evolution/fill_loops.h"
+#include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "progress_line.h"
 
@@ -19,14 +20,22 @@ class UsageError : public Error {
   using Error::Error;
 };
 
+/// `ulimit -v` leaves too little address space: exit code 5.
+class LimitError : public Error {
+ public:
+  using Error::Error;
+};
+
 struct InfoCommand {
   std::filesystem::path input;
   std::string json;  ///< file or "-"; empty: a table for people
+  CoincidentVertices coincident = CoincidentVertices::keep;
 };
 
 struct FillCommand {
   std::filesystem::path input;
   std::filesystem::path output;
+  CoincidentVertices coincident = CoincidentVertices::keep;
   std::string loops = "all";               ///< "all" or numbers, "1,3"
   std::optional<std::string> at_vertices;  ///< 0-based input vertices, "17,230": the loops through them
   std::optional<int> max_edges;
@@ -45,7 +54,10 @@ struct RenderCommand {
   std::vector<std::filesystem::path> inputs;  ///< one, or two for before and after
   std::filesystem::path output;
   std::string color = "h";
-  int width = 0, height = 0;  ///< pixels; 0: the default
+  int width = 0, height = 0;      ///< pixels; 0: the default
+  std::string view;               ///< "front", ...; empty: towards the holes
+  std::optional<Vec3> direction;  ///< from the middle towards the eye
+  std::optional<int> loop;        ///< the boundary loop to be framed, as 'info' numbers it
 };
 
 /// @returns an ExitCode. @throws ReadError, WriteError, UsageError, InvalidArgument.

@@ -3,6 +3,7 @@
 #include "exit_codes.h"
 #include "loop_selection.h"
 #include "open_model.h"
+#include "outputs.h"
 #include "report.h"
 
 #include "core/version.h"
@@ -42,14 +43,6 @@ bool starts_with(const TriangleSoup& result, const TriangleSoup& input, std::siz
   return found_turned == turned;
 }
 
-/// The report must not land on a mesh. @throws UsageError
-void check_paths(const FillCommand& command) {
-  if (command.report.empty() || command.report == "-") return;
-  for (const std::filesystem::path& mesh : {command.input, command.output})
-    if (same_file(mesh, command.report))
-      throw UsageError("--report " + command.report + " would overwrite the mesh " + mesh.string());
-}
-
 /// "0.1234 -> 0.0056", or a dash where the surface has too few vertices to measure it.
 std::string before_and_after(double before, double after) {
   char text[64];
@@ -73,13 +66,52 @@ void print_reasons(std::FILE* out, const std::vector<LoopResult>& results) {
   }
 }
 
+/// What became of the loops, in numbers.
+struct Outcome {
+  int filled = 0, failed = 0;
+  int doubtful = 0;         ///< of those filled
+  int left = 0;             ///< as asked
+  int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
+  bool holes_left = false;  ///< some loop that could be filled was left as asked
+
+  /// Nothing was done, and nobody asked for that.
+  bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
+  int exit_code() const { return failed > 0 || doubtful > 0 || in_vain() ? exit_loops_failed : exit_done; }
+};
+
+Outcome outcome_of(const std::vector<LoopResult>& results, const std::vector<LoopChoice>& choices) {
+  Outcome outcome;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    outcome.filled += is_filled(results[k].status);
+    outcome.failed += results[k].status == LoopStatus::failed;
+    outcome.doubtful += results[k].status == LoopStatus::doubtful;
+    if (results[k].status != LoopStatus::skipped) continue;
+    const bool no_hole = choices[k].left == LoopChoice::Left::no_hole;
+    ++(no_hole ? outcome.no_hole : outcome.left);
+    outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_rim);
+  }
+  return outcome;
+}
+
+/// What would help where no loop is a hole.
+void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<BoundaryLoop>& loops) {
+  const auto count = [&](auto is) { return std::count_if(loops.begin(), loops.end(), is); };
+  const auto cut = count([](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
+  const auto split = count([](const BoundaryLoop& loop) { return loop.kind != LoopKind::cut && loop.coincident > 0; });
+  std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
+  if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --weld.", split);
+  if (cut > 0)
+    std::fprintf(
+        out,
+        " %td run along edges with more than two faces (%zu edges) or where the surface is one-sided: remove the "
+        "surplus faces first, for example with MeshLab's Repair Non Manifold Edges.",
+        cut, repairs.non_manifold_edges);
+  std::fprintf(out, "\n");
+}
+
 /// One line for each loop that is worth a line: all when there are few, else only those that went wrong.
-void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const FillCommand& command, double seconds) {
-  const auto count = [&](const auto& predicate) { return std::count_if(results.begin(), results.end(), predicate); };
-  const auto filled = count([](const LoopResult& r) { return is_filled(r.status); });
-  const auto doubtful = count([](const LoopResult& r) { return r.status == LoopStatus::doubtful; });
-  const auto failed = count([](const LoopResult& r) { return r.status == LoopStatus::failed; });
-  const auto skipped = count([](const LoopResult& r) { return r.status == LoopStatus::skipped; });
+void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const Outcome& outcome,
+                   const FillCommand& command, double seconds) {
   const bool all = results.size() <= 40;
   std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
                "method", "angle at seam, deg", "jump of H x diameter");
@@ -95,10 +127,11 @@ void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const
     std::fprintf(out, "%s%s\n", r.message.empty() ? "" : "  ", r.message.c_str());
   }
   print_reasons(out, results);
-  std::fprintf(out, "%td filled, ", filled);
-  if (doubtful > 0) std::fprintf(out, "%td of them doubtful, ", doubtful);
-  std::fprintf(out, "%td failed, %td left as asked; %s written in %.2f s\n", failed, skipped, command.output.c_str(),
-               seconds);
+  std::fprintf(out, "%d filled, ", outcome.filled);
+  if (outcome.doubtful > 0) std::fprintf(out, "%d of them doubtful, ", outcome.doubtful);
+  std::fprintf(out, "%d failed, %d left as asked", outcome.failed, outcome.left);
+  if (outcome.no_hole > 0) std::fprintf(out, ", %d left because they are no holes", outcome.no_hole);
+  std::fprintf(out, "; %s written in %.2f s\n", command.output.c_str(), seconds);
 }
 
 /// The holes that are to be filled and have islands.
@@ -237,10 +270,12 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
 
 int run_fill(const FillCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_paths(command);
-  check_mesh_writable(command.output);
-  if (!command.report.empty() && command.report != "-") check_writable(command.report);
-  OpenedModel opened = open_model(command.input);
+  CommandFiles()
+      .reads("the input", command.input)
+      .writes(NamedFile::Kind::mesh, "-o", command.output)
+      .writes_report("--report", command.report)
+      .check();
+  OpenedModel opened = open_model(command.input, command.coincident);
   SurfaceModel& model = opened.model;
   std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   std::vector<LoopChoice> choices = choose_loops(model, loops, command);
@@ -250,18 +285,26 @@ int run_fill(const FillCommand& command) {
   const std::vector<LoopResult> results = fill_selected(model, loops, choices, command);
   const bool unchanged = starts_with(model.soup, opened.as_read, model.repairs.reoriented_faces);
   if (!unchanged) throw std::logic_error("the surroundings of a patch were changed: nothing was written");
-  write_mesh(command.output, model.soup, command.encoding);
+  OutputTransaction outputs;
+  write_mesh(outputs, command.output, model.soup, command.encoding);
+  const OutputLosses losses =
+      losses_of(command.output, model.soup, command.encoding, opened.import.not_kept, opened.as_read.points.size());
+  const Outcome outcome = outcome_of(results, choices);
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!command.report.empty()) {
-    nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results, rims);
-    json["exterior_unchanged"] = unchanged;
-    json["peak_memory_mb"] = peak_memory_mb();
-    json["total_seconds"] = seconds;
-    write_report(command.report, json);
-  }
+  nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results, rims);
+  json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
+  json["output"] = losses_json(losses);
+  json["peak_memory_mb"] = peak_memory_mb();
+  json["total_seconds"] = seconds;
+  add_report(outputs, command.report, json);
+  outputs.commit();
+  print_report(command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
+    if (command.coincident == CoincidentVertices::weld)
+      std::fprintf(out, "%zu vertices were welded; the output is compared with the welded mesh.\n",
+                   opened.import.vertices_welded);
     if (model.repairs.reoriented_faces > 0)
       std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n",
                    model.repairs.reoriented_faces);
@@ -275,12 +318,13 @@ int run_fill(const FillCommand& command) {
     if (loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else
-      print_summary(out, results, command, seconds);
+      print_summary(out, results, outcome, command, seconds);
+    print_losses(out, command.output, losses);
+    print_import_losses(out, opened.import);
+    print_coincident(out, opened.import, loops);
+    if (outcome.in_vain()) print_cure(out, model.repairs, loops);
   }
-  const bool failed = std::any_of(results.begin(), results.end(), [](const LoopResult& r) {
-    return r.status == LoopStatus::failed || r.status == LoopStatus::doubtful;
-  });
-  return failed ? exit_loops_failed : exit_done;
+  return outcome.exit_code();
 }
 
 }  // namespace loopmend

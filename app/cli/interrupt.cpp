@@ -5,17 +5,28 @@
 
 #include <unistd.h>
 #include <csignal>
-#include <string_view>
+#include <cstring>
 
 namespace loopmend {
 
 namespace {
 
-/// Only what POSIX allows in a handler: lock-free atomics, unlink, write, _exit.
+void say(const char* words) { static_cast<void>(!write(STDERR_FILENO, words, std::strlen(words))); }
+
+/// Only what POSIX allows in a handler: lock-free atomics, unlink, rmdir, write, _exit.
 void leave(int) {
   remove_unfinished_files();
-  constexpr std::string_view words = "\nloopmend: cancelled\n";
-  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  say("\nloopmend: cancelled");
+  if (file_in_place(0) == nullptr) {
+    say("; nothing was written\n");
+  } else {
+    say(" after ");
+    for (std::size_t k = 0; const char* name = file_in_place(k); ++k) {
+      if (k > 0) say(file_in_place(k + 1) != nullptr ? ", " : " and ");
+      say(name);
+    }
+    say(file_in_place(1) != nullptr ? " were written\n" : " was written\n");
+  }
   _exit(exit_cancelled);
 }
 
@@ -27,6 +38,8 @@ void exit_on_interrupt() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A file that grows beyond `ulimit -f` then fails with an error that can be told, in place of a signal.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace loopmend

@@ -4,7 +4,7 @@
 namespace loopmend {
 
 /// From then on SIGINT and SIGTERM, on whatever thread they arrive, make the process say
-/// "cancelled", remove unfinished files and exit with 130, even in the middle of a factorisation.
+/// "cancelled" and what was written by then, remove unfinished files and exit with 130, even in the middle of a factorisation.
 void exit_on_interrupt();
 
 }  // namespace loopmend

@@ -9,8 +9,11 @@
 namespace loopmend {
 
 struct LoopChoice {
+  enum class Left { as_asked, no_hole };  ///< no_hole: nobody asked for it, but there is nothing that could be filled
   bool fill = false;
   std::string why_not;  ///< in words, where fill is false
+  Left left = Left::as_asked;
+  bool is_rim = false;  ///< bounds a sheet: nothing is amiss where it is left
 };
 
 /// One choice per loop. Loops that are named (by number or vertex) are meant whatever their kind; the size limits hold

@@ -4,6 +4,7 @@
 #include "flow_words.h"
 #include "interrupt.h"
 #include "number_range.h"
+#include "outputs.h"
 #include "paper/paper_commands.h"
 
 #include "core/memory.h"
@@ -11,10 +12,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <new>
+#include <thread>
 
 namespace {
 
@@ -39,9 +43,17 @@ std::string quoted_command_line(int argc, char** argv) {
   return line;
 }
 
+/// --weld, for the commands whose loops follow from it.
+void add_weld(CLI::App& command, CoincidentVertices& coincident) {
+  command.add_flag_callback(
+      "--weld", [&coincident] { coincident = CoincidentVertices::weld; },
+      "Join vertices at exactly the same place first, such as along the seams of a texture");
+}
+
 void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
   info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
+  add_weld(*info, command.coincident);
   info->add_option("--json", command.json, "Write JSON to FILE, or to standard output for -")->type_name("FILE|-");
   info->footer("Example:\n  loopmend info scan.ply\n  loopmend info scan.ply --json -");
 }
@@ -56,6 +68,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   CLI::App* fill = app.add_subcommand("fill", "Fill boundary loops with smooth patches");
   fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
   fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
+  add_weld(*fill, command.coincident);
   fill->add_option("--loops", command.loops, "Loops by the numbers that 'info' prints, or 'all'")
       ->type_name("all|1,3,...")
       ->capture_default_str();
@@ -82,8 +95,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "  loopmend fill scan.ply -o filled.ply\n"
       "  loopmend fill scan.ply -o filled.stl --loops 2,5 --report report.json\n"
       "  loopmend fill scan.obj -o filled.ply --flow wf --mode steps --steps 20 --sigma 1\n"
-      "Exit codes: 0 all done; 1 some loops failed, the rest is written; 2 wrong usage; 3 input unreadable;\n"
-      "4 output unwritable; 130 cancelled.");
+      "Exit codes: 0 all done; 1 some loops failed or no loop could be filled, the rest is written; 2 wrong usage;\n"
+      "3 input unreadable; 4 output unwritable; 130 cancelled.");
 }
 
 void take_words(const FillWords& words, FillCommand& command) {
@@ -112,14 +125,52 @@ void add_render(CLI::App& app, RenderCommand& command) {
       throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT in pixels, 64x64 to 8192x8192, not '" + text + "'");
   };
   render->add_option_function<std::string>("--size", take_size, "Size of the picture in pixels")->type_name("WxH");
+  CLI::Option* view =
+      render
+          ->add_option(
+              "--view", command.view,
+              "From where to look; up is z where the mesh is tallest along z, y otherwise (default: into most of "
+              "the holes)")
+          ->check(CLI::IsMember({"front", "back", "left", "right", "top", "bottom", "iso"}));
+  const auto take_direction = [&command](const std::string& text) {
+    Vec3 eye;
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &eye[0], &eye[1], &eye[2], &used) != 3 ||
+        used != static_cast<int>(text.size()) || !eye.allFinite() || eye.isZero(0))
+      throw CLI::ValidationError("--direction", "takes three numbers such as 1,-2,0.5, not all 0, not '" + text + "'");
+    command.direction = eye;
+  };
+  render->add_option_function<std::string>("--direction", take_direction, "From the middle of the mesh towards the eye")
+      ->type_name("X,Y,Z")
+      ->excludes(view);
+  render->add_option("--loop", command.loop, "Frame this boundary loop, by the number that 'info' prints")
+      ->check(between(1, 2147483647))
+      ->type_name("N");
   render->footer(
       "Examples:\n  loopmend render filled.ply -o filled.png\n"
-      "  loopmend render scan.ply filled.ply -o before_after.png --color zebra --size 1600x800");
+      "  loopmend render scan.ply filled.ply -o before_after.png --color zebra --size 1600x800\n"
+      "  loopmend render scan.ply -o hole_3.png --loop 3");
 }
 
 int say(const std::exception& error, int code) {
   std::fprintf(stderr, "loopmend: %s\n", error.what());
   return code;
+}
+
+/// Where files are at stake: with what became of them.
+int say_with_files(const std::string& words, int code) {
+  std::fprintf(stderr, "loopmend: %s %s\n", words.c_str(), what_was_written().c_str());
+  return code;
+}
+
+/// @param threads  wanted at once; 0: one for each core.
+/// @returns for how many the address space suffices. @throws LimitError where it suffices for none.
+int affordable_threads(int threads) {
+  const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int affordable = claim_work_memory(wanted);
+  if (affordable > 0) return affordable == wanted ? threads : affordable;
+  throw LimitError("the address space of this process is limited (ulimit -v), and " +
+                   std::to_string(least_work_memory >> 20) + " MB that the work needs are not left. Raise the limit.");
 }
 
 int run(int argc, char** argv) {
@@ -151,6 +202,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("info")) return run_info(info);
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
+  fill.fill.threads = affordable_threads(fill.fill.threads);
   if (const auto code = paper.run(app, quoted_command_line(argc, argv))) return *code;
   take_words(words, fill);
   fill.command_line = quoted_command_line(argc, argv);
@@ -159,28 +211,39 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
+namespace {
+
+int run_and_tell(int argc, char** argv) {
+  try {
+    const int code = run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
+    return say_with_files("standard output cannot be written; is the disk full?", exit_unwritable);
+  } catch (const ReadError& error) {
+    return say(error, exit_unreadable);
+  } catch (const WriteError& error) {
+    return say_with_files(error.what(), exit_unwritable);
+  } catch (const LimitError& error) {
+    return say_with_files(error.what(), exit_internal);
+  } catch (const UsageError& error) {
+    return say(error, exit_usage);
+  } catch (const InvalidArgument& error) {
+    return say(error, exit_usage);
+  } catch (const std::bad_alloc&) {
+    return say_with_files("out of memory. A smaller --density or fewer loops at once need less.", exit_internal);
+  } catch (const Error& error) {
+    return say_with_files(error.what(), exit_internal);
+  } catch (const std::exception& error) {
+    return say_with_files(std::string("internal error: ") + error.what() + ".", exit_internal);
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   loopmend::keep_freed_memory();
   std::setlocale(LC_NUMERIC, "C");
   loopmend::exit_on_interrupt();
-  try {
-    const int code = run(argc, argv);
-    if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
-    std::fprintf(stderr, "loopmend: standard output cannot be written; is the disk full?\n");
-    return loopmend::exit_unwritable;
-  } catch (const loopmend::ReadError& error) {
-    return say(error, loopmend::exit_unreadable);
-  } catch (const loopmend::WriteError& error) {
-    return say(error, loopmend::exit_unwritable);
-  } catch (const loopmend::UsageError& error) {
-    return say(error, loopmend::exit_usage);
-  } catch (const loopmend::InvalidArgument& error) {
-    return say(error, loopmend::exit_usage);
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "loopmend: out of memory. A smaller --density or fewer loops at once need less.\n");
-    return loopmend::exit_internal;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "loopmend: internal error: %s\n", error.what());
-    return loopmend::exit_internal;
-  }
+  const int code = run_and_tell(argc, argv);
+  // Not exit(): OpenBLAS would then wait for a thread of its own that, where `ulimit -v` is tight, asks for memory for ever.
+  std::_Exit(code);
 }

@@ -4,8 +4,8 @@
 
 namespace loopmend {
 
-OpenedModel open_model(const std::filesystem::path& path) {
-  ImportedMesh imported = read_mesh(path);
+OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident) {
+  ImportedMesh imported = read_mesh(path, coincident);
   try {
     SurfaceModel model = make_surface_model(imported.soup);
     return {std::move(imported.soup), std::move(model), std::move(imported.report)};

@@ -15,6 +15,6 @@ struct OpenedModel {
 };
 
 /// @throws ReadError, also where the file is sound but holds no usable face.
-OpenedModel open_model(const std::filesystem::path& path);
+OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep);
 
 }  // namespace loopmend

@@ -1,11 +1,8 @@
 #include "report.h"
 
-#include "commands.h"
-
-#include "io/atomic_file.h"
+#include "outputs.h"
 
 #include <cmath>
-#include <iostream>
 
 namespace loopmend {
 
@@ -42,13 +39,18 @@ Json input_json(const std::filesystem::path& path, const ImportReport& import, c
             {"non_manifold_edges", repairs.non_manifold_edges},
             {"non_manifold_vertices", repairs.non_manifold_vertices},
             {"reoriented_faces", repairs.reoriented_faces},
-            {"has_colors", import.has_colors}}}};
+            {"has_colors", import.has_colors},
+            {"missing_colors", import.missing_colors},
+            {"skipped_elements", import.skipped_elements},
+            {"not_kept", not_kept_json(import.not_kept)}}}};
 }
 
 Json loop_json(const BoundaryLoop& loop) {
-  return {{"number", loop.number},     {"edges", loop.edges()},       {"perimeter", loop.perimeter},
-          {"diameter", loop.diameter}, {"planarity", loop.planarity}, {"area", loop.area},
-          {"turning", loop.turning},   {"kind", to_string(loop.kind)}};
+  return {{"number", loop.number},       {"edges", loop.edges()},
+          {"perimeter", loop.perimeter}, {"diameter", loop.diameter},
+          {"planarity", loop.planarity}, {"area", loop.area},
+          {"turning", loop.turning},     {"coincident_edges", loop.coincident},
+          {"kind", to_string(loop.kind)}};
 }
 
 namespace {
@@ -108,31 +110,6 @@ Json evolved_json(const EvolvedPatch& evolved) {
           {"folds", evolved.quality.folds},
           {"self_intersections", evolved.quality.self_intersections},
           {"min_angle_deg", evolved.quality.min_angle_deg}};
-}
-
-void check_outputs(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& output,
-                   const std::string& report) {
-  check_mesh_writable(output);
-  if (report.empty() || report == "-") return;
-  std::vector<std::filesystem::path> meshes = inputs;
-  meshes.push_back(output);
-  for (const std::filesystem::path& mesh : meshes)
-    if (same_file(mesh, report)) throw UsageError("--report " + report + " would overwrite the mesh " + mesh.string());
-  check_writable(report);
-}
-
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  if (std::filesystem::equivalent(a, b, error)) return true;
-  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
-}
-
-void write_report(const std::string& target, const Json& report) {
-  const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (target == "-")
-    std::cout << text << std::flush;
-  else
-    write_file_atomically(target, [&](std::ostream& out) { out << text; });
 }
 
 }  // namespace loopmend

@@ -1,6 +1,8 @@
 #include "commands.h"
 #include "exit_codes.h"
 
+#include "outputs.h"
+
 #include "samples/sample_scan.h"
 
 #include <cstdio>
@@ -8,8 +10,11 @@
 namespace loopmend {
 
 int run_sample(const std::filesystem::path& output) {
+  CommandFiles().writes(NamedFile::Kind::mesh, "-o", output).check();
   const TriangleSoup soup = make_sample_scan();
-  write_mesh(output, soup);
+  OutputTransaction outputs;
+  write_mesh(outputs, output, soup);
+  outputs.commit();
   std::printf("%s: the embedded sample, %zu vertices, %zu triangles\n", output.c_str(), soup.points.size(),
               soup.triangles.size());
   return exit_done;

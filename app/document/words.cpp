@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace loopmend::words {
 namespace {
@@ -204,8 +205,44 @@ QString import_summary(const OpenedScan& scan) {
   note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend::words", "cut along %1 non-manifold edges"));
   note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend::words", "split at %1 non-manifold vertices"));
   note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend::words", "%1 vertices that no face uses"));
+  note(in.missing_colors, QT_TRANSLATE_NOOP("loopmend::words", "%1 vertices without a colour, made white"));
+  int coincident = 0;
+  for (const BoundaryLoop& loop : scan.loops) coincident += loop.kind == LoopKind::cut ? 0 : loop.coincident;
+  if (in.coincident_vertices > 0)
+    note(static_cast<std::size_t>(coincident),
+         QT_TRANSLATE_NOOP("loopmend::words",
+                           "%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill "
+                           "--weld` joins them)"));
   if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));
+  if (!in.not_kept.empty()) text += QLatin1Char(' ') + tr("Will not be saved: %1.").arg(not_kept(in.not_kept));
   return text;
+}
+
+QString not_kept(const std::vector<NotKept>& list) {
+  // Those that have a name of their own in the file, such as a property, are told as the reader calls them.
+  static const char* const known[] = {QT_TRANSLATE_NOOP("loopmend::words", "normals"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "face normals"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "texture coordinates"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "texture coordinates of faces"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "face colours"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "vertex colours"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "alpha values"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "vertices without faces"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "materials"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "material libraries"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "objects"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "groups"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "smoothing groups"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "lines"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "points")};
+  QStringList words;
+  for (const NotKept& entry : list) {
+    const auto word =
+        std::find_if(std::begin(known), std::end(known), [&](const char* name) { return entry.what == name; });
+    const QString what = word != std::end(known) ? tr(*word) : QString::fromStdString(entry.what);
+    words << QStringLiteral("%1 (%2)").arg(what, count(entry.count));
+  }
+  return words.join(QStringLiteral(", "));
 }
 
 }  // namespace loopmend::words

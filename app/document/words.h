@@ -41,4 +41,7 @@ QString holes(const Document& document, const std::set<int>& loops);
 /// What the reader met and mended, in one or two sentences; the first gives the counts.
 QString import_summary(const OpenedScan& scan);
 
+/// "normals (9,992), materials (3)".
+QString not_kept(const std::vector<NotKept>& list);
+
 }  // namespace loopmend::words

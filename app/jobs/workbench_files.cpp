@@ -237,9 +237,11 @@ void Workbench::export_to(const QString& path) {
     std::vector<PatchStatePtr> states;
   };
   std::vector<Part> parts;
+  std::vector<NotKept> lost;
   std::set<int> left_open;
   for (int index : document_.scans()) {
     Part part{document_.scan(index)->model, {}};
+    for (const NotKept& entry : document_.scan(index)->import.not_kept) count_not_kept(lost, entry.what, entry.count);
     for (const OpenPatch& patch : document_.patches()) {
       if (patch.scan != index) continue;
       const bool wanted = patch.state->stage != PatchStage::cutting || patch.acceptance == Acceptance::accepted;
@@ -253,7 +255,7 @@ void Workbench::export_to(const QString& path) {
           ? QString()
           : tr(" Left open, because the patch cuts the surface: %1.").arg(words::holes(document_, left_open));
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
-  tasks_.start([this, job, parts, path, remark] {
+  tasks_.start([this, job, parts, path, remark, lost]() mutable {
     try {
       std::vector<TriangleSoup> soups;
       for (const Part& part : parts) {
@@ -267,11 +269,17 @@ void Workbench::export_to(const QString& path) {
       const TriangleSoup all = joined(std::move(soups));
       if (job->token().cancelled()) return;
       write_mesh(path.toStdString(), all);
-      job->tell([this, path, remark, count = all.triangles.size()] {
+      for (const NotKept& entry : not_kept_by_format(path.toStdString(), all))
+        count_not_kept(lost, entry.what, entry.count);
+      QString losses;
+      if (!lost.empty()) losses = tr(" Not in it: %1.").arg(words::not_kept(lost));
+      if (const double way = largest_rounding(path.toStdString(), all.points, Encoding::binary); way > 0)
+        losses += tr(" STL rounds: vertices were moved by up to %1; PLY keeps every digit.").arg(words::number(way));
+      job->tell([this, path, remark, losses, count = all.triangles.size()] {
         end();
         undo_.mark_saved();
         const QString words =
-            tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), words::count(count)) + remark;
+            tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), words::count(count)) + losses + remark;
         Q_EMIT said(words);
         Q_EMIT notice(words);
       });

@@ -2,7 +2,6 @@
 
 #include "analysis/curvature_field.h"
 #include "core/error.h"
-#include "io/atomic_file.h"
 #include "mesh/boundary_loops.h"
 #include "scene/egl_window.h"
 #include "scene/mesh_scene.h"
@@ -18,6 +17,8 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -67,20 +68,68 @@ void fill_scene(Picture& picture, const SurfaceModel& model, const RenderOptions
   picture.scene.set_loops(lines_of(model, find_boundary_loops(model), origin));
 }
 
-void aim(MeshScene& scene, const SurfaceShape& shape, const SurfaceModel& model, const RenderOptions& options,
-         double aspect) {
-  const auto b = scene.bounds();
+/// @throws InvalidArgument
+const BoundaryLoop& loop_numbered(const std::vector<BoundaryLoop>& loops, int number) {
+  for (const BoundaryLoop& loop : loops)
+    if (loop.number == number) return loop;
+  throw InvalidArgument("there is no loop " + std::to_string(number) + ": the surface has " +
+                        std::to_string(loops.size()));
+}
+
+/// What the camera is aimed at: all shapes of a picture, or one loop of the first.
+struct Aim {
+  Vec3 focus;
+  double radius = 1;
+  std::vector<float> points;
+  double share = 0.86;  ///< of the picture that the points are to fill
+};
+
+Aim aim_at(const std::vector<const SurfaceShape*>& shapes) {
+  Aim aim;
+  Eigen::AlignedBox3d box;
+  for (const SurfaceShape* shape : shapes) {
+    aim.points.insert(aim.points.end(), shape->points.begin(), shape->points.end());
+    for (std::size_t i = 0; i + 2 < shape->points.size(); i += 3)
+      box.extend(Vec3(shape->points[i], shape->points[i + 1], shape->points[i + 2]));
+  }
+  aim.focus = box.center();
+  aim.radius = 0.5 * box.diagonal().norm();
+  return aim;
+}
+
+Aim aim_at(const SurfaceModel& model, const BoundaryLoop& loop, const Vec3& origin) {
+  Aim aim;
+  aim.focus = loop.center - origin;
+  aim.radius = 0.5 * loop.diameter;
+  aim.points = lines_of(model, {loop}, origin).front().points;
+  aim.share = 0.6;  // the surroundings are wanted too
+  return aim;
+}
+
+/// Turns the scene's camera to what is to be seen. `shapes` are all that share this camera, `model` is that of the first.
+void aim(MeshScene& scene, const std::vector<const SurfaceShape*>& shapes, const SurfaceModel& model,
+         const RenderOptions& options, double aspect) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  const Aim whole = aim_at(shapes);
+  const Aim goal = options.loop ? aim_at(model, loop_numbered(loops, *options.loop), scene_origin(model.soup)) : whole;
+  Eigen::AlignedBox3d first;
+  for (std::size_t i = 0; i + 2 < shapes.front()->points.size(); i += 3) {
+    const auto& p = shapes.front()->points;
+    first.extend(Vec3(p[i], p[i + 1], p[i + 2]));
+  }
+  const Vec3 up = guessed_up(first.sizes());
   Stand stand;
-  stand.focus = 0.5 * Vec3(b[0] + b[1], b[2] + b[3], b[4] + b[5]);
-  const Vec3 extents(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
-  stand.direction =
-      options.eye ? options.eye->normalized() : view_direction(model, find_boundary_loops(model), guessed_up(extents));
-  stand.up = view_up(stand.direction, guessed_up(extents));
-  stand.radius = 0.5 * extents.norm();
+  stand.focus = goal.focus;
+  stand.direction = options.eye    ? options.eye->normalized()
+                    : options.view ? direction_of(*options.view, up)
+                    : options.loop ? facing(model, loop_numbered(loops, *options.loop))
+                                   : view_direction(model, loops, up);
+  stand.up = view_up(stand.direction, up);
+  stand.radius = goal.radius;
   stand.aspect = aspect;
   vtkCamera* camera = scene.renderer()->GetActiveCamera();
   place_camera(camera, stand);
-  fit(camera, shape, aspect);
+  fit(camera, goal.points, aspect, goal.share);
 }
 
 vtkNew<vtkImageData> halve(vtkUnsignedCharArray* pixels, int width, int height) {
@@ -102,7 +151,7 @@ vtkNew<vtkImageData> halve(vtkUnsignedCharArray* pixels, int width, int height) 
   return image;
 }
 
-void write_png(vtkRenderWindow* window, const RenderOptions& options, const std::filesystem::path& path) {
+std::string png_of(vtkRenderWindow* window, const RenderOptions& options) {
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   const int* size = window->GetSize();
@@ -115,10 +164,7 @@ void write_png(vtkRenderWindow* window, const RenderOptions& options, const std:
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* png = writer->GetResult();
-  write_file_atomically(path, [png](std::ostream& out) {
-    out.write(reinterpret_cast<const char*>(png->GetPointer(0)),
-              static_cast<std::streamsize>(png->GetNumberOfValues()));
-  });
+  return {reinterpret_cast<const char*>(png->GetPointer(0)), static_cast<std::size_t>(png->GetNumberOfValues())};
 }
 
 void add_caption(vtkRenderer* renderer, const char* words, double ratio, int height) {
@@ -150,7 +196,7 @@ int give_legend_room(MeshScene& scene, vtkRenderWindow* window, double ratio, in
 
 }  // namespace
 
-void render_to_png(const SurfaceModel& model, const RenderOptions& options, const std::filesystem::path& path) {
+std::string render_surface(const SurfaceModel& model, const RenderOptions& options) {
   check(options);
   const int width = supersampling * options.width, height = supersampling * options.height;
   const auto window = make_offscreen_window(width, height);
@@ -163,14 +209,14 @@ void render_to_png(const SurfaceModel& model, const RenderOptions& options, cons
   const int strip = is_colored(options.shading) ? give_legend_room(picture.scene, window, ratio, width, height) : 0;
   const int room = width - strip;
   picture.scene.renderer()->SetViewport(0, 0, static_cast<double>(room) / width, 1);
-  aim(picture.scene, *picture.shape, model, options, static_cast<double>(room) / height);
+  aim(picture.scene, {picture.shape.get()}, model, options, static_cast<double>(room) / height);
   picture.scene.renderer()->ResetCameraClippingRange();
-  write_png(window, options, path);
+  const std::string png = png_of(window, options);
   window->Finalize();
+  return png;
 }
 
-void render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options,
-                         const std::filesystem::path& path) {
+std::string render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options) {
   check(options);
   const int width = supersampling * options.width, height = supersampling * options.height;
   const auto window = make_offscreen_window(width, height);
@@ -187,7 +233,7 @@ void render_before_after(const SurfaceModel& before, const SurfaceModel& after, 
   left.scene.set_legend(LegendPlace::none);
   const int strip = is_colored(options.shading) ? give_legend_room(right.scene, window, ratio, width, height) : 0;
   const int room = (width - strip) / 2;
-  aim(left.scene, *left.shape, before, options, static_cast<double>(room) / height);
+  aim(left.scene, {left.shape.get(), right.shape.get()}, before, options, static_cast<double>(room) / height);
   right.scene.renderer()->SetActiveCamera(left.scene.renderer()->GetActiveCamera());
   const double share = static_cast<double>(room) / width;
   left.scene.renderer()->SetViewport(0, 0, share, 1);
@@ -195,12 +241,12 @@ void render_before_after(const SurfaceModel& before, const SurfaceModel& after, 
   add_caption(left.scene.renderer(), "Before", ratio, height);
   add_caption(right.scene.renderer(), "After", ratio, height);
   left.scene.renderer()->ResetCameraClippingRange();
-  write_png(window, options, path);
+  const std::string png = png_of(window, options);
   window->Finalize();
+  return png;
 }
 
-void render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options,
-                   const std::filesystem::path& path) {
+std::string render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options) {
   check(options);
   if (panels.empty() || columns < 1) throw InvalidArgument("a picture needs at least one panel and one column.");
   const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
@@ -222,8 +268,9 @@ void render_panels(const std::vector<Panel>& panels, int columns, const RenderOp
   const int strip =
       is_colored(options.shading) ? give_legend_room(pictures.back()->scene, window, ratio, width, height) : 0;
   const int panel_width = (width - strip) / columns, panel_height = height / rows;
-  aim(pictures.front()->scene, *pictures.front()->shape, *panels.front().model, options,
-      static_cast<double>(panel_width) / panel_height);
+  std::vector<const SurfaceShape*> shapes;
+  for (const auto& picture : pictures) shapes.push_back(picture->shape.get());
+  aim(pictures.front()->scene, shapes, *panels.front().model, options, static_cast<double>(panel_width) / panel_height);
   const double room = static_cast<double>(width - strip) / width / columns;
   for (std::size_t k = 0; k < panels.size(); ++k) {
     MeshScene& scene = pictures[k]->scene;
@@ -236,8 +283,9 @@ void render_panels(const std::vector<Panel>& panels, int columns, const RenderOp
     add_caption(scene.renderer(), panels[k].caption.c_str(), ratio, panel_height);
   }
   pictures.front()->scene.renderer()->ResetCameraClippingRange();
-  write_png(window, options, path);
+  const std::string png = png_of(window, options);
   window->Finalize();
+  return png;
 }
 
 }  // namespace loopmend

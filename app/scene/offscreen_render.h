@@ -3,8 +3,8 @@
 
 #include "mesh/surface_model.h"
 #include "scene/shading.h"
+#include "scene/view_direction.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,17 +17,19 @@ struct RenderOptions {
   int height = 1200;  ///< likewise
   std::optional<double>
       h_range;  ///< colours over [−h_range, h_range], 1/length; empty: 98th percentile of the (first) surface
-  std::optional<Vec3> eye;  ///< from the middle towards the eye, any length; empty: towards the largest holes
+  std::optional<Vec3> eye;        ///< from the middle towards the eye, any length; empty: as `view` says
+  std::optional<NamedView> view;  ///< empty: towards most of the holes, straight into `loop` where one is named
+  std::optional<int> loop;  ///< number of the boundary loop that fills the picture; empty: all of the surface does
 };
 
 /// One picture: surface, loops as lines, legend when coloured by H.
-/// @throws InvalidArgument if a size is out of range; Error if this machine cannot draw; WriteError.
-void render_to_png(const SurfaceModel& model, const RenderOptions& options, const std::filesystem::path& path);
+/// @returns the bytes of a PNG file.
+/// @throws InvalidArgument if an option is out of range; Error if this machine cannot draw.
+std::string render_surface(const SurfaceModel& model, const RenderOptions& options);
 
 /// Two surfaces side by side: one camera (that of `before`), one colour range, one legend.
-/// @throws as render_to_png.
-void render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options,
-                         const std::filesystem::path& path);
+/// @returns, @throws as render_surface.
+std::string render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options);
 
 /// One surface of several that are shown together.
 struct Panel {
@@ -39,8 +41,7 @@ struct Panel {
 
 /// Surfaces in a grid: one camera (that of the first), one colour range (over all of them), one legend.
 /// @param columns  ≥ 1.
-/// @throws as render_to_png; InvalidArgument without a panel.
-void render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options,
-                   const std::filesystem::path& path);
+/// @returns, @throws as render_surface; InvalidArgument without a panel.
+std::string render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options);
 
 }  // namespace loopmend

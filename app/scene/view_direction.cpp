@@ -35,13 +35,13 @@ Vec3 loop_normal(const SurfaceModel& model, const BoundaryLoop& loop) {
   return sum;
 }
 
-/// What the shape covers of the picture, −1..1 both ways.
-Eigen::AlignedBox2d seen_box(vtkCamera* camera, const SurfaceShape& shape, double aspect) {
+/// What the points cover of the picture, −1..1 both ways.
+Eigen::AlignedBox2d seen_box(vtkCamera* camera, const std::vector<float>& points, double aspect) {
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> to_clip(
       camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
   Eigen::AlignedBox2d box;
-  for (std::size_t i = 0; i + 2 < shape.points.size(); i += 3) {
-    const Eigen::Vector4d p = to_clip * Eigen::Vector4d(shape.points[i], shape.points[i + 1], shape.points[i + 2], 1);
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    const Eigen::Vector4d p = to_clip * Eigen::Vector4d(points[i], points[i + 1], points[i + 2], 1);
     if (p.w() > 0) box.extend(p.head<2>() / p.w());
   }
   return box;
@@ -102,6 +102,20 @@ Vec3 view_up(const Vec3& direction, const Vec3& wanted) {
 
 Vec3 front(const Vec3& up) { return up.z() > 0.5 ? Vec3(0.3, -1, 0.2).normalized() : Vec3(0.2, 0.2, 1).normalized(); }
 
+Vec3 direction_of(NamedView view, const Vec3& up) {
+  const Vec3 ahead = up.z() > 0.5 ? Vec3(0, -1, 0) : Vec3(0, 0, 1), right = up.cross(ahead);
+  switch (view) {
+    case NamedView::front: return ahead;
+    case NamedView::back: return -ahead;
+    case NamedView::left: return -right;
+    case NamedView::right: return right;
+    case NamedView::top: return up;
+    case NamedView::bottom: return -up;
+    case NamedView::iso: return (ahead + right + up).normalized();
+  }
+  return ahead;
+}
+
 void place_camera(vtkCamera* camera, const Stand& stand) {
   const double half = 0.5 * camera->GetViewAngle() * pi / 180;
   const double narrowest = std::atan(std::tan(half) * std::min(1.0, stand.aspect));
@@ -112,11 +126,10 @@ void place_camera(vtkCamera* camera, const Stand& stand) {
   camera->SetViewUp(stand.up.data());
 }
 
-void fit(vtkCamera* camera, const SurfaceShape& shape, double aspect) {
-  constexpr double share = 0.86;
+void fit(vtkCamera* camera, const std::vector<float>& points, double aspect, double share) {
   constexpr int rounds = 2;  // moving sideways changes the perspective a little
   for (int round = 0; round < rounds; ++round) {
-    const Eigen::AlignedBox2d seen = seen_box(camera, shape, aspect);
+    const Eigen::AlignedBox2d seen = seen_box(camera, points, aspect);
     if (seen.isEmpty()) return;
     shift(camera, seen.center(), aspect);
     const double widest = (0.5 * seen.sizes()).maxCoeff();

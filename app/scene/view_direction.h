@@ -6,6 +6,8 @@
 #include "mesh/surface_model.h"
 #include "scene/surface_shape.h"
 
+#include <vector>
+
 class vtkCamera;
 
 namespace loopmend {
@@ -25,6 +27,12 @@ Vec3 view_up(const Vec3& direction, const Vec3& wanted);
 /// The side that the first picture shows: slightly from the right and above.
 Vec3 front(const Vec3& up);
 
+enum class NamedView { front, back, left, right, top, bottom, iso };
+
+/// From the middle towards the eye. Left and right are those of the person who looks at the front: with y up the front
+/// shows +z, with z up −y. The iso view shows front, right and top alike.
+Vec3 direction_of(NamedView view, const Vec3& up);
+
 /// A sphere that should be seen whole, and the eye's direction. `aspect` is width / height.
 struct Stand {
   Vec3 focus = Vec3::Zero();
@@ -35,7 +43,8 @@ struct Stand {
 };
 void place_camera(vtkCamera* camera, const Stand& stand);
 
-/// Moves the camera sideways and zooms until the shape fills 86 % of the picture, in its middle.
-void fit(vtkCamera* camera, const SurfaceShape& shape, double aspect);
+/// Moves the camera sideways and zooms until the points, three coordinates each, fill `share` of the picture, in its
+/// middle.
+void fit(vtkCamera* camera, const std::vector<float>& points, double aspect, double share);
 
 }  // namespace loopmend

@@ -1,19 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory.h"
 
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <cstdlib>
+#include <vector>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
+// Of OpenBLAS: the buffers that each thread works in. What is freed stays mapped for the next that asks.
+extern "C" void* blas_memory_alloc(int kind);
+extern "C" void blas_memory_free(void* buffer);
+
 namespace loopmend {
+
+namespace {
+
+constexpr std::size_t megabyte = 1 << 20;
+constexpr std::size_t buffer_size = 129 * megabyte;  // 128 MB, aligned
+constexpr std::size_t buffers_per_thread = 2;        // a thread lets another do half of a factorisation
+constexpr std::size_t spare = 64 * megabyte;         // for the work itself: stacks, and a small mesh
+
+bool can_be_had(std::size_t bytes) {
+  void* probe = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (probe == MAP_FAILED) return false;
+  munmap(probe, bytes);
+  return true;
+}
+
+}  // namespace
+
+const std::size_t least_work_memory = buffers_per_thread * buffer_size + spare;
+
+int claim_work_memory(int threads) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return threads;
+  const auto wanted = buffers_per_thread * static_cast<std::size_t>(std::clamp(threads, 1, 32));
+  std::vector<void*> buffers;
+  while (buffers.size() < wanted && can_be_had(buffer_size + spare)) buffers.push_back(blas_memory_alloc(0));
+  for (void* buffer : buffers) blas_memory_free(buffer);
+  return static_cast<int>(buffers.size() / buffers_per_thread);
+}
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int megabyte = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, 32 * megabyte);  // blocks from there on are always given back: glibc allows no more
-  mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+  constexpr int block = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * block);  // blocks from there on are always given back: glibc allows no more
+  mallopt(M_TRIM_THRESHOLD, 256 * block);
 #endif
 }
 

@@ -6,11 +6,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <random>
 #include <streambuf>
@@ -22,40 +24,57 @@ namespace loopmend {
 
 namespace {
 
-/// Paths of temporary files, where an exit path can read them without a lock and without memory of its own.
+/// Paths of temporary files and of what became of them, where an exit path can read them without a lock and without
+/// memory of its own.
 constexpr std::size_t longest_path = 4096;
 
-struct UnfinishedFile {
-  enum State : int { unused, being_named, named };
+struct KnownFile {
+  enum State : int {
+    unused,
+    being_named,
+    unfinished,  ///< the temporary file may be there, the target is as it was
+    in_transit,  ///< is being renamed: whether the temporary file is still there tells how far that got
+    in_place,    ///< stands under its target's name
+    folder       ///< `path` is a new folder, wanted for a file that does not stand in it yet
+  };
   std::atomic<int> state{unused};
   std::array<char, longest_path> path{};
+  std::array<char, longest_path> target{};
 };
 
-std::array<UnfinishedFile, 16> unfinished_files;  // the one global of the engine: a signal cannot be handed an argument
+// The one global of the engine: a signal cannot be handed an argument. Only pages in use take memory.
+std::array<KnownFile, 128> known_files;
 static_assert(std::atomic<int>::is_always_lock_free);
 
 /// Keeps one path in the list while it lives. With the list full, or a path too long, it does nothing.
 class Registration {
  public:
-  explicit Registration(const std::string& path) {
-    if (path.size() >= longest_path) return;
-    for (UnfinishedFile& file : unfinished_files) {
-      int expected = UnfinishedFile::unused;
-      if (!file.state.compare_exchange_strong(expected, UnfinishedFile::being_named)) continue;
+  Registration(const std::string& path, const std::string& target, KnownFile::State state = KnownFile::unfinished) {
+    if (path.size() >= longest_path || target.size() >= longest_path) return;
+    for (KnownFile& file : known_files) {
+      int expected = KnownFile::unused;
+      if (!file.state.compare_exchange_strong(expected, KnownFile::being_named)) continue;
       std::memcpy(file.path.data(), path.c_str(), path.size() + 1);
-      file.state.store(UnfinishedFile::named);
+      std::memcpy(file.target.data(), target.c_str(), target.size() + 1);
+      file.state.store(state);
       file_ = &file;
       return;
     }
   }
   ~Registration() {
-    if (file_ != nullptr) file_->state.store(UnfinishedFile::unused);
+    if (file_ != nullptr) file_->state.store(KnownFile::unused);
   }
   Registration(const Registration&) = delete;
   Registration& operator=(const Registration&) = delete;
 
+  void become(KnownFile::State state) {
+    if (file_ != nullptr) file_->state.store(state);
+  }
+  /// The entry stays in the list to the end of the process.
+  void keep() { file_ = nullptr; }
+
  private:
-  UnfinishedFile* file_ = nullptr;
+  KnownFile* file_ = nullptr;
 };
 
 std::string reason_text(int reason) { return std::generic_category().message(reason); }
@@ -166,7 +185,7 @@ class TemporaryFile {
   TemporaryFile(const std::filesystem::path& path, const std::filesystem::path& folder)
       : path_(path),
         name_(temporary_name(folder)),
-        registration_(name_.string()) {
+        registration_(name_.string(), path.string()) {
     descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail(path_, "cannot be written in this folder", errno);
   }
@@ -194,9 +213,16 @@ class TemporaryFile {
   }
 
   void rename_to(const std::filesystem::path& target) {
-    if (::rename(name_.c_str(), target.c_str()) != 0) fail(path_, "cannot be replaced", errno);
+    registration_.become(KnownFile::in_transit);
+    if (::rename(name_.c_str(), target.c_str()) != 0) {
+      const int reason = errno;
+      registration_.become(KnownFile::unfinished);
+      fail(path_, "cannot be replaced", reason);
+    }
     renamed_ = true;
+    registration_.become(KnownFile::in_place);
   }
+  void stay_known() { registration_.keep(); }
 
  private:
   std::filesystem::path path_;
@@ -214,38 +240,144 @@ void sync_folder(const std::filesystem::path& folder) {
   ::close(descriptor);
 }
 
-}  // namespace
+/// A file that is complete but for its name.
+struct PreparedFile {
+  std::filesystem::path target;
+  std::unique_ptr<TemporaryFile> file;
+};
 
-void write_file_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+void require_file_name(const std::filesystem::path& path) {
   if (!path.has_filename()) throw WriteError(path, "is not a file name", "Choose a file name.");
-  const std::filesystem::path target = follow_links(path);
-  const std::filesystem::path folder = target.parent_path();
-  const std::optional<struct stat> old = existing_file(path, target);
+}
 
-  TemporaryFile file(path, folder);
-  if (old) file.take_mode_of(*old);
-  DescriptorBuffer buffer(file.descriptor());
+PreparedFile prepare(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+  require_file_name(path);
+  PreparedFile prepared;
+  prepared.target = follow_links(path);
+  const std::optional<struct stat> old = existing_file(path, prepared.target);
+  prepared.file = std::make_unique<TemporaryFile>(path, prepared.target.parent_path());
+  if (old) prepared.file->take_mode_of(*old);
+  DescriptorBuffer buffer(prepared.file->descriptor());
   std::ostream stream(&buffer);
   write(stream);
   stream.flush();
   if (buffer.error() != 0) fail(path, "cannot be written", buffer.error());
   if (!stream) throw WriteError(path, "cannot be written", "Choose another place.");
-  file.finish();
-  file.rename_to(target);
-  sync_folder(folder);
+  prepared.file->finish();
+  return prepared;
+}
+
+/// A folder that was made for files to come. Unless it is kept, it is gone when this object is.
+class NewFolder {
+ public:
+  explicit NewFolder(const std::filesystem::path& path)
+      : name_(std::filesystem::absolute(path)),
+        registration_(name_.string(), "", KnownFile::folder) {}
+  ~NewFolder() {
+    if (!kept_) ::rmdir(name_.c_str());  // does nothing where something stands in it by now
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  std::filesystem::path name_;
+  Registration registration_;
+  bool kept_ = false;
+};
+
+}  // namespace
+
+void write_file_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+  const PreparedFile prepared = prepare(path, write);
+  prepared.file->rename_to(prepared.target);
+  sync_folder(prepared.target.parent_path());
+}
+
+struct OutputTransaction::Impl {
+  // In this order: the files go first, then the folders from the innermost outwards.
+  ~Impl() {
+    files.clear();
+    while (!folders.empty()) folders.pop_back();
+  }
+  std::vector<std::unique_ptr<NewFolder>> folders;
+  std::vector<PreparedFile> files;
+};
+
+OutputTransaction::OutputTransaction() : impl_(std::make_unique<Impl>()) {}
+OutputTransaction::~OutputTransaction() = default;
+
+void OutputTransaction::add_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return;
+  const std::filesystem::path parent = std::filesystem::absolute(path).lexically_normal().parent_path();
+  if (!std::filesystem::exists(parent, error)) add_folder(parent);
+  auto folder = std::make_unique<NewFolder>(path);
+  if (!std::filesystem::create_directory(path, error)) {
+    folder->keep();  // it is not ours
+    throw WriteError(path, "cannot be made a folder: " + (error ? error.message() : "a file is there"),
+                     "Choose another name.");
+  }
+  impl_->folders.push_back(std::move(folder));
+}
+
+void OutputTransaction::add(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+  impl_->files.push_back(prepare(path, write));
+}
+
+void OutputTransaction::commit() {
+  for (const PreparedFile& prepared : impl_->files) {
+    prepared.file->rename_to(prepared.target);
+    prepared.file->stay_known();
+    for (const auto& folder : impl_->folders) folder->keep();
+  }
+  std::vector<std::filesystem::path> synced;
+  for (const PreparedFile& prepared : impl_->files) {
+    const std::filesystem::path folder = prepared.target.parent_path();
+    if (std::find(synced.begin(), synced.end(), folder) != synced.end()) continue;
+    sync_folder(folder);
+    synced.push_back(folder);
+  }
+  impl_->files.clear();
+}
+
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  struct stat first {
+  }, second{};
+  const auto same = [&] { return first.st_dev == second.st_dev && first.st_ino == second.st_ino; };
+  const bool a_exists = ::stat(a.c_str(), &first) == 0, b_exists = ::stat(b.c_str(), &second) == 0;
+  if (a_exists != b_exists) return false;
+  if (a_exists) return same();
+  const std::filesystem::path target_a = follow_links(a), target_b = follow_links(b);
+  if (target_a.filename() != target_b.filename()) return false;
+  if (::stat(target_a.parent_path().c_str(), &first) == 0 && ::stat(target_b.parent_path().c_str(), &second) == 0)
+    return same();
+  return target_a.lexically_normal() == target_b.lexically_normal();
 }
 
 void check_writable(const std::filesystem::path& path) {
-  if (!path.has_filename()) throw WriteError(path, "is not a file name", "Choose a file name.");
+  require_file_name(path);
   const std::filesystem::path target = follow_links(path);
   existing_file(path, target);
   const TemporaryFile probe(path, target.parent_path());  // gone at once
 }
 
 void remove_unfinished_files() noexcept {
-  for (UnfinishedFile& file : unfinished_files) {
-    if (file.state.load() == UnfinishedFile::named) ::unlink(file.path.data());
+  for (KnownFile& file : known_files) {
+    const int state = file.state.load();
+    if (state != KnownFile::unfinished && state != KnownFile::in_transit) continue;
+    // What is being renamed by another thread is either still there, and then never gets its name, or has it already.
+    const bool gone = ::unlink(file.path.data()) != 0 && errno == ENOENT;
+    if (gone && state == KnownFile::in_transit) file.state.store(KnownFile::in_place);
   }
+  for (auto file = known_files.rbegin(); file != known_files.rend(); ++file)
+    if (file->state.load() == KnownFile::folder) ::rmdir(file->path.data());
+}
+
+const char* file_in_place(std::size_t k) noexcept {
+  for (const KnownFile& file : known_files)
+    if (file.state.load() == KnownFile::in_place && k-- == 0) return file.target.data();
+  return nullptr;
 }
 
 }  // namespace loopmend

@@ -1,8 +1,10 @@
-// A file that appears whole or not at all.
+// Files that appear whole or not at all: one by itself, or all that a command writes together.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <ostream>
 
 namespace loopmend {
@@ -13,13 +15,46 @@ namespace loopmend {
 /// @throws WriteError naming the path and the system's reason.
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
+/// Files that are written beside their targets one by one and get their names together, once all of them are complete.
+/// Until commit() every target is as it was; without it nothing stays behind.
+class OutputTransaction {
+ public:
+  OutputTransaction();
+  ~OutputTransaction();
+  OutputTransaction(const OutputTransaction&) = delete;
+  OutputTransaction& operator=(const OutputTransaction&) = delete;
+
+  /// Makes a folder, and those above it, unless it is there. What was made goes again if no file comes to stand in it.
+  /// @throws WriteError
+  void add_folder(const std::filesystem::path& path);
+
+  /// As write_file_atomically, but for the rename. @throws WriteError; what `write` throws is passed on.
+  void add(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+
+  /// Renames in the order of add(). Once, as the last thing.
+  /// @throws WriteError when a rename fails; file_in_place() then tells which files had their names by then.
+  void commit();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The k-th target that a transaction of this process has put in place, as it was given to add(); null beyond the last.
+/// For programs that say in the end, also on a signal, what they wrote. Knows the first 128.
+const char* file_in_place(std::size_t k) noexcept;
+
+/// True if both names mean one file, whether it is there already or not: hard and symbolic links, ./x and x.
+/// @throws WriteError for a circle of symbolic links.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Tells before long work whether write_file_atomically could begin: the folder is there and takes a new file, and what
 /// stands at `path` is a regular file that may be replaced. Leaves nothing behind.
 /// @throws WriteError as write_file_atomically.
 void check_writable(const std::filesystem::path& path);
 
-/// Removes temporary files of writes that are under way in this process. Async-signal-safe enough for an exit path:
-/// call it only right before _exit.
+/// Removes temporary files, and new folders, of writes that are under way in this process; file_in_place() is exact
+/// afterwards. Async-signal-safe enough for an exit path: call it only right before _exit.
 void remove_unfinished_files() noexcept;
 
 }  // namespace loopmend

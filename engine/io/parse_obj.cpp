@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace loopmend {
@@ -53,6 +55,8 @@ class ObjReader {
     }
     require_forward_references();
     finish_colors();
+    for (const auto& [what, count] : asides_) count_not_kept(soup_.not_kept, what, count);
+    for (const auto& [what, names] : names_) count_not_kept(soup_.not_kept, what, names.size());
     return std::move(soup_);
   }
 
@@ -76,15 +80,58 @@ class ObjReader {
     } else if (word == "f" || word == "fo") {
       read_face();
     } else if (is_naming(word)) {
+      remember_name(word);
       cursor_.skip_line();
     } else if (is_numeric_aside(word) || is_other_element(word)) {
       soup_.skipped_elements += is_other_element(word) ? 1 : 0;
+      count_aside(kind_of(word));
       while (!next().empty()) {
       }
     } else {
       errors_.fail(in_quotes(word) + " is not a statement of an OBJ file", cursor_.place(),
                    "The file is damaged or is something else under this name.");
     }
+  }
+
+  /// What a statement without vertices or faces of ours gives; null for parts of one.
+  static const char* kind_of(std::string_view word) {
+    if (word == "vn") return "normals";
+    if (word == "vt") return "texture coordinates";
+    if (word == "vp") return "points in parameter space";
+    if (word == "l") return "lines";
+    if (word == "p") return "points";
+    return is_other_element(word) ? "free-form curves and surfaces" : nullptr;
+  }
+
+  /// There may be as many of them as vertices: no text is made for each.
+  void count_aside(const char* what) {
+    if (what == nullptr) return;
+    for (auto& [known, count] : asides_)
+      if (std::string_view(known) == what) {
+        ++count;
+        return;
+      }
+    asides_.emplace_back(what, 1);
+  }
+
+  /// Groups, objects and materials are told by their names: each may be named many times.
+  void remember_name(std::string_view word) {
+    const char* what = word == "usemtl"                       ? "materials"
+                       : word == "mtllib"                     ? "material libraries"
+                       : word == "usemap" || word == "maplib" ? "texture maps"
+                       : word == "o"                          ? "objects"
+                       : word == "g"                          ? "groups"
+                       : word == "s"                          ? "smoothing groups"
+                                                              : nullptr;
+    if (what == nullptr) return;
+    std::string name;
+    for (std::string_view token = cursor_.next_token(); !token.empty(); token = cursor_.next_token())
+      name.append(name.empty() ? "" : " ").append(token);
+    const bool none = word == "s" && (name == "off" || name == "0");
+    if (none || name.empty()) return;
+    const auto known =
+        std::find_if(names_.begin(), names_.end(), [&](const auto& entry) { return entry.first == what; });
+    (known != names_.end() ? *known : names_.emplace_back(what, std::set<std::string>())).second.insert(name);
   }
 
   /// x y z; x y z w (w belongs to free-form curves); x y z r g b; x y z r g b a.
@@ -193,6 +240,9 @@ class ObjReader {
   PolygonSoup soup_;
   std::vector<std::pair<std::size_t, std::array<double, 4>>> colors_;  // vertex; red, green, blue, alpha
   double color_scale_ = 1.0;
+  std::vector<std::pair<const char*, std::size_t>> asides_;
+  std::vector<std::pair<std::string, std::set<std::string>>>
+      names_;           // of materials, groups, ... in order of appearance
   Reference farthest_;  // the highest index that was not yet there when it was named
 };
 

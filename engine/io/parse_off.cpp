@@ -28,6 +28,9 @@ class OffReader {
                    "The header and the data do not belong together; export the mesh again.");
     }
     finish_colors();
+    count_not_kept(soup_.not_kept, "normals", has_normals_ ? vertex_count_ : 0);
+    count_not_kept(soup_.not_kept, "texture coordinates", has_texture_ ? vertex_count_ : 0);
+    count_not_kept(soup_.not_kept, "face colours", face_colors_);
     return std::move(soup_);
   }
 
@@ -163,6 +166,7 @@ class OffReader {
     for (int extra = 0; extra < 4; ++extra) {
       const std::string_view token = cursor_.next_token();
       if (!token.empty()) number(token, "a colour");
+      if (extra == 0 && !token.empty()) ++face_colors_;
     }
     require_line_end();
   }
@@ -180,6 +184,7 @@ class OffReader {
   std::uint64_t face_count_ = 0;
   bool has_normals_ = false;
   bool has_texture_ = false;
+  std::size_t face_colors_ = 0;
   std::vector<VertexColor> colors_;
   double color_scale_ = 1.0;
 };

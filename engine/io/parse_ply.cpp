@@ -51,6 +51,20 @@ VertexPlan plan_vertices(const PlyElement& element, const ParseErrors& errors) {
   return plan;
 }
 
+bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What is lost with a property that is read over, in words. Properties that belong together share theirs.
+std::string words_for(const std::string& element, const std::string& property) {
+  if (is_one_of(property, {"nx", "ny", "nz"})) return element == "face" ? "face normals" : "normals";
+  if (is_one_of(property, {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"}))
+    return element == "face" ? "texture coordinates of faces" : "texture coordinates";
+  if (element == "face" && is_one_of(property, {"red", "green", "blue", "alpha", "r", "g", "b", "a"}))
+    return "face colours";
+  return element + " properties \"" + property + "\"";
+}
+
 /// Where the corners stand in a face's row.
 struct FacePlan {
   std::size_t corners_at = 0;  // index of the property
@@ -108,6 +122,11 @@ class PlyBody {
 
   void read_vertices(const PlyElement& element) {
     const VertexPlan plan = plan_vertices(element, errors_);
+    for (std::size_t i = 0; i < plan.roles.size(); ++i) {
+      const bool is_color = plan.roles[i] >= 3 && plan.has_colors();
+      const bool is_used = (plan.roles[i] >= 0 && plan.roles[i] < 3) || is_color;
+      if (!is_used) note_not_kept(element, element.properties[i]);
+    }
     soup_.points.reserve(element.count);
     if (plan.has_colors()) soup_.colors.reserve(element.count);
     for (std::uint64_t v = 0; v < element.count; ++v) {
@@ -144,6 +163,8 @@ class PlyBody {
   void read_faces(const PlyElement& element) {
     if (element.count == 0) return;
     const FacePlan plan = plan_faces(element, errors_);
+    for (std::size_t i = 0; i < element.properties.size(); ++i)
+      if (i != plan.corners_at) note_not_kept(element, element.properties[i]);
     const std::uint64_t believable = std::min<std::uint64_t>(element.count, file_bytes_ / 4);  // 4 bytes: a list of 3
     soup_.ends.reserve(believable);
     soup_.corners.reserve(3 * believable);
@@ -177,11 +198,20 @@ class PlyBody {
   void skip_element(const PlyElement& element) {
     if (element.properties.empty()) return;
     soup_.skipped_elements += element.count;
+    count_not_kept(soup_.not_kept, "elements \"" + element.name + "\"", element.count);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       rows_.begin_row(element, row);
       for (const PlyProperty& property : element.properties) skip(property);
       rows_.end_row();
     }
+  }
+
+  /// Properties that share their words, such as nx, ny and nz, are one thing for each row.
+  void note_not_kept(const PlyElement& element, const PlyProperty& property) {
+    const std::string words = words_for(element.name, property.name);
+    const bool known = std::any_of(soup_.not_kept.begin(), soup_.not_kept.end(),
+                                   [&](const NotKept& entry) { return entry.what == words; });
+    if (!known) count_not_kept(soup_.not_kept, words, element.count);
   }
 
   void skip(const PlyProperty& property) {

@@ -43,11 +43,13 @@ class AsciiStl {
 
   PolygonSoup read() {
     bool inside = false;
+    std::size_t solids = 0;
     for (;;) {
       const std::string_view word = cursor_.next_token_across_lines();
       if (word.empty()) break;
       if (!inside && equals_ignoring_case(word, "solid")) {
         inside = true;
+        ++solids;
         cursor_.skip_line();  // its name
       } else if (inside && equals_ignoring_case(word, "endsolid")) {
         inside = false;
@@ -59,6 +61,7 @@ class AsciiStl {
       }
     }
     if (inside) errors_.truncated("a solid: \"endsolid\" is missing", cursor_.place());
+    if (solids > 1) count_not_kept(soup_.not_kept, "separate solids", solids);
     return std::move(soup_);
   }
 
@@ -147,6 +150,7 @@ PolygonSoup parse_stl_binary(const FileContent& file) {
   Welder welder(soup);
   soup.corners.reserve(3 * count);
   soup.ends.reserve(count);
+  std::size_t attributes = 0;
   for (std::size_t facet = 0; facet < count; ++facet) {
     const std::size_t corners_at = header_bytes + facet * facet_bytes + 12;  // after the normal
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -162,7 +166,10 @@ PolygonSoup parse_stl_binary(const FileContent& file) {
       welder.add_corner(point);
     }
     soup.close_polygon();
+    const std::size_t attribute_at = header_bytes + facet * facet_bytes + 48;
+    attributes += file.bytes[attribute_at] != 0 || file.bytes[attribute_at + 1] != 0 ? 1 : 0;
   }
+  count_not_kept(soup.not_kept, "face attributes", attributes);
   return soup;
 }
 

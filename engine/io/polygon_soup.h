@@ -3,6 +3,7 @@
 
 #include "core/types.h"
 #include "io/file_content.h"
+#include "io/not_kept.h"
 
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,7 @@ struct PolygonSoup {
   std::vector<std::size_t> ends;     ///< per polygon: one past its last corner
   std::size_t missing_colors = 0;    ///< vertices without a colour of their own in a file with colours
   std::size_t skipped_elements = 0;  ///< things that are neither vertex nor face: lines, points, edges
+  std::vector<NotKept> not_kept;     ///< all that was read over, the skipped elements among it, by name
   std::size_t vertices_welded = 0;   ///< STL only
 
   std::size_t polygon_count() const { return ends.size(); }

@@ -130,10 +130,36 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const T
   report.missing_colors = polygons.missing_colors;
   report.skipped_elements = polygons.skipped_elements;
   report.has_colors = !soup.colors.empty();
+  report.not_kept = polygons.not_kept;
   return report;
 }
 
-ImportedMesh import(const std::filesystem::path& path) {
+/// Later points at the place of an earlier one go; the faces take the earlier one. @returns how many went.
+std::size_t weld(TriangleSoup& soup) {
+  FirstPoint first = first_point_table(soup.points);
+  std::vector<int> place_of(soup.points.size());
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    const auto earlier = static_cast<std::size_t>(first.find_or_add(static_cast<int>(v)));
+    place_of[v] = earlier == v ? static_cast<int>(kept++) : place_of[earlier];
+  }
+  TriangleSoup welded;
+  welded.points.resize(kept);
+  if (!soup.colors.empty()) welded.colors.resize(kept);
+  for (std::size_t v = soup.points.size(); v-- > 0;) {  // backwards: the first of several stays
+    const auto place = static_cast<std::size_t>(place_of[v]);
+    welded.points[place] = soup.points[v];
+    if (!soup.colors.empty()) welded.colors[place] = soup.colors[v];
+  }
+  welded.triangles = std::move(soup.triangles);
+  for (Triangle& triangle : welded.triangles)
+    for (int& v : triangle) v = place_of[static_cast<std::size_t>(v)];
+  const std::size_t gone = soup.points.size() - kept;
+  soup = std::move(welded);
+  return gone;
+}
+
+ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coincident) {
   PolygonSoup polygons;
   MeshFormat format{};
   {
@@ -146,15 +172,16 @@ ImportedMesh import(const std::filesystem::path& path) {
   mesh.soup.triangles = triangulate(path, polygons);
   mesh.soup.points = std::move(polygons.points);
   mesh.soup.colors = std::move(polygons.colors);
+  if (coincident == CoincidentVertices::weld) polygons.vertices_welded += weld(mesh.soup);
   mesh.report = make_report(format, polygons, mesh.soup);
   return mesh;
 }
 
 }  // namespace
 
-ImportedMesh read_mesh(const std::filesystem::path& path) {
+ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident) {
   try {
-    return import(path);
+    return import(path, coincident);
   } catch (const std::bad_alloc&) {
     throw ReadError(path, "the mesh is too large for the memory of this computer", "",
                     "Close other programs, or reduce it.");

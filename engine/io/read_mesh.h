@@ -1,11 +1,13 @@
 // Reading PLY, STL, OBJ and OFF into a validated triangle soup. All of a file, or an error.
 #pragma once
 
+#include "io/not_kept.h"
 #include "mesh/triangle_soup.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace loopmend {
 
@@ -16,7 +18,7 @@ struct ImportReport {
   std::size_t faces = 0;                  ///< polygons as in the file
   std::size_t triangles = 0;              ///< after triangulation
   std::size_t polygons_triangulated = 0;  ///< faces with more than three vertices
-  std::size_t vertices_welded = 0;        ///< STL only: corners merged with an earlier one at the same place
+  std::size_t vertices_welded = 0;  ///< merged with an earlier one at the same place: corners of STL, or on request
   std::size_t unreferenced_vertices = 0;
   std::size_t degenerate_faces = 0;     ///< triangles with a vertex twice, or with zero area; kept
   std::size_t duplicate_faces = 0;      ///< triangles over the same three vertices as an earlier one; kept
@@ -24,6 +26,7 @@ struct ImportReport {
   std::size_t missing_colors = 0;       ///< vertices without a (finite) colour in a file with colours; made white
   std::size_t skipped_elements = 0;     ///< OBJ lines, points and curves, PLY edges and the like; left out
   bool has_colors = false;
+  std::vector<NotKept> not_kept;  ///< what else the file holds, by name; it is in no file that is written
 };
 
 struct ImportedMesh {
@@ -31,10 +34,14 @@ struct ImportedMesh {
   ImportReport report;
 };
 
+/// What becomes of vertices at exactly the same place. STL has no other way to say that faces share a vertex: there they
+/// are always welded.
+enum class CoincidentVertices { keep, weld };
+
 /// Reads a mesh. The format is told by content first, then by the extension.
 /// @throws ReadError for anything that is not wholly a mesh with at least one face: a missing file, a directory, no
 ///         permission, an unknown format, a syntax error, a count that does not match, a non-finite coordinate, an
 ///         index out of range. Never returns a part of a file.
-ImportedMesh read_mesh(const std::filesystem::path& path);
+ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep);
 
 }  // namespace loopmend

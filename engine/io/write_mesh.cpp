@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/not_kept.h"
 #include "io/text_cursor.h"
 
 #include <Eigen/Geometry>
@@ -230,19 +231,60 @@ void check_mesh_writable(const std::filesystem::path& path) {
   check_writable(path);
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding) {
+namespace {
+
+void write_soup(std::ostream& stream, Format format, const TriangleSoup& soup, Encoding encoding) {
+  Output out(stream);
+  switch (format) {
+    case Format::ply: return write_ply(out, soup, encoding);
+    case Format::stl: return write_stl(out, soup, encoding);
+    case Format::obj: return write_obj(out, soup);
+    case Format::off: return write_off(out, soup);
+  }
+}
+
+/// The writer for this path, once it is clear that the soup can be written there.
+std::function<void(std::ostream&)> writer_for(const std::filesystem::path& path, const TriangleSoup& soup,
+                                              Encoding encoding) {
   require_valid(soup);
   const Format format = format_of(path);
   if (format == Format::stl && encoding == Encoding::binary) require_float_range(path, soup);
-  write_file_atomically(path, [&](std::ostream& stream) {
-    Output out(stream);
-    switch (format) {
-      case Format::ply: return write_ply(out, soup, encoding);
-      case Format::stl: return write_stl(out, soup, encoding);
-      case Format::obj: return write_obj(out, soup);
-      case Format::off: return write_off(out, soup);
-    }
-  });
+  return [&soup, format, encoding](std::ostream& stream) { write_soup(stream, format, soup, encoding); };
+}
+
+}  // namespace
+
+void write_mesh(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding) {
+  write_file_atomically(path, writer_for(path, soup, encoding));
+}
+
+void write_mesh(OutputTransaction& outputs, const std::filesystem::path& path, const TriangleSoup& soup,
+                Encoding encoding) {
+  outputs.add(path, writer_for(path, soup, encoding));
+}
+
+std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const TriangleSoup& soup) {
+  std::vector<NotKept> list;
+  const Format format = format_of(path);
+  if (format == Format::obj) {
+    const auto see_through = [](const Color& color) { return color[3] != 255; };
+    const auto count = std::count_if(soup.colors.begin(), soup.colors.end(), see_through);
+    count_not_kept(list, "alpha values", static_cast<std::size_t>(count));
+  }
+  if (format != Format::stl) return list;
+  std::vector<char> used(soup.points.size(), 0);
+  for (const Triangle& triangle : soup.triangles)
+    for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
+  count_not_kept(list, "vertex colours", soup.colors.size());
+  count_not_kept(list, "vertices without faces", static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));
+  return list;
+}
+
+double largest_rounding(const std::filesystem::path& path, std::span<const Vec3> points, Encoding encoding) {
+  if (format_of(path) != Format::stl || encoding != Encoding::binary) return 0;
+  double largest = 0;
+  for (const Vec3& point : points) largest = std::max(largest, (point.cast<float>().cast<double>() - point).norm());
+  return largest;
 }
 
 }  // namespace loopmend

@@ -137,7 +137,7 @@ LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const std:
   }
   if (touching) return LoopKind::touching;
   if (loop.coincident == loop.edges()) return LoopKind::crack;
-  return loop.turning > outer_rim_turning ? LoopKind::outer_rim : LoopKind::hole;
+  return bounds_a_sheet(loop) ? LoopKind::outer_rim : LoopKind::hole;
 }
 
 }  // namespace
@@ -151,6 +151,11 @@ const char* to_string(LoopKind kind) {
     case LoopKind::cut: return "cut";
   }
   return "";
+}
+
+bool bounds_a_sheet(const BoundaryLoop& loop) {
+  const bool by_kind = loop.kind != LoopKind::crack && loop.kind != LoopKind::cut;
+  return by_kind && loop.turning > outer_rim_turning;
 }
 
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {

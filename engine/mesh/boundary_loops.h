@@ -35,6 +35,10 @@ struct BoundaryLoop {
   int edges() const { return static_cast<int>(vertices.size()); }
 };
 
+/// Whether the loop runs round a sheet, also where it touches itself or another loop on its way; its kind is `touching`
+/// then.
+bool bounds_a_sheet(const BoundaryLoop& loop);
+
 /// All loops, by falling perimeter, then by lowest view vertex.
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model);
 

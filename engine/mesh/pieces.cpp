@@ -95,4 +95,20 @@ std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::
   return result;
 }
 
+std::vector<char> loops_round_pieces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  constexpr double nearly = 0.85;  // a face bulges a little beyond its outline
+  const std::vector<int> piece = pieces_of(model.mesh);
+  std::vector<Eigen::AlignedBox3d> boxes(piece.size());
+  for (const auto face : model.mesh.faces())
+    for (const auto v : model.mesh.fv_range(face)) boxes[piece[face.idx()]].extend(model.mesh.point(v));
+  std::vector<char> round(loops.size(), 0);
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    Eigen::AlignedBox3d box;
+    for (const int v : loops[k].vertices) box.extend(model.mesh.point(TriMesh::VertexHandle(v)));
+    const Eigen::AlignedBox3d& whole = boxes[piece_beside(model.mesh, piece, loops[k])];
+    round[k] = box.diagonal().norm() > nearly * whole.diagonal().norm();
+  }
+  return round;
+}
+
 }  // namespace loopmend

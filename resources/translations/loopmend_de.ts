@@ -3180,6 +3180,14 @@
             <source>Taking over %1</source>
             <translation>%1 wird übernommen</translation>
         </message>
+        <message>
+            <source> Not in it: %1.</source>
+            <translation> Nicht darin: %1.</translation>
+        </message>
+        <message>
+            <source> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</source>
+            <translation> STL rundet: Ecken wurden um bis zu %1 verschoben; PLY behält jede Stelle.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::words</name>
@@ -3446,6 +3454,78 @@
         <message>
             <source>Fairing made the jump of curvature %1 times smaller.</source>
             <translation>Die Glättung machte den Sprung der Krümmung %1-mal kleiner.</translation>
+        </message>
+        <message>
+            <source>%1 vertices without a colour, made white</source>
+            <translation>%1 Ecken ohne Farbe, weiß gemacht</translation>
+        </message>
+        <message>
+            <source>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</source>
+            <translation>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; `loopmend fill --weld` verbindet sie)</translation>
+        </message>
+        <message>
+            <source>Will not be saved: %1.</source>
+            <translation>Wird nicht gespeichert: %1.</translation>
+        </message>
+        <message>
+            <source>normals</source>
+            <translation>Normalen</translation>
+        </message>
+        <message>
+            <source>face normals</source>
+            <translation>Flächennormalen</translation>
+        </message>
+        <message>
+            <source>texture coordinates</source>
+            <translation>Texturkoordinaten</translation>
+        </message>
+        <message>
+            <source>texture coordinates of faces</source>
+            <translation>Texturkoordinaten von Flächen</translation>
+        </message>
+        <message>
+            <source>face colours</source>
+            <translation>Flächenfarben</translation>
+        </message>
+        <message>
+            <source>vertex colours</source>
+            <translation>Eckenfarben</translation>
+        </message>
+        <message>
+            <source>alpha values</source>
+            <translation>Alphawerte</translation>
+        </message>
+        <message>
+            <source>vertices without faces</source>
+            <translation>Ecken ohne Flächen</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>Materialien</translation>
+        </message>
+        <message>
+            <source>material libraries</source>
+            <translation>Materialbibliotheken</translation>
+        </message>
+        <message>
+            <source>objects</source>
+            <translation>Objekte</translation>
+        </message>
+        <message>
+            <source>groups</source>
+            <translation>Gruppen</translation>
+        </message>
+        <message>
+            <source>smoothing groups</source>
+            <translation>Glättungsgruppen</translation>
+        </message>
+        <message>
+            <source>lines</source>
+            <translation>Linien</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>Punkte</translation>
         </message>
     </context>
 </TS>

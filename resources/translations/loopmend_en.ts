@@ -3180,6 +3180,14 @@
             <source>Taking over %1</source>
             <translation>Taking over %1</translation>
         </message>
+        <message>
+            <source> Not in it: %1.</source>
+            <translation> Not in it: %1.</translation>
+        </message>
+        <message>
+            <source> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</source>
+            <translation> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::words</name>
@@ -3446,6 +3454,78 @@
         <message>
             <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
             <translation>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</translation>
+        </message>
+        <message>
+            <source>%1 vertices without a colour, made white</source>
+            <translation>%1 vertices without a colour, made white</translation>
+        </message>
+        <message>
+            <source>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</source>
+            <translation>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</translation>
+        </message>
+        <message>
+            <source>Will not be saved: %1.</source>
+            <translation>Will not be saved: %1.</translation>
+        </message>
+        <message>
+            <source>normals</source>
+            <translation>normals</translation>
+        </message>
+        <message>
+            <source>face normals</source>
+            <translation>face normals</translation>
+        </message>
+        <message>
+            <source>texture coordinates</source>
+            <translation>texture coordinates</translation>
+        </message>
+        <message>
+            <source>texture coordinates of faces</source>
+            <translation>texture coordinates of faces</translation>
+        </message>
+        <message>
+            <source>face colours</source>
+            <translation>face colours</translation>
+        </message>
+        <message>
+            <source>vertex colours</source>
+            <translation>vertex colours</translation>
+        </message>
+        <message>
+            <source>alpha values</source>
+            <translation>alpha values</translation>
+        </message>
+        <message>
+            <source>vertices without faces</source>
+            <translation>vertices without faces</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>materials</translation>
+        </message>
+        <message>
+            <source>material libraries</source>
+            <translation>material libraries</translation>
+        </message>
+        <message>
+            <source>objects</source>
+            <translation>objects</translation>
+        </message>
+        <message>
+            <source>groups</source>
+            <translation>groups</translation>
+        </message>
+        <message>
+            <source>smoothing groups</source>
+            <translation>smoothing groups</translation>
+        </message>
+        <message>
+            <source>lines</source>
+            <translation>lines</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>points</translation>
         </message>
     </context>
 </TS>

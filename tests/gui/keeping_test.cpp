@@ -4,6 +4,7 @@
 
 #include "dialogs/help_window.h"
 #include "document/preferences.h"
+#include "document/words.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
@@ -84,6 +85,7 @@ class KeepingTest : public QObject {
   void help_is_there_in_german();
   void everything_can_be_reached_by_keys();
   void the_picture_is_moved_and_asked_by_keys();
+  void what_will_not_be_saved_is_told_on_opening();
 
  private:
   QTemporaryDir folder_;
@@ -358,6 +360,21 @@ void KeepingTest::the_picture_is_moved_and_asked_by_keys() {
   key(window, Qt::Key_P);
   const QString words = part<QLabel>(window, "statusFigures")->text();
   QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
+}
+
+void KeepingTest::what_will_not_be_saved_is_told_on_opening() {
+  const QString path = folder_.filePath(QStringLiteral("normals.obj"));
+  write_mesh(path.toStdString(), cut(make_icosphere(2), [](const Vec3& p) { return p.z() > 0.8; }));
+  const auto told = [&] {
+    Shown shown({path});
+    return words::import_summary(*shown.window.document().scan(shown.window.document().scans().front()));
+  };
+  QVERIFY(!told().contains(QStringLiteral("saved")));
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::Append));
+  file.write("vn 0 0 1\nvn 0 1 0\nvt 0 0\nusemtl skin\n");
+  file.close();
+  QVERIFY(told().endsWith(QStringLiteral("Will not be saved: normals (2), texture coordinates (1), materials (1).")));
 }
 
 int main(int argc, char** argv) {

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -156,15 +157,89 @@ TEST_F(AtomicFile, UnfinishedFilesCanBeRemovedOnTheWayOut) {
 
 TEST_F(AtomicFile, ManyThreadsAtOnce) {
   std::vector<std::thread> threads;
-  threads.reserve(24);
-  for (int t = 0; t < 24; ++t) {  // more than the list of unfinished files is long
-    threads.emplace_back([&, t] { put(folder_ / std::to_string(t), std::string(1000, static_cast<char>('a' + t))); });
+  threads.reserve(140);
+  for (int t = 0; t < 140; ++t) {  // more than the list of unfinished files is long
+    threads.emplace_back(
+        [&, t] { put(folder_ / std::to_string(t), std::string(1000, static_cast<char>(' ' + t % 90))); });
   }
   for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(folder_.file_count(), 24U);
-  for (int t = 0; t < 24; ++t) {
-    EXPECT_EQ(read_bytes(folder_ / std::to_string(t)), std::string(1000, static_cast<char>('a' + t)));
+  EXPECT_EQ(folder_.file_count(), 140U);
+  for (int t = 0; t < 140; ++t) {
+    EXPECT_EQ(read_bytes(folder_ / std::to_string(t)), std::string(1000, static_cast<char>(' ' + t % 90)));
   }
+}
+
+TEST_F(AtomicFile, ATransactionShowsAllOfItOrNothing) {
+  write_bytes(folder_ / "a", "old");
+  const auto text = [](const char* words) { return [words](std::ostream& out) { out << words; }; };
+  {
+    OutputTransaction given_up;
+    given_up.add(folder_ / "a", text("new"));
+    given_up.add(folder_ / "b", text("new"));
+    EXPECT_EQ(read_bytes(folder_ / "a"), "old");
+    EXPECT_THROW(given_up.add(folder_ / "no/c", text("new")), WriteError);
+  }
+  EXPECT_EQ(read_bytes(folder_ / "a"), "old");
+  EXPECT_EQ(folder_.file_count(), 1U);
+  OutputTransaction kept;
+  kept.add(folder_ / "a", text("new a"));
+  kept.add(folder_ / "b", text("new b"));
+  kept.commit();
+  EXPECT_EQ(read_bytes(folder_ / "a") + read_bytes(folder_ / "b"), "new anew b");
+  EXPECT_EQ(folder_.file_count(), 2U);
+}
+
+TEST_F(AtomicFile, ARenameThatFailsMidwayTellsWhatIsInPlace) {
+  const auto text = [](std::ostream& out) { out << "new"; };
+  const auto in_place = [] {
+    std::set<std::string> names;
+    for (std::size_t k = 0; file_in_place(k) != nullptr; ++k) names.insert(file_in_place(k));
+    return names;
+  };
+  const std::set<std::string> before = in_place();
+  {
+    OutputTransaction outputs;
+    for (const char* name : {"a", "b", "c"}) outputs.add(folder_ / name, text);
+    std::filesystem::create_directory(folder_ / "b");  // nothing can be renamed over it
+    EXPECT_THROW(outputs.commit(), WriteError);
+  }
+  std::set<std::string> expected = before;
+  expected.insert(folder_ / "a");
+  EXPECT_EQ(in_place(), expected);
+  EXPECT_EQ(folder_.file_count(), 2U);
+}
+
+TEST_F(AtomicFile, FoldersThatWereMadeForNothingGo) {
+  { OutputTransaction().add_folder(folder_ / "x/y/z"); }
+  EXPECT_EQ(folder_.file_count(), 0U);
+  std::filesystem::create_directory(folder_ / "x");
+  {
+    OutputTransaction outputs;
+    outputs.add_folder(folder_ / "x");
+    outputs.add_folder(folder_ / "x/y");
+    outputs.add(folder_ / "x/y/a", [](std::ostream& out) { out << "new"; });
+    outputs.commit();
+  }
+  EXPECT_EQ(read_bytes(folder_ / "x/y/a"), "new");
+  EXPECT_THROW(OutputTransaction().add_folder(folder_ / "x/y/a"), WriteError);
+  EXPECT_THROW(OutputTransaction().add_folder(folder_ / "x/y/a/b"), WriteError);
+}
+
+TEST_F(AtomicFile, OneFileUnderManyNames) {
+  write_bytes(folder_ / "a", "x");
+  write_bytes(folder_ / "other", "x");
+  std::filesystem::create_hard_link(folder_ / "a", folder_ / "hard");
+  std::filesystem::create_symlink("a", folder_ / "soft");
+  std::filesystem::create_symlink("not yet", folder_ / "dangling");
+  std::filesystem::create_directory_symlink(".", folder_ / "here");
+  for (const char* name : {"a", "./a", "hard", "soft", "here/a", "here/./a"})
+    EXPECT_TRUE(same_file(folder_ / "a", folder_ / name)) << name;
+  for (const char* name : {"other", "not yet", "dangling"})
+    EXPECT_FALSE(same_file(folder_ / "a", folder_ / name)) << name;
+  for (const char* name : {"./not yet", "dangling", "here/not yet", "here/dangling"})
+    EXPECT_TRUE(same_file(folder_ / "not yet", folder_ / name)) << name;
+  EXPECT_FALSE(same_file(folder_ / "not yet", folder_ / "nor this"));
+  EXPECT_TRUE(same_file(folder_ / "no/such/x", folder_ / "no/./such/x"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/outputs.h"
 #include "cli/report.h"
 #include "paper_commands.h"
 #include "part_loops.h"
@@ -80,7 +81,9 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
 
 int run_blend(const BlendCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_outputs(command.inputs, command.output, command.words.report);
+  CommandFiles files;
+  for (const std::filesystem::path& input : command.inputs) files.reads("the input", input);
+  files.writes(NamedFile::Kind::mesh, "-o", command.output).writes_report("--report", command.words.report).check();
   OpenedParts parts = open_parts(command.inputs);
   const std::vector<NamedLoop> loops = choose_part_loops(parts.joined, command.loops);
   std::vector<BoundaryLoop> bare;
@@ -94,16 +97,26 @@ int run_blend(const BlendCommand& command) {
   }
   if (!starts_with(model.soup, parts.joined.model.soup))
     throw std::logic_error("the surroundings of a patch were changed: nothing was written");
-  write_mesh(command.output, model.soup, command.words.encoding());
+  OutputTransaction outputs;
+  write_mesh(outputs, command.output, model.soup, command.words.encoding());
+  std::vector<NotKept> not_read;
+  for (const ImportReport& import : parts.imports)
+    for (const NotKept& entry : import.not_kept) count_not_kept(not_read, entry.what, entry.count);
+  const OutputLosses losses =
+      losses_of(command.output, model.soup, command.words.encoding(), not_read, parts.joined.model.soup.points.size());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!command.words.report.empty()) {
-    Json json = blend_report(command, parts, loops, result);
-    json["exterior_unchanged"] = true;
-    json["total_seconds"] = seconds;
-    write_report(command.words.report, json);
+  Json json = blend_report(command, parts, loops, result);
+  json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;
+  json["output"] = losses_json(losses);
+  json["total_seconds"] = seconds;
+  add_report(outputs, command.words.report, json);
+  outputs.commit();
+  print_report(command.words.report, json);
+  if (!command.words.quiet) {
+    std::FILE* out = command.words.report == "-" ? stderr : stdout;
+    print_summary(out, command, loops, result, seconds);
+    print_losses(out, command.output, losses);
   }
-  if (!command.words.quiet)
-    print_summary(command.words.report == "-" ? stderr : stdout, command, loops, result, seconds);
   return exit_done;
 }
 

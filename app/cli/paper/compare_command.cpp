@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/outputs.h"
 #include "cli/report.h"
 #include "comparison_files.h"
 #include "paper_commands.h"
@@ -68,32 +69,31 @@ PosedProblem problem_of(const CompareCommand& command) {
 
 }  // namespace
 
-void make_output_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw WriteError(folder, "cannot be made a folder: " + (error ? error.message() : std::string("a file is there")),
-                     "Choose another name.");
-  check_writable(folder / "table.csv");
-}
-
 int run_compare(const CompareCommand& command) {
   const auto begin = std::chrono::steady_clock::now();
+  CommandFiles files;
+  for (const std::filesystem::path& input : command.inputs) files.reads("the input", input);
+  files.reads("--region", command.region).reads("--fixed", command.fixed);
+  for (const std::filesystem::path& file : comparison_files(command.output))
+    files.writes(NamedFile::Kind::other, "the file", file);
+  files.writes_report("--report", command.words.report).check_identity();
   const Problem problem = problem_of(command).problem;
-  make_output_folder(command.output);
+  OutputTransaction outputs;
+  outputs.add_folder(command.output);
+  files.check();
   ProgressLine progress(command.words.verbosity());
   const FlowComparison comparison = compare_flows(
       problem.start, *options_of(command.words).evolution, [&](FlowKind flow) { progress.say(upper_name(flow)); },
       CancelToken());
-  write_comparison(problem, comparison, command.inputs[0].filename().string(), command.output);
-  if (!command.words.report.empty()) {
-    nlohmann::ordered_json json;
-    json["version"] = version();
-    json["command_line"] = command.command_line;
-    json["free_vertices"] = problem.start.free_count;
-    json["flows"] = comparison_json(comparison);
-    write_report(command.words.report, json);
-  }
+  write_comparison(outputs, problem, comparison, command.inputs[0].filename().string(), command.output);
+  nlohmann::ordered_json json;
+  json["version"] = version();
+  json["command_line"] = command.command_line;
+  json["free_vertices"] = problem.start.free_count;
+  json["flows"] = comparison_json(comparison);
+  add_report(outputs, command.words.report, json);
+  outputs.commit();
+  print_report(command.words.report, json);
   if (!command.words.quiet) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::fprintf(command.words.report == "-" ? stderr : stdout, "%s%d free vertices; %s written in %.2f s\n",

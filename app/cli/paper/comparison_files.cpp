@@ -1,5 +1,6 @@
 #include "comparison_files.h"
 
+#include "cli/outputs.h"
 #include "cli/report.h"
 #include "line_plot.h"
 #include "problems/comparison_table.h"
@@ -45,8 +46,12 @@ LinePlot profile_plot(const FlowComparison& comparison, const std::string& title
 
 }  // namespace
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  write_file_atomically(path, [&](std::ostream& out) { out << text; });
+std::vector<std::filesystem::path> comparison_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const char* name : {"start.ply", "mcf.ply", "sdf.ply", "wf.ply", "mmcvf.ply", "compare.png", "profile.csv",
+                           "profile.svg", "table.csv", "table.md"})
+    files.push_back(folder / name);
+  return files;
 }
 
 nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
@@ -66,13 +71,13 @@ nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
   return json;
 }
 
-void write_comparison(const Problem& problem, const FlowComparison& comparison, const std::string& title,
-                      const std::filesystem::path& folder, const std::optional<Vec3>& eye) {
-  write_mesh(folder / "start.ply", problem.surface(problem.start));
+void write_comparison(OutputTransaction& outputs, const Problem& problem, const FlowComparison& comparison,
+                      const std::string& title, const std::filesystem::path& folder, const std::optional<Vec3>& eye) {
+  write_mesh(outputs, folder / "start.ply", problem.surface(problem.start));
   std::vector<SurfaceModel> models;
   for (const FlowRun& run : comparison.runs) {
     TriangleSoup soup = problem.surface(run.evolved.patch);
-    write_mesh(folder / (std::string(to_string(run.flow)) + ".ply"), soup);
+    write_mesh(outputs, folder / (std::string(to_string(run.flow)) + ".ply"), soup);
     models.push_back(make_surface_model(std::move(soup)));
   }
   std::vector<Panel> panels;
@@ -86,11 +91,11 @@ void write_comparison(const Problem& problem, const FlowComparison& comparison, 
   const auto field = curvature_field(models.back().mesh).H;
   std::vector<float> H(field.begin(), field.end());
   options.h_range = symmetric_range(H);
-  render_panels(panels, 2, options, folder / "compare.png");
-  write_text(folder / "profile.csv", profile_csv(comparison));
-  write_text(folder / "profile.svg", to_svg(profile_plot(comparison, title)));
-  write_text(folder / "table.csv", comparison_csv(comparison));
-  write_text(folder / "table.md", comparison_table(comparison));
+  add_text(outputs, folder / "compare.png", render_panels(panels, 2, options));
+  add_text(outputs, folder / "profile.csv", profile_csv(comparison));
+  add_text(outputs, folder / "profile.svg", to_svg(profile_plot(comparison, title)));
+  add_text(outputs, folder / "table.csv", comparison_csv(comparison));
+  add_text(outputs, folder / "table.md", comparison_table(comparison));
 }
 
 }  // namespace loopmend

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evolution/compare_flows.h"
+#include "io/atomic_file.h"
 #include "problems/problem.h"
 
 #include <nlohmann/json.hpp>
@@ -9,18 +10,21 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace loopmend {
 
-/// start.ply, one mesh for each flow, compare.png, profile.csv, profile.svg, table.csv, table.md.
+/// What write_comparison leaves in this folder.
+std::vector<std::filesystem::path> comparison_files(const std::filesystem::path& folder);
+
+/// Adds start.ply, one mesh for each flow, compare.png, profile.csv, profile.svg, table.csv, table.md to
+/// what a command writes; the folder must be there.
 /// @param title  of the plot.
 /// @param eye    as in RenderOptions. @throws WriteError
-void write_comparison(const Problem& problem, const FlowComparison& comparison, const std::string& title,
-                      const std::filesystem::path& folder, const std::optional<Vec3>& eye = std::nullopt);
+void write_comparison(OutputTransaction& outputs, const Problem& problem, const FlowComparison& comparison,
+                      const std::string& title, const std::filesystem::path& folder,
+                      const std::optional<Vec3>& eye = std::nullopt);
 
 nlohmann::ordered_json comparison_json(const FlowComparison& comparison);
-
-/// Writes text atomically. @throws WriteError
-void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace loopmend

@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/open_model.h"
+#include "cli/outputs.h"
 #include "cli/report.h"
 #include "paper_commands.h"
 #include "vertex_selection.h"
@@ -43,7 +44,12 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
 
 int run_evolve(const EvolveCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_outputs({command.input}, command.output, command.words.report);
+  CommandFiles()
+      .reads("the input", command.input)
+      .reads("--region", command.region)
+      .writes(NamedFile::Kind::mesh, "-o", command.output)
+      .writes_report("--report", command.words.report)
+      .check();
   if (command.region.empty() == command.where.empty())
     throw UsageError("a region is given by --region FILE or by --where CONDITION: one of the two");
   if (command.words.flow == "none") throw UsageError("--flow none would leave the region as it is");
@@ -58,22 +64,30 @@ int run_evolve(const EvolveCommand& command) {
     std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.c_str());
     return exit_loops_failed;
   }
-  write_mesh(command.output, with_region(opened.model, region, evolved.patch), command.words.encoding());
+  const TriangleSoup surface = with_region(opened.model, region, evolved.patch);
+  OutputTransaction outputs;
+  write_mesh(outputs, command.output, surface, command.words.encoding());
+  const OutputLosses losses =
+      losses_of(command.output, surface, command.words.encoding(), opened.import.not_kept, surface.points.size());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!command.words.report.empty()) {
-    nlohmann::ordered_json json = evolved_json(evolved);
-    json["version"] = version();
-    json["command_line"] = command.command_line;
-    json["input"] = input_json(command.input, opened.import, opened.model.repairs);
-    json["held_at_boundary"] = region.held_at_boundary;
-    json["remeshed"] = evolved.patch.free_count != region.patch.free_count;
-    for (const SeamReport& seam : seam_reports(region.patch)) json["seams_before"].push_back(seam_json(seam));
-    for (const SeamReport& seam : seam_reports(evolved.patch)) json["seams_after"].push_back(seam_json(seam));
-    json["total_seconds"] = seconds;
-    write_report(command.words.report, json);
+  nlohmann::ordered_json json = evolved_json(evolved);
+  json["version"] = version();
+  json["command_line"] = command.command_line;
+  json["input"] = input_json(command.input, opened.import, opened.model.repairs);
+  json["held_at_boundary"] = region.held_at_boundary;
+  json["remeshed"] = evolved.patch.free_count != region.patch.free_count;
+  for (const SeamReport& seam : seam_reports(region.patch)) json["seams_before"].push_back(seam_json(seam));
+  for (const SeamReport& seam : seam_reports(evolved.patch)) json["seams_after"].push_back(seam_json(seam));
+  json["output"] = losses_json(losses);
+  json["total_seconds"] = seconds;
+  add_report(outputs, command.words.report, json);
+  outputs.commit();
+  print_report(command.words.report, json);
+  if (!command.words.quiet) {
+    std::FILE* out = command.words.report == "-" ? stderr : stdout;
+    print_summary(out, command, region, evolved, seconds);
+    print_losses(out, command.output, losses);
   }
-  if (!command.words.quiet)
-    print_summary(command.words.report == "-" ? stderr : stdout, command, region, evolved, seconds);
   return exit_done;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/open_model.h"
+#include "cli/outputs.h"
 #include "cli/report.h"
 #include "paper_commands.h"
 #include "vertex_selection.h"
@@ -15,7 +16,12 @@ namespace loopmend {
 
 int run_interpolate(const InterpolateCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_outputs({command.input}, command.output, command.words.report);
+  CommandFiles()
+      .reads("the input", command.input)
+      .reads("--fixed", command.fixed)
+      .writes(NamedFile::Kind::mesh, "-o", command.output)
+      .writes_report("--report", command.words.report)
+      .check();
   const OpenedModel opened = open_model(command.input);
   SubdivisionOptions subdivision;
   subdivision.subdivisions = command.subdivide;
@@ -29,24 +35,30 @@ int run_interpolate(const InterpolateCommand& command) {
     std::fprintf(stderr, "loopmend: %s. Nothing was written.\n", refusal.c_str());
     return exit_loops_failed;
   }
-  write_mesh(command.output, result.surface, command.words.encoding());
+  OutputTransaction outputs;
+  write_mesh(outputs, command.output, result.surface, command.words.encoding());
+  const OutputLosses losses = losses_of(command.output, result.surface, command.words.encoding(),
+                                        opened.import.not_kept, static_cast<std::size_t>(result.fixed_count));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!command.words.report.empty()) {
-    nlohmann::ordered_json json = evolved_json(evolved);
-    json["version"] = version();
-    json["command_line"] = command.command_line;
-    json["input"] = input_json(command.input, opened.import, opened.model.repairs);
-    json["fixed_vertices"] = result.fixed_count;
-    json["total_seconds"] = seconds;
-    write_report(command.words.report, json);
+  nlohmann::ordered_json json = evolved_json(evolved);
+  json["version"] = version();
+  json["command_line"] = command.command_line;
+  json["input"] = input_json(command.input, opened.import, opened.model.repairs);
+  json["fixed_vertices"] = result.fixed_count;
+  json["output"] = losses_json(losses);
+  json["total_seconds"] = seconds;
+  add_report(outputs, command.words.report, json);
+  outputs.commit();
+  print_report(command.words.report, json);
+  if (!command.words.quiet) {
+    std::FILE* out = command.words.report == "-" ? stderr : stdout;
+    std::fprintf(
+        out, "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
+        result.fixed_count, evolved.patch.free_count, to_string(evolved.status),
+        method_name(evolved.method, evolved.flow).c_str(), evolved.steps, evolved.energy.initial, evolved.energy.final,
+        evolved.message.empty() ? "" : ", ", evolved.message.c_str(), command.output.c_str(), seconds);
+    print_losses(out, command.output, losses);
   }
-  if (!command.words.quiet)
-    std::fprintf(command.words.report == "-" ? stderr : stdout,
-                 "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
-                 result.fixed_count, evolved.patch.free_count, to_string(evolved.status),
-                 method_name(evolved.method, evolved.flow).c_str(), evolved.steps, evolved.energy.initial,
-                 evolved.energy.final, evolved.message.empty() ? "" : ", ", evolved.message.c_str(),
-                 command.output.c_str(), seconds);
   return exit_done;
 }
 

@@ -63,9 +63,6 @@ int run_evolve(const EvolveCommand& command);
 int run_compare(const CompareCommand& command);
 int run_reproduce(const ReproduceCommand& command);
 
-/// @throws WriteError if the folder cannot be made or written to.
-void make_output_folder(const std::filesystem::path& folder);
-
 /// Options of all of them, and which one to run.
 class PaperCommands {
  public:

@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/outputs.h"
 #include "comparison_files.h"
 #include "paper_commands.h"
 #include "paper_figures.h"
@@ -36,10 +37,10 @@ double color_range(const SurfaceModel& model) {
   return symmetric_range(H);
 }
 
-void write_figure(FigureRun& run, const std::filesystem::path& folder) {
-  write_mesh(folder / (run.id + "-input.ply"), run.before.soup);
-  write_mesh(folder / (run.id + "-initial.ply"), run.initial.soup);
-  write_mesh(folder / (run.id + "-result.ply"), run.after.soup);
+void write_figure(OutputTransaction& outputs, FigureRun& run, const std::filesystem::path& folder) {
+  write_mesh(outputs, folder / (run.id + "-input.ply"), run.before.soup);
+  write_mesh(outputs, folder / (run.id + "-initial.ply"), run.initial.soup);
+  write_mesh(outputs, folder / (run.id + "-result.ply"), run.after.soup);
   RenderOptions options;
   options.width = 1800;
   options.height = 620;
@@ -50,11 +51,12 @@ void write_figure(FigureRun& run, const std::filesystem::path& folder) {
     input.shading = Shading::plain;
     input.edges = Edges::shown;
   }
-  render_panels({input, {&run.initial, run.initial_caption}, {&run.after, "Result"}}, 3, options,
-                folder / (run.id + ".png"));
+  add_text(outputs, folder / (run.id + ".png"),
+           render_panels({input, {&run.initial, run.initial_caption}, {&run.after, "Result"}}, 3, options));
   if (run.comparison) {
-    std::filesystem::create_directories(folder / run.id);
-    write_comparison({run.start, run.surface}, *run.comparison, run.id + ": " + run.title, folder / run.id, run.eye);
+    outputs.add_folder(folder / run.id);
+    write_comparison(outputs, {run.start, run.surface}, *run.comparison, run.id + ": " + run.title, folder / run.id,
+                     run.eye);
   }
   run.before = run.initial = run.after = {};
 }
@@ -192,19 +194,25 @@ std::vector<std::string> chosen_figures(const std::vector<std::string>& words) {
 int run_reproduce(const ReproduceCommand& command) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<std::string> figures = chosen_figures(command.figures);
-  make_output_folder(command.output);
+  OutputTransaction outputs;
+  outputs.add_folder(command.output);
+  CommandFiles()
+      .writes(NamedFile::Kind::other, "the file", command.output / "index.html")
+      .writes(NamedFile::Kind::other, "the file", command.output / "report.md")
+      .check();
   ProgressLine progress(command.quiet ? Verbosity::quiet : Verbosity::normal);
   std::vector<Entry> entries;
   for (const std::string& id : figures) {
     const auto start = std::chrono::steady_clock::now();
     progress.say(id);
     Entry entry{run_paper_figure(id), 0};
-    write_figure(entry.run, command.output);
+    write_figure(outputs, entry.run, command.output);
     entry.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     entries.push_back(std::move(entry));
   }
-  write_text(command.output / "index.html", page(entries));
-  write_text(command.output / "report.md", markdown(entries));
+  add_text(outputs, command.output / "index.html", page(entries));
+  add_text(outputs, command.output / "report.md", markdown(entries));
+  outputs.commit();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!command.quiet) {
     for (const Entry& entry : entries)

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outputs.h"
+
+#include "commands.h"
+
+#include <algorithm>
+#include <iostream>
+#include <span>
+
+namespace loopmend {
+
+namespace {
+
+std::string text_of(const nlohmann::ordered_json& report) {
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// @throws WriteError unless the name ends in .png.
+void require_picture_name(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (extension == ".png") return;
+  throw WriteError(
+      path, extension.empty() ? "the name has no extension" : "a picture cannot be written as \"" + extension + "\"",
+      "Choose a name that ends in .png.");
+}
+
+}  // namespace
+
+CommandFiles& CommandFiles::reads(const std::string& name, const std::filesystem::path& path) {
+  if (!path.empty()) inputs_.push_back({name, path, NamedFile::Kind::mesh});
+  return *this;
+}
+
+CommandFiles& CommandFiles::writes(NamedFile::Kind kind, const std::string& name, const std::filesystem::path& path) {
+  outputs_.push_back({name, path, kind});
+  return *this;
+}
+
+CommandFiles& CommandFiles::writes_report(const std::string& name, const std::string& target) {
+  return target.empty() || target == "-" ? *this : writes(NamedFile::Kind::other, name, target);
+}
+
+void CommandFiles::check_identity() const {
+  for (std::size_t k = 0; k < outputs_.size(); ++k) {
+    const NamedFile& output = outputs_[k];
+    for (const NamedFile& input : inputs_)
+      if (same_file(input.path, output.path))
+        throw UsageError(output.name + " " + output.path.string() + " would overwrite " + input.name + " " +
+                         input.path.string() + ": choose another name");
+    for (std::size_t l = 0; l < k; ++l)
+      if (same_file(outputs_[l].path, output.path))
+        throw UsageError(output.name + " " + output.path.string() + " would overwrite " + outputs_[l].name + " " +
+                         outputs_[l].path.string() + ": choose another name");
+  }
+}
+
+void CommandFiles::check() const {
+  check_identity();
+  for (const NamedFile& output : outputs_) {
+    if (output.kind == NamedFile::Kind::picture) require_picture_name(output.path);
+    if (output.kind == NamedFile::Kind::mesh)
+      check_mesh_writable(output.path);
+    else
+      check_writable(output.path);
+  }
+}
+
+void add_report(OutputTransaction& outputs, const std::string& target, const nlohmann::ordered_json& report) {
+  if (!target.empty() && target != "-") add_text(outputs, target, text_of(report));
+}
+
+void print_report(const std::string& target, const nlohmann::ordered_json& report) {
+  if (target == "-") std::cout << text_of(report) << std::flush;
+}
+
+void add_text(OutputTransaction& outputs, const std::filesystem::path& path, const std::string& text) {
+  outputs.add(path, [&](std::ostream& out) { out << text; });
+}
+
+std::string what_was_written() {
+  std::vector<std::string> names;
+  while (const char* name = file_in_place(names.size())) names.emplace_back(name);
+  if (names.empty()) return "Nothing was written.";
+  std::string text = names.front();
+  for (std::size_t k = 1; k < names.size(); ++k) text += (k + 1 < names.size() ? ", " : " and ") + names[k];
+  return text + (names.size() == 1 ? " was written." : " were written.");
+}
+
+OutputLosses losses_of(const std::filesystem::path& output, const TriangleSoup& soup, Encoding encoding,
+                       const std::vector<NotKept>& not_read, std::size_t exterior) {
+  OutputLosses losses{not_read, 0, 0};
+  for (const NotKept& entry : not_kept_by_format(output, soup)) losses.not_kept.push_back(entry);
+  const std::span<const Vec3> points(soup.points);
+  losses.largest_rounding = largest_rounding(output, points, encoding);
+  losses.largest_exterior_rounding =
+      largest_rounding(output, points.first(std::min(exterior, points.size())), encoding);
+  return losses;
+}
+
+nlohmann::ordered_json not_kept_json(const std::vector<NotKept>& list) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const NotKept& entry : list) json.push_back({{"what", entry.what}, {"count", entry.count}});
+  return json;
+}
+
+nlohmann::ordered_json losses_json(const OutputLosses& losses) {
+  return {{"not_kept", not_kept_json(losses.not_kept)}, {"largest_rounding", losses.largest_rounding}};
+}
+
+void print_losses(std::FILE* out, const std::filesystem::path& output, const OutputLosses& losses) {
+  if (!losses.not_kept.empty())
+    std::fprintf(out, "Not in %s: %s.\n", output.c_str(), to_string(losses.not_kept).c_str());
+  if (losses.largest_rounding > 0)
+    std::fprintf(
+        out,
+        "Binary STL holds single precision: vertices were moved by up to %.3g (mesh units), those of the scan by "
+        "up to %.3g. Other formats and --ascii keep every digit.\n",
+        losses.largest_rounding, losses.largest_exterior_rounding);
+}
+
+void print_import_losses(std::FILE* out, const ImportReport& import) {
+  if (import.missing_colors > 0)
+    std::fprintf(out, "%zu vertices have no colour in a file with colours: they became white.\n",
+                 import.missing_colors);
+}
+
+void print_coincident(std::FILE* out, const ImportReport& import, const std::vector<BoundaryLoop>& loops) {
+  int edges = 0;
+  // Where the view was cut, one edge of the file has become two: those cannot be welded.
+  for (const BoundaryLoop& loop : loops) edges += loop.kind == LoopKind::cut ? 0 : loop.coincident;
+  if (edges == 0 || import.coincident_vertices == 0) return;
+  std::fprintf(
+      out,
+      "%d boundary edges lie exactly on another one, and %zu vertices on an earlier one: the mesh is split there, "
+      "as along the seams of a texture. --weld joins them.\n",
+      edges, import.coincident_vertices);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tight limit on memory ends in a sentence or in the result, and never in silence.
+#include "cli/run_program.h"
+
+#include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+namespace loopmend {
+namespace {
+
+using test::text_of;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+class AddressSpace : public test::ProgramTest {
+ protected:
+  /// @returns the exit code; 124 when it had not ended after a minute.
+  int run(const std::string& words, int megabytes) {
+    const std::string command = "ulimit -v " + std::to_string(1024 * megabytes) + "; timeout -s KILL 60 " +
+                                LOOPMEND_PROGRAM + " " + words + " >" + path("stdout") + "2>" + path("stderr");
+    const int status = std::system(("sh -c \"" + command + "\"").c_str());
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return code == 137 ? 124 : code;
+  }
+};
+
+TEST_F(AddressSpace, EveryLimitEndsTheProgram) {
+  if (std::string(LOOPMEND_SANITIZERS) != "") GTEST_SKIP() << "sanitizers need terabytes of address space";
+  for (const int megabytes : {100, 150, 200, 230, 250, 300, 1000}) {
+    const int code = run("--version", megabytes);
+    // 127: the loader itself could not map the libraries.
+    EXPECT_THAT(code, AnyOf(0, 127)) << megabytes;
+    if (code == 0) {
+      EXPECT_EQ(text_of(work / "stdout"), "loopmend 0.1.0\n") << megabytes;
+    }
+  }
+}
+
+TEST_F(AddressSpace, AFillWorksOrSaysWhatIsMissing) {
+  if (std::string(LOOPMEND_SANITIZERS) != "") GTEST_SKIP() << "sanitizers need terabytes of address space";
+  write_mesh(work / "scan.ply", cut(make_icosphere(3), [](const Vec3& p) { return std::abs(p.z()) > 0.9; }));
+  for (const int megabytes : {200, 300, 400, 500, 600, 800, 3000}) {
+    std::filesystem::remove(work / "out.ply");
+    const int code = run("fill " + path("scan.ply") + "-o " + path("out.ply"), megabytes);
+    EXPECT_THAT(code, AnyOf(0, 5)) << megabytes;
+    EXPECT_EQ(std::filesystem::exists(work / "out.ply"), code == 0) << megabytes;
+    if (code == 5) {
+      EXPECT_THAT(text_of(work / "stderr"), HasSubstr("Nothing was written.")) << megabytes;
+    }
+    if (megabytes == 200) {
+      EXPECT_THAT(text_of(work / "stderr"), HasSubstr("ulimit -v"));
+    }
+    if (megabytes == 3000) {
+      EXPECT_EQ(code, 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace loopmend
