@@ -12,7 +12,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <omp.h>
 #include <algorithm>
+
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -95,7 +97,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "  loopmend fill scan.ply -o filled.ply\n"
       "  loopmend fill scan.ply -o filled.stl --loops 2,5 --report report.json\n"
       "  loopmend fill scan.obj -o filled.ply --flow wf --mode steps --steps 20 --sigma 1\n"
-      "Exit codes: 0 all done; 1 some loops failed or no loop could be filled, the rest is written; 2 wrong usage;\n"
+      "Exit codes: 0 all done; 1 some loops failed, are doubtful, or none could be filled, the rest is written; 2 "
+      "wrong usage;\n"
       "3 input unreadable; 4 output unwritable; 130 cancelled.");
 }
 
@@ -203,6 +206,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
   fill.fill.threads = affordable_threads(fill.fill.threads);
+  if (fill.fill.threads > 0) omp_set_num_threads(std::min(fill.fill.threads, omp_get_max_threads()));
   if (const auto code = paper.run(app, quoted_command_line(argc, argv))) return *code;
   take_words(words, fill);
   fill.command_line = quoted_command_line(argc, argv);
@@ -245,5 +249,6 @@ int main(int argc, char** argv) {
   loopmend::exit_on_interrupt();
   const int code = run_and_tell(argc, argv);
   // Not exit(): OpenBLAS would then wait for a thread of its own that, where `ulimit -v` is tight, asks for memory for ever.
+  std::fflush(nullptr);
   std::_Exit(code);
 }

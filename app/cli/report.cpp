@@ -102,6 +102,7 @@ Json evolved_json(const EvolvedPatch& evolved) {
   return {{"status", to_string(evolved.status)},
           {"message", evolved.message},
           {"method", method_name(evolved.method, evolved.flow)},
+          {"reason", evolved.reason},
           {"free_vertices", evolved.patch.free_count},
           {"steps", evolved.steps},
           {"bending", evolved.bending},
@@ -110,6 +111,10 @@ Json evolved_json(const EvolvedPatch& evolved) {
           {"folds", evolved.quality.folds},
           {"self_intersections", evolved.quality.self_intersections},
           {"min_angle_deg", evolved.quality.min_angle_deg}};
+}
+
+void print_reason(std::FILE* out, const std::string& reason) {
+  if (!reason.empty()) std::fprintf(out, "Not the flow itself: %s.\n", reason.c_str());
 }
 
 }  // namespace loopmend

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -28,5 +29,8 @@ nlohmann::ordered_json loop_json(const LoopResult& result);
 
 /// Status, steps, energies, times and quality of a patch that was evolved by itself.
 nlohmann::ordered_json evolved_json(const EvolvedPatch& evolved);
+
+/// One line on why something else than the flow was done; nothing where there is no reason.
+void print_reason(std::FILE* out, const std::string& reason);
 
 }  // namespace loopmend

@@ -55,7 +55,8 @@ QStringList head_help() {
 
 /// The engine's words for an end, in the window's language.
 QString status_words(const std::string& status) {
-  if (status == "converged") return CompareNumbers::tr("at rest");
+  if (status == "converged") return CompareNumbers::tr("converged");
+  if (status == "faired") return CompareNumbers::tr("faired");
   if (status == "step_limit") return CompareNumbers::tr("step limit");
   if (status == "failed") return CompareNumbers::tr("stopped early");
   return QString::fromStdString(status);

@@ -65,11 +65,16 @@ class ScanCommands {
 
   QString text() const {
     const bool sample = scan_.from == ScanOrigin::sample;
-    const QString file = shell::file_of(scan_), output = shell::beside(file, QStringLiteral("-filled.ply"));
+    const QString file = shell::file_of(scan_);
     QStringList lines;
     if (sample) lines << QStringLiteral("loopmend sample -o sample.ply");
+    // No command overwrites its input: each step has a file of its own.
     QString input = file;
+    std::size_t step = 0;
     for (const auto& [options, loops] : by_options_) {
+      const bool last = ++step == by_options_.size();
+      const QString ending = last ? QStringLiteral("-filled.ply") : QStringLiteral("-filled-%1.ply").arg(step);
+      const QString output = shell::beside(file, ending);
       // Numbers change when loops are filled; vertices of the input keep theirs.
       const QString which = input == file ? by_number(loops) : by_vertex(loops);
       lines << QStringLiteral("loopmend fill ") + shell::quoted(input) + QStringLiteral(" -o ") +

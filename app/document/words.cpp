@@ -86,7 +86,7 @@ QString state_help(HoleState state) {
   switch (state) {
     case HoleState::open: return tr("Not filled yet.");
     case HoleState::left_out: return tr("Not filled unless you select it yourself.");
-    case HoleState::filled: return tr("Closed by the plain filler; no flow has run yet.");
+    case HoleState::filled: return tr("Closed by the initial patch; no flow has run yet.");
     case HoleState::running: return tr("A flow is moving this patch now.");
     case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
     case HoleState::converged: return tr("The flow has converged to its steady state.");

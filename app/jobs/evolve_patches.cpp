@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace loopmend {
@@ -25,7 +26,8 @@ PatchStage stage_of(EvolutionStatus status) {
 }
 
 bool same(const EvolutionOptions& a, const EvolutionOptions& b) {
-  return a.flow == b.flow && a.mode == b.mode && a.sigma == b.sigma && a.solver == b.solver && a.bending == b.bending && a.boundary == b.boundary && a.continuity == b.continuity;
+  return a.flow == b.flow && a.mode == b.mode && a.sigma == b.sigma && a.solver == b.solver && a.bending == b.bending &&
+         a.boundary == b.boundary && a.continuity == b.continuity;
 }
 
 /// One patch under way, step by step.
@@ -62,7 +64,8 @@ class Stepper {
   /// At the end of the run: does it cut or fold?
   void judge() {
     if (state_ == item_.patch.state) return;
-    PatchStatePtr marked = judged(state_, &item_.patch.timeline->front()->patch, *item_.site);
+    const Patch& initial = item_.patch.timeline->front()->patch;
+    PatchStatePtr marked = in_proportion(judged(state_, &initial, *item_.site), initial);
     if (marked == state_) return;
     state_ = std::move(marked);
     recorder_.amend(item_.patch.id, state_);
@@ -117,13 +120,18 @@ class Stepper {
   bool at_rest_ = false;
 };
 
-/// work(k) for k = 0..count−1, each worker taking every so-manieth: no patch waits for another one's end.
+/// work(k) for k = 0..count−1, each worker taking every so-manieth: no patch waits for another one's end. Without further
+/// threads, all is done here.
 void in_parallel(std::size_t count, const std::function<void(std::size_t first, std::size_t stride)>& work) {
   const std::size_t threads = std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), count);
-  std::vector<std::thread> helpers;
-  for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back([&, t] { work(t, threads); });
+  std::vector<std::jthread> helpers;
+  std::size_t begun = 1;
+  try {
+    for (; begun < threads; ++begun) helpers.emplace_back([&, t = begun] { work(t, threads); });
+  } catch (const std::system_error&) {
+    for (std::size_t t = begun; t < threads; ++t) work(t, threads);
+  }
   if (count > 0) work(0, threads);
-  for (std::thread& helper : helpers) helper.join();
 }
 
 class Drive {

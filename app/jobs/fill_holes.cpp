@@ -7,6 +7,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace loopmend {
@@ -51,25 +52,14 @@ class GroupFiller {
     const FillTask& task = *group.task;
     std::vector<BoundaryLoop> loops;
     for (int index : group.loops) loops.push_back(loop_of(task, index));
+    PatchStart start;
+    std::string trouble;
     try {
-      const SurfaceModel& model = task.site->model();
-      const std::vector<FillerOutcome> fillers = start_patch(model, loops, task.options, cancel).fillers;
-      if (cancel.cancelled()) return;
-      for (const std::vector<int>& alike : groups_alike(model, loops, fillers)) {
-        Group part{&task, {}};
-        PatchStart start;
-        std::vector<BoundaryLoop> own;
-        for (int k : alike) {
-          part.loops.push_back(group.loops[static_cast<std::size_t>(k)]);
-          own.push_back(loops[static_cast<std::size_t>(k)]);
-          start.fillers.push_back(fillers[static_cast<std::size_t>(k)]);
-        }
-        start.patch = joined_patch(model, own, start.fillers, task.options.density);
-        record(part, std::move(start), "");
-      }
+      start = start_patch(task.site->model(), loops, task.options, cancel);
     } catch (const std::exception& error) {
-      if (!cancel.cancelled()) record(group, {}, error.what());
+      trouble = error.what();
     }
+    if (!cancel.cancelled()) record(group, std::move(start), trouble);
   }
 
  private:
@@ -129,11 +119,15 @@ FillResult fill_holes(const std::vector<FillTask>& tasks, Judging judging, const
       progress(done);
     }
   };
-  std::vector<std::thread> helpers;
-  const std::size_t wanted = std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), groups.size());
-  for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(work);
+  std::vector<std::jthread> helpers;
+  const std::size_t most = std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), groups.size());
+  try {
+    for (std::size_t i = 1; i < most; ++i) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // No further thread is to be had: those that are there do all the work.
+  }
   work();
-  for (std::thread& helper : helpers) helper.join();
+  helpers.clear();
   std::sort(result.patches.begin(), result.patches.end(),
             [](const OpenPatch& a, const OpenPatch& b) { return a.loops < b.loops; });
   return result;

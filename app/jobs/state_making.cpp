@@ -1,6 +1,7 @@
 #include "jobs/state_making.h"
 
 #include "analysis/curvature_field.h"
+#include "evolution/proportion.h"
 
 namespace loopmend {
 
@@ -40,8 +41,21 @@ PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site) {
   marked->message =
       cuts ? "It cuts the surface or itself in " + std::to_string(verdict.total()) +
                  " places; the command line leaves such a hole open. Run a flow, or reject it and try another density."
-           : "It folds over itself where the filler did not; the command line would keep the filler. Go back a few "
+           : "It folds over itself where the initial patch did not; the command line would keep the initial patch. Go "
+             "back a few "
              "steps, or take smaller ones.";
+  return marked;
+}
+
+PatchStatePtr in_proportion(PatchStatePtr state, const Patch& initial) {
+  if (state->stage == PatchStage::cutting) return state;
+  const std::vector<Proportion> proportions = proportions_of(state->patch, initial);
+  const Proportion* bad = out_of_proportion(proportions);
+  if (!bad) return state;
+  auto marked = std::make_shared<PatchState>(*state);
+  marked->stage = PatchStage::doubtful;
+  marked->message =
+      "the patch is out of proportion: " + describe(*bad) + (state->message.empty() ? "" : "; " + state->message);
   return marked;
 }
 

@@ -18,4 +18,7 @@ std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch
 /// The state, marked as cutting where its patch is worse than its `filler`, or cuts at all where there is none.
 PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site);
 
+/// The state, marked as doubtful where its patch is out of proportion to its initial patch.
+PatchStatePtr in_proportion(PatchStatePtr state, const Patch& initial);
+
 }  // namespace loopmend

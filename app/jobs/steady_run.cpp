@@ -36,6 +36,11 @@ std::string message_of(const Evolved& evolved) {
   return text;
 }
 
+/// Worth another try, loop by loop.
+bool is_spoilt(const PatchState& state) {
+  return state.stage == PatchStage::filled || state.stage == PatchStage::cutting || state.stage == PatchStage::doubtful;
+}
+
 }  // namespace
 
 SteadyRun::SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder, const Job& job)
@@ -94,11 +99,16 @@ PatchStatePtr SteadyRun::state_of(const Evolved& evolved, const PatchState& from
 
 std::vector<OpenPatch> SteadyRun::run() {
   const PatchState& start = *item_.patch.state;
+  const bool may_be_parted = item_.loops.size() > 1 && start.recipe.runs.empty();
+  if (may_be_parted && is_judged(task_.options)) {
+    const std::vector<std::vector<int>> parts = parts_alike();
+    if (job_.pause_token().cancelled()) return {};
+    if (parts.size() > 1) return in_parts(parts);
+  }
   const Evolved evolved = evolve(start);
   if (job_.token().cancelled() || job_.asked_to_pause()) return {};
   PatchStatePtr state = state_of(evolved, *last_);
-  const bool spoilt = state->stage == PatchStage::filled || state->stage == PatchStage::cutting;
-  if (spoilt && item_.loops.size() > 1 && start.recipe.runs.empty()) return one_by_one();
+  if (is_spoilt(*state) && may_be_parted) return in_parts(one_by_one());
   if (evolved.status == LoopStatus::filled) {
     recorder_.restart(item_.patch.id);
     recorder_.record(item_.patch.id, std::move(state));
@@ -108,26 +118,61 @@ std::vector<OpenPatch> SteadyRun::run() {
   return {};
 }
 
-std::vector<OpenPatch> SteadyRun::one_by_one() {
-  std::vector<OpenPatch> parts;
-  const double density = item_.patch.state->recipe.density;
-  for (std::size_t k = 0; k < item_.loops.size(); ++k) {
-    const FillerOptions options{density};
-    PatchStart alone = start_patch(item_.site->model(), {item_.loops[k]}, options, job_.pause_token());
-    if (job_.pause_token().cancelled()) return {};
-    if (!alone.patch) continue;
-    const PatchStatePtr filler = first_state(*alone.patch, alone.fillers.front().message, density, task_.origin);
-    const Evolved evolved =
-        evolve_filler(item_.site->site(), *alone.patch, {item_.loops[k]}, task_.options, nullptr, job_.pause_token());
-    if (job_.pause_token().cancelled()) return {};
-    OpenPatch part;
-    part.scan = item_.patch.scan;
-    part.loops = {item_.patch.loops[k]};
-    part.state = state_of(evolved, *filler);
-    part.timeline = std::make_shared<Timeline>(Timeline{filler, part.state});
-    parts.push_back(std::move(part));
-  }
+std::vector<std::vector<int>> SteadyRun::one_by_one() const {
+  std::vector<std::vector<int>> parts;
+  for (std::size_t k = 0; k < item_.loops.size(); ++k) parts.push_back({static_cast<int>(k)});
   return parts;
+}
+
+/// As the command line parts them: one hole does not decide for its neighbours.
+std::vector<std::vector<int>> SteadyRun::parts_alike() const {
+  const FillerOptions options{item_.patch.state->recipe.density};
+  const SurfaceModel& model = item_.site->model();
+  return groups_alike(model, item_.loops, start_patch(model, item_.loops, options, job_.pause_token()).fillers);
+}
+
+/// Each part as a patch of its own; where that is spoilt, its loops one by one.
+std::vector<OpenPatch> SteadyRun::in_parts(const std::vector<std::vector<int>>& parts) {
+  std::vector<OpenPatch> result;
+  for (const std::vector<int>& members : parts) {
+    std::optional<OpenPatch> part = solved(members);
+    if (job_.pause_token().cancelled()) return {};
+    if (!part) continue;
+    if (members.size() == 1 || !is_spoilt(*part->state)) {
+      result.push_back(std::move(*part));
+      continue;
+    }
+    for (int k : members) {
+      std::optional<OpenPatch> single = solved({k});
+      if (job_.pause_token().cancelled()) return {};
+      if (single) result.push_back(std::move(*single));
+    }
+  }
+  return result;
+}
+
+/// @param members  indices into the item's loops. @returns empty when cancelled, or where there is no initial patch.
+std::optional<OpenPatch> SteadyRun::solved(const std::vector<int>& members) {
+  const double density = item_.patch.state->recipe.density;
+  OpenPatch part;
+  part.scan = item_.patch.scan;
+  std::vector<BoundaryLoop> loops;
+  for (int k : members) {
+    loops.push_back(item_.loops[static_cast<std::size_t>(k)]);
+    part.loops.push_back(item_.patch.loops[static_cast<std::size_t>(k)]);
+  }
+  PatchStart start = start_patch(item_.site->model(), loops, FillerOptions{density}, job_.pause_token());
+  if (!start.patch || job_.pause_token().cancelled()) return std::nullopt;
+  std::string remarks;
+  for (const FillerOutcome& filler : start.fillers)
+    if (!filler.message.empty()) remarks += (remarks.empty() ? "" : " ") + filler.message;
+  const PatchStatePtr initial = first_state(*start.patch, remarks, density, task_.origin);
+  const Evolved evolved =
+      evolve_filler(item_.site->site(), *start.patch, loops, task_.options, nullptr, job_.pause_token());
+  if (job_.pause_token().cancelled()) return std::nullopt;
+  part.state = state_of(evolved, *initial);
+  part.timeline = std::make_shared<Timeline>(Timeline{initial, part.state});
+  return part;
 }
 
 }  // namespace loopmend

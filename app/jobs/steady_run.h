@@ -5,6 +5,8 @@
 #include "jobs/evolve_patches.h"
 
 #include <chrono>
+#include <optional>
+#include <vector>
 
 namespace loopmend {
 
@@ -12,14 +14,18 @@ class SteadyRun {
  public:
   SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder, const Job& job);
 
-  /// @returns patches for the holes one by one, where the joint solution would spoil one of them; else nothing.
+  /// @returns several patches in place of the item's, where its holes ask for different treatment, or a joint solution
+  /// would spoil one of them; else nothing.
   std::vector<OpenPatch> run();
 
  private:
   Evolved evolve(const PatchState& start);
   void show(const Evolution& evolution, const StepRecord& record);
   PatchStatePtr state_of(const Evolved& evolved, const PatchState& from);
-  std::vector<OpenPatch> one_by_one();
+  std::vector<std::vector<int>> one_by_one() const;
+  std::vector<std::vector<int>> parts_alike() const;
+  std::vector<OpenPatch> in_parts(const std::vector<std::vector<int>>& parts);
+  std::optional<OpenPatch> solved(const std::vector<int>& members);
 
   const EvolveTask& task_;
   const EvolveTask::Item& item_;

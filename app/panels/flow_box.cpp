@@ -52,7 +52,7 @@ void FlowBox::build() {
   boundary_label->setBuddy(boundary_);
   auto* continuity_label = new QLabel(tr("Continuit&y"));
   continuity_label->setBuddy(continuity_);
-  steady_ = make_button("steady", tr("&To steady state"), tr("Go straight to where the flow comes to rest (T)"));
+  steady_ = make_button("steady", tr("&To steady state"), tr("Go straight to where the flow converges (T)"));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("sigma"));
   sigma_->setRange(sigma_low, sigma_high);
@@ -67,7 +67,7 @@ void FlowBox::build() {
   auto* sigma_label = new QLabel(tr("Time ste&p"));
   sigma_label->setBuddy(sigma_);
   step_ = make_button("step", tr("&Step"), tr("Take one time step (S)"));
-  run_ = make_button("run", tr("&Run"), tr("Take one time step after another until the patch is at rest (Space)"));
+  run_ = make_button("run", tr("&Run"), tr("Take one time step after another until the flow converges (Space)"));
   compare_ = make_button("compareFlows", tr("Compare &flows\u2026"),
                          tr("Two to four flows from one start, side by side, in a window of their own (C)"));
   grid->addWidget(target_, 0, 0, 1, 2);

@@ -20,7 +20,7 @@ TrialBox::TrialBox(const Trial& trial, QWidget* parent)
       continuity_(make_continuity_choice("trialContinuity")),
       words_(make_note("trialWords")),
       preview_(make_button("trialPreview", tr("Pre&view"), tr("Show the start, before any flow"))),
-      evolve_(make_button("trialEvolve", tr("Evo&lve"), tr("Let the flow work on it until it comes to rest"))),
+      evolve_(make_button("trialEvolve", tr("Evo&lve"), tr("Let the flow work on it until it converges"))),
       compare_(make_button("trialCompare", tr("Co&mpare flows\u2026"),
                            tr("Several flows from this start, side by side, in a window of their own"))),
       cancel_(make_button("trialCancel", tr("Ca&ncel"), tr("Stop at once; the start is shown again (Esc)"))),

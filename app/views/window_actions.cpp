@@ -82,7 +82,7 @@ const Spec specs[] = {
     {"stepAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Step"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take one time step"), "S", nullptr},
     {"runAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Run or pause"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Step after step until at rest"), "Space", nullptr},
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Step after step until the flow converges"), "Space", nullptr},
     {"steadyAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&To steady state"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Straight to where the flow comes to rest"), "T", nullptr},
     {"compare", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Compare flows\u2026"),

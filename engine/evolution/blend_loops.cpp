@@ -45,7 +45,9 @@ Evolved evolve_bridge(const FillSite& site, const Patch& start, const EvolutionO
   stiffer.bending = against_necks;
   Evolved bent = evolve_filler(site, start, {}, stiffer, on_step, cancel);
   if (bent.status != LoopStatus::converged || bent.verdict.folds > 0 || bent.verdict.total() > 0) return pure;
-  bent.reason = "the flow itself did not converge; with bending energy mixed in it did";
+  bent.reason = pure.status == LoopStatus::doubtful
+                    ? "the patch of the flow itself was out of proportion; with bending energy mixed in it is not"
+                    : "the flow itself did not converge; with bending energy mixed in it did";
   return bent;
 }
 
@@ -59,6 +61,8 @@ void take_verdict(const FillSite& site, BlendResult& result) {
   result.status = LoopStatus::failed;
   result.message = "every patch that was found would cut the surface or itself, in " + std::to_string(verdict.total()) +
                    " places: the loops cannot be joined as they lie";
+  result.method.clear();
+  result.reason.clear();
   result.patch.reset();
 }
 

@@ -65,6 +65,23 @@ bool is_judged(const EvolutionOptions& options) {
          options.continuity == SeamContinuity::curvature;
 }
 
+std::string reason_for(const RimRoughness& boundary) {
+  constexpr const char* how = "; boundary exact asks for the flow itself";
+  if (boundary.rough_share >= 1)
+    return std::string(
+               "the curvature around the hole changes abruptly, by roughness or an edge, and tells little about "
+               "the hole") +
+           how;
+  if (boundary.rough_share > 0)
+    return "the curvature around the hole changes abruptly in part and counts for " +
+           std::to_string(std::lround(100 * (1 - boundary.rough_share))) + " % at most" + how;
+  if (boundary.noise_share > 0)
+    return std::string("the scan around the hole is noisy, and the flow meets the surface without the noise") + how;
+  if (boundary.bending > 0)
+    return std::string("the curvature around the hole changes over lengths shorter than the hole") + how;
+  return "";
+}
+
 const char* to_string(EvolutionStatus status) {
   switch (status) {
     case EvolutionStatus::ready: return "ready";
@@ -225,7 +242,8 @@ void Evolution::Impl::care_for_mesh(double limit) {
   }
   if (state.folds > 0) {
     EvolutionState next = make_state(remeshed(state.patch), objective, stencil);
-    if (next.folds < state.folds && std::isfinite(next.measure)) state = std::move(next);
+    if (next.folds < state.folds && next.unfitted <= state.unfitted && std::isfinite(next.measure))
+      state = std::move(next);
   }
   history.back().energy = shown_energy(options.flow, state);
 }

@@ -68,10 +68,14 @@ void check(const EvolutionOptions& options);
 /// True if the boundary data decide how far the flow itself runs: nothing in the options does.
 bool is_judged(const EvolutionOptions& options);
 
+/// Why the boundary data ask for something else than the flow, and how to get the flow all the same. Empty if they do not.
+std::string reason_for(const RimRoughness& boundary);
+
 enum class EvolutionStatus {
-  ready,       ///< more steps can be taken
-  converged,   ///< the flow's steady state: a step of the size that was asked for moves nothing that could be seen
-  faired,      ///< the linear fairings that stand in for the flow are done; no flow has run
+  ready,      ///< more steps can be taken
+  converged,  ///< the flow's steady state: a step of the size that was asked for moves nothing that could be seen, or next
+              ///< to no energy is left to win
+  faired,     ///< the linear fairings that stand in for the flow are done; no flow has run
   step_limit,  ///< max_steps taken
   cancelled,   ///< by the token; the state is the last accepted one
   failed,      ///< stalled: no acceptable step was found; the state is the last accepted one
@@ -86,7 +90,7 @@ enum class Method {
   mixed_order,  ///< MMCVF with bending energy mixed in: ∫‖∇H‖² + β/R² ∫H², see EvolutionOptions::bending
   denoised_flow,   ///< MMCVF between boundary data from which white noise was taken off
   robust_fairing,  ///< a few linear fairings that weigh the boundary data; no flow
-  linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, iterated; no flow
+  linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, up to twelve times; no flow
   interpolated,    ///< between the patches of MMCVF and of robust fairing
 };
 

@@ -20,9 +20,9 @@
 
 namespace loopmend {
 
-inline constexpr int most_trials = 12;  ///< before the step is given up
-inline constexpr int most_passes = 12;  ///< of the fairings for position or tangent, which are iterated to their end
-inline constexpr int rough_passes = 3;  ///< of rim_blend: one of second order, two that weigh the rim
+inline constexpr int most_trials = 12;      ///< before the step is given up
+inline constexpr int most_passes = 12;      ///< of the fairings for position or tangent
+inline constexpr int rough_passes = 3;      ///< of rim_blend: one of second order, two that weigh the rim
 inline constexpr double small_move = 1e-3;  ///< in mean edge lengths: no eye sees it
 inline constexpr double near_move = 1;  ///< in mean edge lengths: smooth surroundings are worth finer fits from here
 /// In mean edge lengths: the next bold step would go a hundredth of that.

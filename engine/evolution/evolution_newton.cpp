@@ -30,7 +30,7 @@ constexpr IterationLimits truncated{0.05, 100};
 /// So few iterations, or else new factors are the faster.
 constexpr IterationLimits by_kept_factors{1e-6, 8};
 constexpr const char* damped_words =
-    "stopped early: the flow has not come to rest, but only ever smaller steps lower the energy";
+    "stopped early: the flow has not converged, but only ever smaller steps lower the energy";
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
 
 }  // namespace

@@ -39,6 +39,11 @@ EvolvedPatch run_flow(const Patch& start, const EvolutionOptions& options, const
   result.message = evolution.message();
   result.flow = options.flow;
   result.method = evolution.method();
+  if (is_judged(options) && result.method != Method::flow && evolution.roughness()) {
+    RimRoughness boundary = *evolution.roughness();
+    if (result.method == Method::robust_fairing) boundary.rough_share = 1;  // here there is nothing in between
+    result.reason = reason_for(boundary);
+  }
   result.patch = evolution.patch();
   result.quality = patch_quality(result.patch);
   result.history = evolution.history();

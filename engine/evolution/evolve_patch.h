@@ -14,6 +14,7 @@ struct EvolvedPatch {
   std::string message;  ///< why it stopped early; empty when converged
   FlowKind flow = FlowKind::mmcvf;
   Method method = Method::flow;
+  std::string reason;     ///< why it is not the flow itself, and how to get that; empty if it is, or if nobody judged
   FillerQuality quality;  ///< folds and cuts within the patch and the rings around it
   int steps = 0;
   double bending = 0;  ///< EvolutionOptions::bending that was used

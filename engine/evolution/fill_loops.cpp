@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <system_error>
@@ -167,37 +168,42 @@ PatchStart start_patch(const SurfaceModel& model, const std::vector<BoundaryLoop
   return start;
 }
 
+namespace {
+
+/// What a loop asks for where that is all or nothing: 0 the flow itself, 1 the flow without the noise, 2 robust fairing. −1
+/// where it is something between, which is different for every loop.
+int treatment_of(const RimRoughness& boundary) {
+  if (boundary.rough_share >= 1) return 2;
+  if (boundary.rough_share > 0 || boundary.bending > 0) return -1;
+  return boundary.noise_share == 0 ? 0 : boundary.noise_share >= 1 ? 1 : -1;
+}
+
+template <class T>
+std::vector<T> picked(const std::vector<T>& all, const std::vector<int>& which) {
+  std::vector<T> result;
+  for (int k : which) result.push_back(all[k]);
+  return result;
+}
+
+}  // namespace
+
 std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
                                            const std::vector<FillerOutcome>& fillers) {
-  if (group.size() < 2) return group.empty() ? std::vector<std::vector<int>>{} : std::vector<std::vector<int>>{{0}};
-  // How far the flow runs, in three kinds; between them the patches of one problem would have to be of different methods.
-  const auto kind_of = [](const RimRoughness& rim) { return rim.rough_share >= 1 ? 2 : rim.rough_share > 0 ? 1 : 0; };
-  std::vector<std::vector<int>> result, of_kind(3);
-  std::vector<RimRoughness> alone(group.size());
-  for (std::size_t k = 0; k < group.size(); ++k) {
-    const std::optional<Patch> patch = joined_patch(model, {group[k]}, {fillers[k]}, 1);
-    if (patch) alone[k] = rim_roughness(*patch);
-    of_kind[patch ? kind_of(alone[k]) : 0].push_back(static_cast<int>(k));
-  }
-  for (int kind = 0; kind < 3; ++kind) {
-    std::vector<BoundaryLoop> loops;
-    for (int k : of_kind[kind]) loops.push_back(group[k]);
-    for (const std::vector<int>& members : group_loops(model, loops)) {
-      std::vector<int> together;
-      for (int k : members) together.push_back(of_kind[kind][k]);
-      std::vector<BoundaryLoop> joint_loops;
-      std::vector<FillerOutcome> joint_fillers;
-      for (int k : together) {
-        joint_loops.push_back(group[k]);
-        joint_fillers.push_back(fillers[k]);
-      }
-      const std::optional<Patch> joint = joined_patch(model, joint_loops, joint_fillers, 1);
-      if (together.size() == 1 || !joint || kind_of(rim_roughness(*joint)) == kind)
+  const auto treatment = [&](const std::vector<int>& members) {
+    const std::optional<Patch> patch = joined_patch(model, picked(group, members), picked(fillers, members), 1);
+    return patch ? treatment_of(rim_roughness(*patch)) : -1;
+  };
+  std::map<int, std::vector<int>> of_treatment;
+  for (int k = 0; k < static_cast<int>(group.size()); ++k) of_treatment[treatment({k})].push_back(k);
+  std::vector<std::vector<int>> result;
+  for (const auto& [asked, loops] : of_treatment)
+    for (const std::vector<int>& members : group_loops(model, picked(group, loops))) {
+      const std::vector<int> together = picked(loops, members);
+      if (together.size() == 1 || (asked >= 0 && treatment(together) == asked))
         result.push_back(together);
       else
         for (int k : together) result.push_back({k});
     }
-  }
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -242,6 +248,8 @@ std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<Bounda
         if (!trouble.empty()) {
           outcomes[g].results[k].status = LoopStatus::failed;
           outcomes[g].results[k].message = trouble;
+          outcomes[g].results[k].method.clear();
+          outcomes[g].results[k].reason.clear();
         }
     }
     for (std::size_t k = 0; k < groups[g].size(); ++k) results[groups[g][k]] = std::move(outcomes[g].results[k]);

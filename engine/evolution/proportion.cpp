@@ -15,14 +15,27 @@ namespace loopmend {
 namespace {
 
 constexpr double large_area = 2.5;
-constexpr double large_depth = 0.6;
+constexpr double large_depth = 0.4;
 constexpr double notable_energy = 1;
 
 /// Of the part that one loop bounds.
 struct Part {
   double area = 0;
-  Eigen::AlignedBox3d box;
   std::vector<int> triangles;
+};
+
+/// About the mean of a part's corners.
+struct Ball {
+  Vec3 center = Vec3::Zero();
+  double radius = 0;
+
+  Ball(const Patch& patch, const Part& part) {
+    for (int f : part.triangles)
+      for (int v : patch.triangles[f])
+        center += patch.positions[v] / (3.0 * static_cast<double>(part.triangles.size()));
+    for (int f : part.triangles)
+      for (int v : patch.triangles[f]) radius = std::max(radius, (patch.positions[v] - center).norm());
+  }
 };
 
 std::vector<Part> parts_of(const Patch& patch) {
@@ -33,7 +46,6 @@ std::vector<Part> parts_of(const Patch& patch) {
     const Vec3 &a = patch.positions[t[0]], &b = patch.positions[t[1]], &c = patch.positions[t[2]];
     Part& part = parts[loop[f]];
     part.area += (b - a).cross(c - a).norm() / 2;
-    part.box.extend(a).extend(b).extend(c);
     part.triangles.push_back(f);
   }
   return parts;
@@ -50,22 +62,24 @@ std::vector<Proportion> proportions_of(const Patch& patch, const Patch& initial)
     if (now[l].triangles.empty() || !(first[l].area > 0)) continue;
     Proportion& part = result[l];
     part.area = now[l].area / first[l].area;
+    const Ball ball(initial, first[l]);
     for (int f : now[l].triangles) {
       const Triangle& t = patch.triangles[f];
       const auto weight = half_cotangents(patch.positions, t);
       for (int k = 0; k < 3; ++k) {
         const double difference = state.ops.H[t[(k + 1) % 3]] - state.ops.H[t[(k + 2) % 3]];
         part.energy += weight[k] * difference * difference * now[l].area;
-        part.depth = std::max(part.depth, first[l].box.exteriorDistance(patch.positions[t[k]]));
+        part.depth = std::max(part.depth, (patch.positions[t[k]] - ball.center).norm() / ball.radius / 2 - 0.5);
       }
     }
-    part.depth /= first[l].box.diagonal().norm();
   }
   return result;
 }
 
 bool is_out_of_proportion(const Proportion& proportion) {
-  return proportion.energy > notable_energy && (proportion.area > large_area || proportion.depth > large_depth);
+  // The other way round, so that what is not a number is out of proportion.
+  return !(proportion.energy <= notable_energy) &&
+         (!(proportion.area <= large_area) || !(proportion.depth <= large_depth));
 }
 
 const Proportion* out_of_proportion(const std::vector<Proportion>& proportions) {

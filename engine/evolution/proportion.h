@@ -12,7 +12,7 @@ namespace loopmend {
 /// No units.
 struct Proportion {
   double area = 1;    ///< of the patch, in that of the initial patch, which is about the least
-  double depth = 0;   ///< farthest that the patch leaves the box of its initial patch, in that box's diagonal
+  double depth = 0;   ///< farthest that the patch leaves the ball around its initial patch, in that ball's diameter
   double energy = 0;  ///< ∫‖∇H‖² dA over the patch × its area: 0 on a sphere, plane or cylinder of any size
 };
 

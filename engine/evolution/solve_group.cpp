@@ -148,12 +148,25 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   return outcome;
 }
 
+/// work(), which solves these loops; what goes wrong there is theirs alone.
+template <class Work>
+GroupOutcome guarded(const std::vector<BoundaryLoop>& loops, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return failed_group(loops, "not enough memory for this hole: left open; a smaller density needs less");
+  } catch (const std::exception& error) {
+    return failed_group(loops, error.what());
+  }
+}
+
 GroupOutcome solve_one_by_one(const FillSite& site, const std::vector<BoundaryLoop>& group,
                               const std::vector<FillerOutcome>& fillers, const FillOptions& options,
                               const CancelToken& cancel) {
   GroupOutcome outcome;
   for (std::size_t k = 0; k < group.size(); ++k) {
-    GroupOutcome single = solve_jointly(site, {group[k]}, {fillers[k]}, options, cancel);
+    GroupOutcome single =
+        guarded({group[k]}, [&] { return solve_jointly(site, {group[k]}, {fillers[k]}, options, cancel); });
     for (FinishedPatch& patch : single.patches) {
       patch.loops = {static_cast<int>(outcome.results.size())};
       outcome.patches.push_back(std::move(patch));
@@ -171,17 +184,22 @@ int count_status(const GroupOutcome& outcome, LoopStatus status) {
 /// Loops that ask for one treatment, as far as the options leave that to the boundary data.
 std::vector<std::vector<int>> parts_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
                                        const std::vector<FillerOutcome>& fillers, const FillOptions& options) {
-  if (options.evolution && is_judged(*options.evolution)) return groups_alike(model, group, fillers);
   std::vector<int> all(group.size());
   std::iota(all.begin(), all.end(), 0);
-  return {all};
+  std::vector<std::vector<int>> parts{all};
+  if (options.evolution && is_judged(*options.evolution))
+    guarded(group, [&] {  // where that cannot be told, all loops stay together
+      parts = groups_alike(model, group, fillers);
+      return GroupOutcome{};
+    });
+  return parts;
 }
 
 /// Jointly; where that leaves one of the loops cut, folded, out of proportion or open, each by itself.
 GroupOutcome solve_part(const FillSite& site, const std::vector<BoundaryLoop>& loops,
                         const std::vector<FillerOutcome>& fillers, const FillOptions& options,
                         const CancelToken& cancel) {
-  GroupOutcome joint = solve_jointly(site, loops, fillers, options, cancel);
+  GroupOutcome joint = guarded(loops, [&] { return solve_jointly(site, loops, fillers, options, cancel); });
   const bool spoilt = count_status(joint, LoopStatus::failed) > 0 || count_status(joint, LoopStatus::doubtful) > 0 ||
                       (options.evolution && count_status(joint, LoopStatus::filled) > 0);
   if (loops.size() == 1 || !spoilt || cancel.cancelled()) return joint;
@@ -203,10 +221,21 @@ GroupOutcome failed_group(const std::vector<BoundaryLoop>& group, const std::str
 }
 
 GroupOutcome solve_group(const FillSite& site, const std::vector<BoundaryLoop>& group, const FillOptions& options,
-                         const CancelToken& cancel) try {
-  if (group.size() == 1) return solve_jointly(site, group, {}, options, cancel);
-  const std::vector<FillerOutcome> fillers = start_patch(site.model, group, options.filler, cancel).fillers;
+                         const CancelToken& cancel) {
+  if (group.size() == 1) return guarded(group, [&] { return solve_jointly(site, group, {}, options, cancel); });
+  const auto start = std::chrono::steady_clock::now();
   GroupOutcome outcome = failed_group(group, "");
+  std::vector<FillerOutcome> fillers;
+  for (const BoundaryLoop& loop : group) {
+    FillerOutcome filler;
+    const GroupOutcome made = guarded({loop}, [&] {
+      filler = start_patch(site.model, {loop}, options.filler, cancel).fillers.front();
+      return GroupOutcome{};
+    });
+    if (!made.results.empty()) filler.message = made.results.front().message;
+    fillers.push_back(std::move(filler));
+  }
+  const double filler_seconds = seconds_since(start);
   if (cancel.cancelled()) return outcome;
   for (const std::vector<int>& alike : parts_of(site.model, group, fillers, options)) {
     std::vector<BoundaryLoop> loops;
@@ -221,13 +250,13 @@ GroupOutcome solve_group(const FillSite& site, const std::vector<BoundaryLoop>& 
       for (int& k : patch.loops) k = alike[k];
       outcome.patches.push_back(std::move(patch));
     }
-    for (std::size_t k = 0; k < alike.size(); ++k) outcome.results[alike[k]] = std::move(part.results[k]);
+    for (std::size_t k = 0; k < alike.size(); ++k) {
+      LoopResult& result = outcome.results[alike[k]] = std::move(part.results[k]);
+      result.seconds.filler = filler_seconds;  // of the whole group, as its loops were made one after another
+      result.seconds.total = seconds_since(start);
+    }
   }
   return outcome;
-} catch (const std::bad_alloc&) {
-  return failed_group(group, "not enough memory for this hole: left open; a smaller density needs less");
-} catch (const std::exception& error) {
-  return failed_group(group, error.what());
 }
 
 }  // namespace loopmend

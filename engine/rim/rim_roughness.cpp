@@ -53,14 +53,14 @@ double growth_of(const std::vector<double>& narrow, const std::vector<double>& w
   return growth.empty() ? 0 : median(growth);
 }
 
-/// Of the loops, patch frame.
-double mean_loop_edge(const Patch& patch) {
+/// Of the surroundings, patch frame.
+double mean_edge_around(const Patch& patch) {
   double length = 0;
-  std::size_t edges = 0;
-  for (const std::vector<int>& loop : patch.loops)
-    for (std::size_t k = 0; k < loop.size(); ++k, ++edges)
-      length += (patch.positions[loop[(k + 1) % loop.size()]] - patch.positions[loop[k]]).norm();
-  return edges > 0 ? length / static_cast<double>(edges) : 0;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      length += (patch.positions[patch.triangles[f][k]] - patch.positions[patch.triangles[f][(k + 1) % 3]]).norm();
+  const auto sides = 3 * (patch.triangles.size() - patch.patch_triangles);
+  return sides > 0 ? length / static_cast<double>(sides) : 0;
 }
 
 void measure_residuals(const SurroundingFits& fits, RimRoughness& rim) {
@@ -195,8 +195,8 @@ RimRoughness rim_roughness(const Patch& patch, const SurroundingFits& fits) {
   const double gate = std::clamp(std::log(rim.unevenness / 0.1) / std::log(3.0), 0.0, 1.0);
   rim.bending = bending_for(per_length * per_length * gate);
   measure_residuals(fits, rim);
-  const double loop_edge = mean_loop_edge(patch);
-  rim.noise_per_edge = loop_edge > 0 ? rim.noise / loop_edge : 0;
+  const double edge_around = mean_edge_around(patch);
+  rim.noise_per_edge = edge_around > 0 ? rim.noise / edge_around : 0;
   judge_kind(rim);
   return rim;
 }

@@ -26,7 +26,7 @@ struct RimRoughness {
   double noise_share = 0;     ///< 0..1: share of the white noise that the flow should not meet
   double unevenness = 0;      ///< q = R · rms(H₂ − H₄): curvature of two-ring against four-ring fits, no unit
   double correlation = 1;     ///< C of H₄ at a quarter of the patch radius, 0.01..1: 1 is smooth
-  double noise_per_edge = 0;  ///< the noise in mean edges of the loops
+  double noise_per_edge = 0;  ///< the noise in mean edges of the surroundings
   double noise = 0;  ///< σ: median residual of cubic two-ring fits, patch frame; the standard deviation of white noise
   /// log₂ of the median residual of four-ring over that of two-ring fits: 0 white noise, 3 and more smooth.
   double growth = 4;

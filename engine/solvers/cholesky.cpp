@@ -14,6 +14,8 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+static_assert(CHOLMOD_OUT_OF_MEMORY == -2 && CHOLMOD_TOO_LARGE == -3, "as check_memory() has them");
+
 constexpr int least_halved = 2000;    ///< rows: below, a second thread does not pay
 constexpr int least_dissected = 300;  ///< rows
 constexpr int least_dissected_of_widest = 450;
@@ -46,7 +48,7 @@ class OrderedCholmod : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::L
   bool is_analyzed() const { return m_cholmodFactor != nullptr; }
   /// @returns false if the matrix is not positive definite. @throws std::bad_alloc
   bool is_factored() {
-    check_memory(cholmod());
+    check_memory(cholmod().status);
     return cholmod().status == CHOLMOD_OK && m_cholmodFactor->minor == m_cholmodFactor->n;
   }
 };
@@ -74,7 +76,7 @@ class WholeCholesky : public SpdSolver {
       settings.method[0].ordering = widest ? CHOLMOD_NATURAL : CHOLMOD_AMD;
       cholesky_.analyzePattern(A);
     }
-    check_memory(settings);
+    check_memory(settings.status);
   }
   bool factorize(const SparseMatrix& A) override {
     if (!cholesky_.is_analyzed()) return false;

@@ -3,7 +3,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <cholmod.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -35,9 +34,11 @@ class NoThreadsWithin {
 };
 
 /// Turns CHOLMOD's word on memory into the exception that says so. Everything else that goes wrong is a value.
-/// @throws std::bad_alloc
-inline void check_memory(const cholmod_common& common) {
-  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+/// @param status  cholmod_common::status. @throws std::bad_alloc
+inline void check_memory(int status) {
+  constexpr int out_of_memory = -2,
+                too_large = -3;  // CHOLMOD_OUT_OF_MEMORY and CHOLMOD_TOO_LARGE, whose header stays out
+  if (status == out_of_memory || status == too_large) throw std::bad_alloc();
 }
 
 /// Remembers a sparsity pattern, to tell whether a symbolic analysis still holds.

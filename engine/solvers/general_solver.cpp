@@ -45,6 +45,7 @@ class GmresSolver : public GeneralSolver {
   explicit GmresSolver(double tolerance) : tolerance_(tolerance) {}
   SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
     SolveReport report;
+    if (b.size() == 0) return report;
     // A few iterations tell whether the others are worth their time.
     const GmresLimits with_old_factors{tolerance_, 24, 6, 2e-2}, with_new_factors{tolerance_};
     report.solved = size_ == b.size() && iterate(system, b, with_old_factors, x, report);

@@ -74,7 +74,7 @@ class Half {
     cholmod_sparse values = view(part);
     const NoThreadsWithin alone;
     cholmod_factorize(&values, factor_.get(), common_.get());
-    check_memory(*common_);
+    check_memory(common_->status);
     return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
 

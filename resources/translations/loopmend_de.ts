@@ -389,10 +389,6 @@
             <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
         </message>
         <message>
-            <source>at rest</source>
-            <translation>in Ruhe</translation>
-        </message>
-        <message>
             <source>step limit</source>
             <translation>Schrittgrenze</translation>
         </message>
@@ -447,6 +443,14 @@
         <message>
             <source>There is no seam to look across.</source>
             <translation>Es gibt keine Naht, über die man blicken könnte.</translation>
+        </message>
+        <message>
+            <source>converged</source>
+            <translation>konvergiert</translation>
+        </message>
+        <message>
+            <source>faired</source>
+            <translation>geglättet</translation>
         </message>
     </context>
     <context>
@@ -942,10 +946,6 @@
             <translation>Bis zur &amp;Ruhe</translation>
         </message>
         <message>
-            <source>Go straight to where the flow comes to rest (T)</source>
-            <translation>Geradewegs dorthin, wo der Fluss zur Ruhe kommt (T)</translation>
-        </message>
-        <message>
             <source>Time step</source>
             <translation>Zeitschritt</translation>
         </message>
@@ -968,10 +968,6 @@
         <message>
             <source>&amp;Run</source>
             <translation>&amp;Lauf</translation>
-        </message>
-        <message>
-            <source>Take one time step after another until the patch is at rest (Space)</source>
-            <translation>Einen Zeitschritt nach dem anderen, bis der Flicken ruht (Leertaste)</translation>
         </message>
         <message>
             <source>Accepted already. Open it again to go on.</source>
@@ -1012,6 +1008,14 @@
         <message>
             <source>Continuit&amp;y</source>
             <translation>Über&amp;gang</translation>
+        </message>
+        <message>
+            <source>Go straight to where the flow converges (T)</source>
+            <translation>Geradewegs dorthin, wo der Fluss konvergiert (T)</translation>
+        </message>
+        <message>
+            <source>Take one time step after another until the flow converges (Space)</source>
+            <translation>Einen Zeitschritt nach dem anderen, bis der Fluss konvergiert (Leertaste)</translation>
         </message>
     </context>
     <context>
@@ -2580,10 +2584,6 @@
             <translation>Ent&amp;wickeln</translation>
         </message>
         <message>
-            <source>Let the flow work on it until it comes to rest</source>
-            <translation>Den Fluss arbeiten lassen, bis er zur Ruhe kommt</translation>
-        </message>
-        <message>
             <source>Co&amp;mpare flows…</source>
             <translation>Flüsse &amp;vergleichen…</translation>
         </message>
@@ -2634,6 +2634,10 @@
         <message>
             <source>Continuity</source>
             <translation>Übergang</translation>
+        </message>
+        <message>
+            <source>Let the flow work on it until it converges</source>
+            <translation>Den Fluss daran arbeiten lassen, bis er konvergiert</translation>
         </message>
     </context>
     <context>
@@ -2938,10 +2942,6 @@
             <translation>&amp;Lauf oder Pause</translation>
         </message>
         <message>
-            <source>Step after step until at rest</source>
-            <translation>Schritt für Schritt bis zur Ruhe</translation>
-        </message>
-        <message>
             <source>&amp;To steady state</source>
             <translation>Bis zur &amp;Ruhe</translation>
         </message>
@@ -3048,6 +3048,10 @@
         <message>
             <source>Compare</source>
             <translation>Vergleichen</translation>
+        </message>
+        <message>
+            <source>Step after step until the flow converges</source>
+            <translation>Schritt um Schritt, bis der Fluss konvergiert</translation>
         </message>
     </context>
     <context>
@@ -3292,10 +3296,6 @@
             <translation>Wird nur gefüllt, wenn Sie es selbst auswählen.</translation>
         </message>
         <message>
-            <source>Closed by the plain filler; no flow has run yet.</source>
-            <translation>Vom einfachen Füller geschlossen; noch lief kein Fluss.</translation>
-        </message>
-        <message>
             <source>A flow is moving this patch now.</source>
             <translation>Ein Fluss bewegt diesen Flicken gerade.</translation>
         </message>
@@ -3526,6 +3526,10 @@
         <message>
             <source>points</source>
             <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>Closed by the initial patch; no flow has run yet.</source>
+            <translation>Durch die erste Fläche geschlossen; noch lief kein Fluss.</translation>
         </message>
     </context>
 </TS>

@@ -389,10 +389,6 @@
             <translation>Places where the patch cuts itself or its surroundings</translation>
         </message>
         <message>
-            <source>at rest</source>
-            <translation>at rest</translation>
-        </message>
-        <message>
             <source>step limit</source>
             <translation>step limit</translation>
         </message>
@@ -447,6 +443,14 @@
         <message>
             <source>There is no seam to look across.</source>
             <translation>There is no seam to look across.</translation>
+        </message>
+        <message>
+            <source>converged</source>
+            <translation>converged</translation>
+        </message>
+        <message>
+            <source>faired</source>
+            <translation>faired</translation>
         </message>
     </context>
     <context>
@@ -942,10 +946,6 @@
             <translation>&amp;To steady state</translation>
         </message>
         <message>
-            <source>Go straight to where the flow comes to rest (T)</source>
-            <translation>Go straight to where the flow comes to rest (T)</translation>
-        </message>
-        <message>
             <source>Time step</source>
             <translation>Time step</translation>
         </message>
@@ -968,10 +968,6 @@
         <message>
             <source>&amp;Run</source>
             <translation>&amp;Run</translation>
-        </message>
-        <message>
-            <source>Take one time step after another until the patch is at rest (Space)</source>
-            <translation>Take one time step after another until the patch is at rest (Space)</translation>
         </message>
         <message>
             <source>Accepted already. Open it again to go on.</source>
@@ -1012,6 +1008,14 @@
         <message>
             <source>Continuit&amp;y</source>
             <translation>Continuit&amp;y</translation>
+        </message>
+        <message>
+            <source>Go straight to where the flow converges (T)</source>
+            <translation>Go straight to where the flow converges (T)</translation>
+        </message>
+        <message>
+            <source>Take one time step after another until the flow converges (Space)</source>
+            <translation>Take one time step after another until the flow converges (Space)</translation>
         </message>
     </context>
     <context>
@@ -2580,10 +2584,6 @@
             <translation>Evo&amp;lve</translation>
         </message>
         <message>
-            <source>Let the flow work on it until it comes to rest</source>
-            <translation>Let the flow work on it until it comes to rest</translation>
-        </message>
-        <message>
             <source>Co&amp;mpare flows…</source>
             <translation>Co&amp;mpare flows…</translation>
         </message>
@@ -2634,6 +2634,10 @@
         <message>
             <source>Continuity</source>
             <translation>Continuity</translation>
+        </message>
+        <message>
+            <source>Let the flow work on it until it converges</source>
+            <translation>Let the flow work on it until it converges</translation>
         </message>
     </context>
     <context>
@@ -2882,10 +2886,6 @@
             <translation>&amp;Run or pause</translation>
         </message>
         <message>
-            <source>Step after step until at rest</source>
-            <translation>Step after step until at rest</translation>
-        </message>
-        <message>
             <source>&amp;To steady state</source>
             <translation>&amp;To steady state</translation>
         </message>
@@ -3048,6 +3048,10 @@
         <message>
             <source>Compare</source>
             <translation>Compare</translation>
+        </message>
+        <message>
+            <source>Step after step until the flow converges</source>
+            <translation>Step after step until the flow converges</translation>
         </message>
     </context>
     <context>
@@ -3274,10 +3278,6 @@
         <message>
             <source>Not filled unless you select it yourself.</source>
             <translation>Not filled unless you select it yourself.</translation>
-        </message>
-        <message>
-            <source>Closed by the plain filler; no flow has run yet.</source>
-            <translation>Closed by the plain filler; no flow has run yet.</translation>
         </message>
         <message>
             <source>A flow is moving this patch now.</source>
@@ -3526,6 +3526,10 @@
         <message>
             <source>points</source>
             <translation>points</translation>
+        </message>
+        <message>
+            <source>Closed by the initial patch; no flow has run yet.</source>
+            <translation>Closed by the initial patch; no flow has run yet.</translation>
         </message>
     </context>
 </TS>

@@ -49,7 +49,7 @@ double worst_jump(const std::vector<SeamReport>& seams) {
 std::string size_text(std::size_t value) { return std::to_string(value); }
 
 void run_sets(std::uint64_t first, int count) {
-  std::map<std::string, std::array<int, 3>> shares;  // converged, valid only, neither
+  std::map<std::string, std::array<int, 3>> shares;  // finished, valid only, neither
   Table table({"seed", "tubes", "angles", "radii", "status", "free", "steps", "bending", "min angle", "jump x D", "s",
                "message"});
   for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
@@ -57,7 +57,8 @@ void run_sets(std::uint64_t first, int count) {
     Problem problem = problem_of(set.tubes);
     const BlendResult result = blend_loops(problem.model, problem.rims, {}, {});
     const bool valid = result.patch && result.quality.folds == 0 && result.quality.self_intersections == 0;
-    const int ending = !valid ? 2 : result.status == LoopStatus::converged ? 0 : 1;
+    const bool finished = result.status == LoopStatus::converged || result.status == LoopStatus::faired;
+    const int ending = !valid ? 2 : finished ? 0 : 1;
     for (const std::string& group :
          {std::string("all"), size_text(set.tubes.size()) + " tubes", set.angles + " angles", set.radii + " radii"})
       ++shares[group][static_cast<std::size_t>(ending)];
@@ -67,7 +68,7 @@ void run_sets(std::uint64_t first, int count) {
                number(result.seconds.total), result.message});
     std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.status), result.steps);
   }
-  Table summary({"problems", "converged", "valid, not converged", "invalid or refused"});
+  Table summary({"problems", "converged or faired", "valid, not converged", "invalid or refused"});
   for (const auto& [group, n] : shares) summary.add({group, number(n[0]), number(n[1]), number(n[2])});
   std::printf("%s\n%s\n", summary.markdown().c_str(), table.markdown().c_str());
 }

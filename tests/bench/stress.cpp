@@ -29,11 +29,11 @@ struct Arguments {
 };
 
 /// How a problem ended, from good to bad.
-enum class Ending { converged, not_converged, refused, invalid };
+enum class Ending { finished, not_converged, refused, invalid };
 
 const char* to_string(Ending ending) {
   switch (ending) {
-    case Ending::converged: return "converged";
+    case Ending::finished: return "converged or faired";
     case Ending::not_converged: return "valid, not converged";
     case Ending::refused: return "refused";
     case Ending::invalid: return "invalid";
@@ -79,8 +79,8 @@ void judge(const HoleProblem& problem, const Filling& filling, Outcome& outcome)
   outcome.d = figures.d_rms;
   const std::string trouble = what_is_invalid(problem, filling, figures);
   // Without a free vertex there is nothing that could converge.
-  const bool converged = filling.status == "converged" || filling.points.empty();
-  outcome.ending = !trouble.empty() ? Ending::invalid : converged ? Ending::converged : Ending::not_converged;
+  const bool converged = filling.status == "converged" || filling.status == "faired" || filling.points.empty();
+  outcome.ending = !trouble.empty() ? Ending::invalid : converged ? Ending::finished : Ending::not_converged;
   outcome.reason = !trouble.empty() ? trouble : converged ? "" : filling.status + ": " + filling.message;
 }
 
@@ -125,7 +125,7 @@ void save(const std::string& folder, std::uint64_t seed, const HoleProblem& prob
 
 /// Where the scan itself is at fault, a refusal may well be true.
 std::string note_on_original(const StressProblem& made, Ending ending) {
-  if (ending == Ending::converged) return "";
+  if (ending == Ending::finished) return "";
   const OriginalFaults faults = faults_of_original(made.removed, made.problem.model.soup);
   if (faults.cuts + faults.folds == 0) return "";
   return " (the original there: " + number(faults.cuts) + " self-intersections, " + number(faults.folds) + " folds)";
@@ -149,7 +149,7 @@ void run_seed(std::uint64_t seed, const Arguments& arguments, const Say& say) {
   judge(made->problem, filling, outcome);
   if (!made->has_answer || !(outcome.d >= 0)) outcome.d = 0;
   outcome.reason += note_on_original(*made, outcome.ending);
-  if (arguments.one || outcome.ending != Ending::converged) save(arguments.save, seed, made->problem, filling);
+  if (arguments.one || outcome.ending != Ending::finished) save(arguments.save, seed, made->problem, filling);
   say(to_line(outcome));
 }
 
@@ -203,7 +203,7 @@ std::string far_ones(const std::vector<Outcome>& outcomes) {
   constexpr double far = 20;
   Table table({"seed", "surface", "shape", "mesh", "size %", "cut away", "d"});
   for (const Outcome& o : outcomes)
-    if (o.ending == Ending::converged && o.d > far)
+    if (o.ending == Ending::finished && o.d > far)
       table.add(
           {std::to_string(o.seed), o.surface, o.shape, o.mesh, number(100 * o.size), number(o.removed), number(o.d)});
   if (table.empty()) return "";
@@ -219,7 +219,7 @@ std::string report(const std::vector<Outcome>& outcomes) {
   text += shares("vertices cut away", outcomes, count_class).markdown() + '\n';
   Table failures({"seed", "surface", "shape", "mesh", "size %", "cut away", "ending", "reason"});
   for (const Outcome& o : outcomes)
-    if (o.ending != Ending::converged)
+    if (o.ending != Ending::finished)
       failures.add({std::to_string(o.seed), o.surface, o.shape, o.mesh, number(100 * o.size), number(o.removed),
                     to_string(o.ending), o.reason});
   if (!failures.empty()) text += failures.markdown();

@@ -51,7 +51,7 @@ TEST_F(CliCompare, WritesMeshesPictureProfileAndTables) {
     EXPECT_EQ(std::count(row.begin(), row.end(), ','), 11) << row;
     EXPECT_THAT(row, Not(HasSubstr("nan")));
   }
-  EXPECT_EQ(rows, 5);  // the head and the four flows
+  EXPECT_EQ(rows, 6);  // the head, the start and the four flows
 }
 
 TEST_F(CliCompare, RefusesASurfaceWithoutHoles) {

@@ -54,9 +54,9 @@ TEST_F(RimOptions, ReportTellsOfTheRim) {
 }
 
 TEST_F(RimOptions, OnCleanSurroundingsAutoAndExactGiveTheSameBits) {
-  fill(clean, "--rim auto");
+  fill(clean, "--boundary auto");
   const Points automatic = read_mesh(out).soup.points;
-  fill(clean, "--rim exact");
+  fill(clean, "--boundary exact");
   EXPECT_EQ(read_mesh(out).soup.points, automatic);
   EXPECT_EQ(fill(clean, "--rim smooth")["loops"][0]["steps"], 3);
 }
@@ -112,7 +112,7 @@ TEST_F(RimOptions, ASingleVertexOffASmoothRimIsToldAndNotTakenForShape) {
 }
 
 TEST_F(RimOptions, WrongWordsAreRefused) {
-  for (const char* wrong : {"--rim rough", "--continuity g2", "--trim-rim -1", "--trim-rim 101"})
+  for (const char* wrong : {"--boundary rough", "--rim robust", "--continuity g2", "--trim-rim -1", "--trim-rim 101"})
     EXPECT_EQ(loopmend_program("fill '" + clean.string() + "' -o '" + out.string() + "' " + wrong).code, 2) << wrong;
 }
 

@@ -60,7 +60,7 @@ TEST(BlendLoops, ComesToRestWhereANeckGrowsThin) {
     SurfaceModel model = test::tubes_model(tubes);
     const BlendResult result = blend_loops(model, test::inner_rims(model, tubes), {}, {});
     expect_good(result);
-    EXPECT_EQ(result.message.empty(), result.bending == 0) << "bending energy must be told of";
+    EXPECT_EQ(result.reason.empty(), result.bending == 0) << "bending energy must be told of";
   }
 }
 

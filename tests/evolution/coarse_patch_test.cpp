@@ -1,5 +1,5 @@
-#include "core/threads.h"
 #include "evolution/coarse_patch.h"
+#include "core/threads.h"
 #include "evolution/evolution.h"
 #include "mesh/quality.h"
 #include "support/patches.h"

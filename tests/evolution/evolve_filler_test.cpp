@@ -5,6 +5,7 @@
 #include "samples/random.h"
 #include "support/patches.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ struct Family {
       moved.positions[i] = moved.to_frame(model.mesh.point(TriMesh::VertexHandle(moved.view_vertex[i])));
     const Patch start = with_noise_again(filler, moved);
     Evolved evolved = evolve_filler(FillSite(model), start, {}, {}, nullptr, {});
-    EXPECT_EQ(evolved.status, LoopStatus::converged) << evolved.message;
+    EXPECT_THAT(evolved.status, testing::AnyOf(LoopStatus::converged, LoopStatus::faired)) << evolved.message;
     EXPECT_EQ(evolved.patch.free_count, filler.free_count) << "remeshed at t = " << t;
     return {std::move(evolved.patch), rim_roughness(start)};
   }
@@ -160,7 +161,7 @@ TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
   ASSERT_EQ(rim.rough_share, 1);
   const FillSite site(gutter.model);
   const Evolved evolved = evolve_filler(site, filler, {gutter.hole}, {}, nullptr, {});
-  EXPECT_EQ(evolved.status, LoopStatus::converged) << evolved.message;
+  EXPECT_EQ(evolved.status, LoopStatus::faired) << evolved.message;
   EXPECT_EQ(evolved.verdict.total() + evolved.verdict.folds, 0);
   EvolutionOptions robust;
   robust.boundary = BoundaryTrust::robust;
@@ -213,7 +214,7 @@ TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
   ASSERT_GT(judge(site, free.patch).total(), 0);
 
   const Evolved evolved = evolve_filler(site, filler, {}, {}, nullptr, {});
-  EXPECT_EQ(evolved.status, LoopStatus::converged);
+  EXPECT_EQ(evolved.status, LoopStatus::faired);
   EXPECT_EQ(evolved.verdict.total() + evolved.verdict.folds, 0);
   EXPECT_NE(evolved.message.find("goes back"), std::string::npos) << evolved.message;
   ASSERT_EQ(evolved.patch.free_count, free.patch.free_count);

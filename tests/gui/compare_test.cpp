@@ -131,7 +131,7 @@ void CompareTest::numbers_are_those_of_the_command_line() {
   QCOMPARE(seen->item(4, 0)->text(), QStringLiteral("MMCVF"));
   QCOMPARE(seen->item(4, 3)->text(), QString::fromLatin1(last[3]));
   QCOMPARE(seen->item(4, 7)->text(), QString::fromLatin1(last[7]));
-  QVERIFY(in<QLabel>(*window, "paneFigures3")->text().contains(QStringLiteral("at rest")));
+  QVERIFY(in<QLabel>(*window, "paneFigures3")->text().contains(QStringLiteral("converged")));
   for (const char* plot : {"compareEnergies", "compareProfiles"})
     for (int graph = 0; graph < 4; ++graph) QVERIFY(in<Plot>(*window, plot)->values(graph).size() > 1);
 }

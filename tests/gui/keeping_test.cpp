@@ -232,7 +232,7 @@ void KeepingTest::a_session_is_looked_at_as_before() {
 }
 
 void KeepingTest::a_session_of_the_first_version_opens() {
-  // Without a view and without patches, the third version ends so: four bytes that say that the scan has a file of its own,
+  // Without a view and without patches, the fourth version ends so: four bytes that say that the scan has a file of its own,
   // eight that count the patches, four that say that there is no view. The first had neither the four nor the four.
   Session session;
   session.scans.push_back({sample_file(folder_), 0, {}, nullptr});
@@ -242,7 +242,7 @@ void KeepingTest::a_session_of_the_first_version_opens() {
   }
   QByteArray bytes = to_bytes(session, folder_.path());
   constexpr int version_at = 17;  // behind "Loopmend session\n"
-  QCOMPARE(bytes[version_at], '\3');
+  QCOMPARE(bytes[version_at], '\4');
   bytes[version_at] = '\1';
   bytes.chop(4);
   bytes.remove(bytes.size() - 12, 4);

@@ -131,7 +131,7 @@ void StoryTest::one_hole_by_eye() {
   key(window, Qt::Key_T);
   QVERIFY(wait_idle(window, 240));
   const OpenPatch& done = *document.patch_of(loop);
-  QVERIFY(done.state->stage == PatchStage::converged || done.state->stage == PatchStage::stalled);
+  QVERIFY(done.state->stage == PatchStage::converged || done.state->stage == PatchStage::faired);
   QVERIFY(done.state->seam.front().h_jump_rms < done.state->seam_before.front().h_jump_rms);
   key(window, Qt::Key_A);
   QVERIFY(document.state(loop) == HoleState::accepted);

@@ -340,7 +340,8 @@ TEST(GeneralSolver, RefusesWhatHoldsNothingToFactor) {
       system.times = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(zero * v); };
       system.matrix = system.nearby = [&] { return zero; };
       Eigen::VectorXd x;
-      EXPECT_FALSE(solver->solve(system, Eigen::VectorXd::Ones(size), x).solved) << static_cast<int>(kind);
+      EXPECT_FALSE(solver->solve(system, Eigen::VectorXd::Ones(size), x).solved)
+          << static_cast<int>(kind) << ", " << size;
     }
   }
 }

@@ -115,9 +115,10 @@ int run_blend(const BlendCommand& command) {
   if (!command.words.quiet) {
     std::FILE* out = command.words.report == "-" ? stderr : stdout;
     print_summary(out, command, loops, result, seconds);
+    print_reason(out, result.reason);
     print_losses(out, command.output, losses);
   }
-  return exit_done;
+  return result.status == LoopStatus::doubtful ? exit_loops_failed : exit_done;
 }
 
 }  // namespace loopmend

@@ -38,6 +38,7 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
                evolved.patch.free_count, to_string(evolved.status), method_name(evolved.method, evolved.flow).c_str(),
                evolved.steps, evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
                evolved.message.c_str(), command.output.c_str(), seconds);
+  print_reason(out, evolved.reason);
 }
 
 }  // namespace

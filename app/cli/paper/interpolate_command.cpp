@@ -57,6 +57,7 @@ int run_interpolate(const InterpolateCommand& command) {
         result.fixed_count, evolved.patch.free_count, to_string(evolved.status),
         method_name(evolved.method, evolved.flow).c_str(), evolved.steps, evolved.energy.initial, evolved.energy.final,
         evolved.message.empty() ? "" : ", ", evolved.message.c_str(), command.output.c_str(), seconds);
+    print_reason(out, evolved.reason);
     print_losses(out, command.output, losses);
   }
   return exit_done;

@@ -84,6 +84,7 @@ void add_compare(CLI::App& app, CompareCommand& command) {
       "--open", [&command] { command.rim = PolyhedronRim::smooth; }, "With --subdivide: take an open polyhedron");
   command.words.boundary = "exact";  // the flows themselves are compared
   add_flow_options(*compare, command.words, DensityOption::offer);
+  compare->get_option("--boundary")->check(CLI::IsMember({"exact", "robust"}));
   compare->remove_option(compare->get_option("--flow"));
   compare->remove_option(compare->get_option("--ascii"));
   compare->footer(
