@@ -59,5 +59,18 @@ TEST_F(AddressSpace, AFillWorksOrSaysWhatIsMissing) {
   }
 }
 
+TEST_F(AddressSpace, OtherCommandsThatSolveEndToo) {
+  if (std::string(LOOPMEND_SANITIZERS) != "") GTEST_SKIP() << "sanitizers need terabytes of address space";
+  write_mesh(work / "scan.ply", make_icosphere(3));
+  for (const int megabytes : {400, 500, 520, 600, 3000}) {
+    const int code =
+        run("evolve " + path("scan.ply") + "-o " + path("out.ply") + "--where 'z>0.7' --boundary exact", megabytes);
+    EXPECT_THAT(code, AnyOf(0, 5)) << megabytes;
+    if (megabytes == 3000) {
+      EXPECT_EQ(code, 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace loopmend
