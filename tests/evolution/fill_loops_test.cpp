@@ -147,6 +147,26 @@ TEST(FillLoops, ALoopThatCannotBeFilledSaysSoAndTheOthersAreFilled) {
   EXPECT_EQ(find_boundary_loops(model).size(), 1u);
 }
 
+/// A loop that does not exist makes the engine throw; it must not take the neighbour of its own group with it.
+TEST(FillLoops, AFaultInOneLoopLeavesItsNeighbourFilled) {
+  const SurfaceModel scan = holey_sphere();
+  const std::vector<BoundaryLoop> holes = holes_of(scan);
+  for (const std::vector<int>& group : group_loops(scan, holes)) {
+    if (group.size() < 2) continue;
+    std::vector<BoundaryLoop> loops{holes[group[0]], holes[group[1]]};
+    std::reverse(loops[1].vertices.begin(), loops[1].vertices.end());  // the wrong way round: no boundary edge
+    SurfaceModel model = scan;
+    const std::vector<LoopResult> results = fill_loops(model, loops, {}, nullptr, {});
+    ASSERT_EQ(results.size(), 2u);
+    EXPECT_TRUE(is_filled(results[0].status)) << results[0].message;
+    EXPECT_EQ(results[1].status, LoopStatus::failed);
+    EXPECT_FALSE(results[1].message.empty());
+    EXPECT_TRUE(results[1].method.empty());
+    return;
+  }
+  FAIL() << "no two loops belong together";
+}
+
 TEST(FillLoops, PatchesThatWouldCutEachOtherAreNotBothPasted) {
   // Two open spheres so close that the missing caps, put back, would overlap.
   const auto open_half = [](double shift, double sign) {
