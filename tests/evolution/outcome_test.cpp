@@ -69,6 +69,19 @@ TEST(Outcome, ARegionOfOneVertexKeepsIt) {
     }
 }
 
+/// Between the flow and robust fairing the message on vertices that were left out was lost.
+TEST(Outcome, OutliersAreToldOfBetweenTheMethodsToo) {
+  TriangleSoup soup = trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.85; }));
+  for (Vec3& p : soup.points) p *= 1 + 0.12 * relief_of_scans(p);
+  const SurfaceModel clean = make_surface_model(soup);
+  const BoundaryLoop hole = find_boundary_loops(clean).at(0);
+  soup.points[clean.soup_vertex[hole.vertices[5]]] *= 1.01;
+  SurfaceModel model = make_surface_model(soup);
+  const LoopResult result = fill_loops(model, find_boundary_loops(model), {}, nullptr, {}).at(0);
+  EXPECT_EQ(result.method, "mmcvf_and_robust_fairing");
+  EXPECT_EQ(result.message.find("one vertex at the rim stands off"), 0u) << result.message;
+}
+
 TEST(Outcome, ARobustFairingIsNotCalledConverged) {
   TriangleSoup soup = trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.9; }));
   for (Vec3& p : soup.points) p *= 1 + 2 * relief_of_scans(p);
