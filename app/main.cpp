@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend-gui: starts the window.
 #include "core/memory.h"
 #include "document/language.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Holes with pieces of surface inside: `fill --bridge-islands`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The commands of `loopmend`: options as the person gave them, and one function each that does the work.
 #pragma once
 

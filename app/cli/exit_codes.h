@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the exit code of `loopmend` says.
 #pragma once
 

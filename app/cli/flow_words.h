@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options of a flow as words on the command line, shared by the commands that evolve a patch.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ctrl-C: ends the process at once, with nothing half-written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The `loopmend` command line: parses the words, calls one command, turns errors into one line and an exit code.
 #include "commands.h"
 #include "exit_codes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From a path to a surface: reading, and the view in which loops can be walked.
 #pragma once
 

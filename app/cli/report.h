@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON report of `loopmend info` and `loopmend fill`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Version, licence, and on whose work this stands.
 #pragma once
 

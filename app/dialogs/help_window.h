@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The help pages, in a window of their own: a list on the left, the page on the right.
 #pragma once
 

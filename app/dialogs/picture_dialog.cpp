@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "dialogs/picture_dialog.h"
 
 #include "panels/parts.h"

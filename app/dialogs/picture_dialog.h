@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A picture to save or copy: how large, on which ground, with what in it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "dialogs/preferences_dialog.h"
 
 #include "panels/look_panel.h"

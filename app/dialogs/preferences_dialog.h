@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Language, colours, memory, recovery. Every change counts at once; Cancel is closing and choosing again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All keys on one sheet, made from the actions themselves, so that it cannot be wrong.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The undoable changes of a document. Each knows how much memory only it may hold, and can let go of it.
 #pragma once
 

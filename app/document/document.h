@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is open: scans, their loops, the patches made so far. Changes come through the undo commands and the workbench.
 #pragma once
 

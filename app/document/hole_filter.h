@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The holes table sorted and narrowed down to what a person wants to see.
 #pragma once
 

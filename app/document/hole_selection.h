@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which loops are selected and which one the mouse is over; shared by table, view and panels.
 #pragma once
 

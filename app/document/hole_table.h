@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The holes as a table: one row per boundary loop of the document; row and loop index are the same.
 #pragma once
 

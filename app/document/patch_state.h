@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One accepted state of one patch, with all that is shown of it. Immutable: states are shared between document, undo
 // stack, timeline, worker and view.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a person has chosen once and for all. Kept in the user's configuration.
 #pragma once
 

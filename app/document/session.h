@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A session in a file: which scans are open, every patch as it is, and how it was looked at. Scans stay in their own files;
 // surfaces that were made here are stored whole.
 #pragma once

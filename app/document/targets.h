@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a button would act on: the selection, or everything when nothing is selected.
 #pragma once
 

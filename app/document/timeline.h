@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Recorded states of a patch: appending, going back, staying within a memory budget.
 #pragma once
 

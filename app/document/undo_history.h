@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What can be taken back: an undo stack that keeps within a memory budget by forgetting its oldest changes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A copy of the session that survives a crash: written a while after each change, removed when the window closes well.
 #pragma once
 

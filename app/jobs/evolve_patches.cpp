@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/evolve_patches.h"
 
 #include "jobs/state_making.h"

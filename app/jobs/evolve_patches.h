@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Flows on open patches, off the window's thread.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/fill_holes.h"
 
 #include "document/timeline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // G0 fillers for chosen loops, off the window's thread.
 #pragma once
 

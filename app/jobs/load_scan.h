@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opening a scan, off the window's thread: read, see, find loops, colour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run has reached so far: the worker records every accepted state, the window takes the newest when it has time.
 // Draws coalesce (latest wins), records do not get lost. Outlives the worker, so that a cancelled run keeps its states.
 #pragma once

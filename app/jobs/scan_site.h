@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the tests for cuts read of a scan: made by the first worker that needs it, then shared.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/state_making.h"
 
 #include "analysis/curvature_field.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From an engine's patch to a state that can be shown.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One patch to its steady state, as `loopmend fill` does it: same tests, same fallbacks, same result.
 #pragma once
 

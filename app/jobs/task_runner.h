@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worker threads, one per job. A job that was given up goes on to its next look at the token, unseen; the window does
 // not wait for it.
 #pragma once

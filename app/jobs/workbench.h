@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one place where a wish of the person becomes a job, and a job's outcome becomes a change of the document.
 #pragma once
 

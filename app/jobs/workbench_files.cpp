@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The workbench's dealings with files: scans, sessions, exports.
 #include "document/timeline.h"
 #include "document/words.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A line over the top of the picture that says what went wrong, or right. It stops nothing, and moves nothing.
 #pragma once
 

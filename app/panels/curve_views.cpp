@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/curve_views.h"
 
 #include "analysis/section_profile.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The inspect dock's plots: how a run went, and how H runs through the seam.
 #pragma once
 

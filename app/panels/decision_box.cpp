@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/decision_box.h"
 
 #include "document/problem_commands.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Third part of the patch dock: look back along the run, then keep the patch or throw it away.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/fill_box.h"
 
 #include "document/targets.h"

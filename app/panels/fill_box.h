@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // First part of the patch dock: close holes by a first patch, of a chosen density.
 #pragma once
 

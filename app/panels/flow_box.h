@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Second part of the patch dock: which flow, how large a step; step, run, straight to rest.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws a row of the holes table: a dot for the state, a soft band for the row under the mouse.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The left dock: every boundary loop as a row; rows and loops in the view light up together.
 #pragma once
 

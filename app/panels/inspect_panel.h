@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The bottom dock: the seam before and after in numbers and a sentence, how the run went, H across the seam, a log.
 #pragma once
 

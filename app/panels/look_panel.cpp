@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/look_panel.h"
 
 #include "panels/choices.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The dock beside the patch dock: shading, colours and their range, overlays.
 #pragma once
 

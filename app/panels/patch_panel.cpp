@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/patch_panel.h"
 
 #include "document/hole_selection.h"

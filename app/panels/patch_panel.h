@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The right dock: fill, smooth by a flow, look back and decide.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A plot in the palette's colours, quiet and readable; what the inspect dock's two plots share.
 #pragma once
 

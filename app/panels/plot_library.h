@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // QCustomPlot, which uses Qt's keywords: given to it here, and taken away again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Last part of the patch dock: what runs, how far it is, its figures, and the way out.
 #pragma once
 

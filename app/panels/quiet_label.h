@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Text that explains without shouting: the palette's text colour, moved towards the background.
 #pragma once
 

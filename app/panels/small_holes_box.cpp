@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/small_holes_box.h"
 
 #include "panels/parts.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "Fill all up to ...": closes every hole below a size in one go, and says before how many that are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The line at the bottom: what runs, and its figures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Light, dark, or as the system has it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A VTK render window that needs no display: an EGL context without a surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The legend of the colours: title, bar, five numbers, what the two ends mean.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the surfaces are shown and from where, as a person has chosen it. Plain values: the panel edits them, the view
 // follows them, a session keeps them.
 #pragma once

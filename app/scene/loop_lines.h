@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Boundary loops as clear lines over the surface: a coloured core in a pale casing, so that they read on any colour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that is drawn in the view: the scan, the patches, the loops, the legend. One renderer, no window.
 #pragma once
 

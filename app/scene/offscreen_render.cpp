@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/offscreen_render.h"
 
 #include "analysis/curvature_field.h"

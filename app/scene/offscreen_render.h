@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of surfaces without a window and without a display.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/patch_batch.h"
 
 #include <vtkActor.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Many small patches drawn as one surface: thousands of actors would take longer to draw than the scan itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How a surface is shaded, and the words for it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One surface in the scene, the scan or a patch: arrays in, an actor with our own lighting out.
 #pragma once
 

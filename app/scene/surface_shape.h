@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A surface as the scene draws it: plain float arrays that a worker fills and the graphics take over without a copy.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From where to look at a surface, and where to stand to see all of it.
 #pragma once
 

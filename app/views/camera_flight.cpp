@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/camera_flight.h"
 
 #include <vtkCamera.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Moves a camera smoothly from where it is to where it should be.
 #pragma once
 

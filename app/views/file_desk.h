@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything about files: opening, sessions, exports, pictures, recent files, and the questions before work is lost.
 // Questions are asked in place, by the banner; only choosing a file takes a dialog.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which loop is under the mouse: nearest projected segment, if it is not hidden behind the surface.
 #pragma once
 

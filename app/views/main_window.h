@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one window. It only wires: parts live in panels, views, dialogs, jobs and document.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the window's actions do, and when they can be done.
 #include "views/main_window.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The picture in the middle: shows the document, finds the loop under the mouse, turns, flies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Private to MeshView: what its two source files share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/mesh_view_impl.h"
 
 #include "scene/view_direction.h"

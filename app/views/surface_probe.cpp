@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/surface_probe.h"
 
 #include "document/words.h"

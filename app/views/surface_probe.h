@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which vertex lies under a point of the picture, and what is known there.
 #pragma once
 

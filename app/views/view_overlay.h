@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A transparent sheet over the picture: the loop under the mouse, a probed point, the axes, the scale bar.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything the window can be asked to do: names, keys, menus, toolbar, in one table.
 #pragma once
 

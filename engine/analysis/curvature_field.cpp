@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/curvature_field.h"
 
 #include "mesh/mesh_arrays.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curvature and normals at every vertex, for colouring and shading.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/one_sided_fit.h"
 
 #include <Eigen/Geometry>

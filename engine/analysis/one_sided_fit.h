@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Normal and mean curvature at a vertex from one side of a seam only.
 #pragma once
 

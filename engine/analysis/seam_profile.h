@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Mean curvature along a section across a seam, each side by itself, so that a jump shows as a jump (paper Fig. 5.5, 5.6).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The seam in numbers: do tangent and curvature run through it? The position does by construction: a patch has no boundary
 // vertices of its own, it joins those of the boundary loop.
 #pragma once

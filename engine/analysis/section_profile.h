@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A plane cut across a patch and its surroundings: how a quantity runs through the seam.
 #pragma once
 

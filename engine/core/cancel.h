@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cancellation: a flag that the person's side sets and long work reads.
 #pragma once
 

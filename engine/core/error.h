@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Typed errors: wrong input throws one of these. Numerical outcomes and cancellation are values, never exceptions.
 #pragma once
 

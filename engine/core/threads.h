@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // When loops over vertices are worth several threads, and two pieces of work side by side.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "energy/curvature_energy.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The energies that the flows descend, and the derivative of H along normal displacements.
 #pragma once
 

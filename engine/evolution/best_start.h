@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which starts of the way to the steady state are tried, and which result is the best.
 #pragma once
 

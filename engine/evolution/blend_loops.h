@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Joining loops by one fair patch from end to end: bridge, evolution, checks, paste. What `loopmend blend` calls.
 #pragma once
 

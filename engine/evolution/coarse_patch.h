@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A coarse copy of a large patch, and the way back: most of the way to the steady state costs little on few vertices.
 #pragma once
 

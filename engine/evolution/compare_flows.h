@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The four flows from one start (paper Fig. 5.5, 5.6). What `loopmend compare` calls.
 #pragma once
 

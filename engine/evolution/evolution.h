@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The evolution of one patch under one flow: a start in, accepted states out.
 #pragma once
 

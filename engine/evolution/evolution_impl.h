@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What an Evolution holds and how it steps: the plan in evolution.cpp, the starts in evolution_starts.cpp, Gauss-Newton in
 // evolution_newton.cpp. For these alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/threads.h"
 #include "evolution/evolution_impl.h"
 #include "evolution/stopwatch.h"

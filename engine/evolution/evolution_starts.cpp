@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/threads.h"
 #include "evolution/coarse_patch.h"
 #include "evolution/evolution_impl.h"

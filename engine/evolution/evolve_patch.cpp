@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/evolve_patch.h"
 
 #include "evolution/best_start.h"

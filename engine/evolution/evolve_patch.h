@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One patch from start to steady state, for problems without a hole: points to interpolate, regions of a surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Filling the loops of a model from end to end: fillers, evolution, checks, paste. What `loopmend fill` and the
 // window's "Fill" call.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Point interpolation from end to end. What `loopmend interpolate` calls.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/linear_start.h"
 
 #include "evolution/mesh_care.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The start of the way to the steady state: linear third-order fairing, which large openings need (NUMERICS §7, §10).
 #pragma once
 

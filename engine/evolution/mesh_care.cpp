@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/mesh_care.h"
 
 #include "filling/patch_remesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keeping the triangles of an evolving patch good: normal motion alone squeezes them.
 #pragma once
 

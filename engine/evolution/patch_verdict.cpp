@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/patch_verdict.h"
 
 #include "mesh/mesh_arrays.h"

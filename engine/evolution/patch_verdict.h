@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Is a patch fit to be pasted? Folds, and cuts with itself or with any part of the model.
 #pragma once
 

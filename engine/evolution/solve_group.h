@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One group of loops from filler to finished patch.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One state of the evolution: a patch with everything that the acceptance test and the next step need to know of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From two or more loops to the G0 patch that joins them: topology, guarded remeshing, one or two relaxations.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Strips between two loops.
 #include "filling/bridge_topology.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How several loops are joined, before any new vertex: triangles over the loops' own vertices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces from one sparse solve: as fillers, and as starts of the flow.
 #pragma once
 

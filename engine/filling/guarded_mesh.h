@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A patch that is being remeshed under guard: no operation may fold it, none may touch its rim.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From a boundary loop to the G0 filler: triangulate, refine to the density of the surroundings, remesh, relax.
 #pragma once
 

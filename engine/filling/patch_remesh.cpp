@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/patch_remesh.h"
 
 #include "filling/size_field.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Remeshing the interior of a patch: one round of it, and the way out of a Patch into a GuardedMesh and back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/size_field.h"
 
 #include <boost/geometry.hpp>

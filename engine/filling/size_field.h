@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Target edge length over a patch: that of its rim, interpolated by inverse distance, by the density.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Point interpolation (paper §5, Fig. 5.4): a polyhedron with its faces subdivided, the vertices to be interpolated fixed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/triangulate_loop.h"
 
 #include "filling/least_folded.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The first triangulation of a loop: no new vertices, n − 2 triangles.
 #pragma once
 

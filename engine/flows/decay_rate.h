@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The slowest decay rate of a flow on a patch: the unit in which time steps are measured.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The four flows as lists of terms, each split into a part at the new time level and a frozen part (paper §4).
 #pragma once
 

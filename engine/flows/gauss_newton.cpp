@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "flows/gauss_newton.h"
 
 #include "core/threads.h"

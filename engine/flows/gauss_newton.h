@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The steady state by Gauss-Newton on the curvature energy: the same energy and weights as the flow, symmetric.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "flows/symmetric_part.h"
 
 #include "core/threads.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A symmetric matrix near the Jacobian of each flow, to precondition its step with.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that appear whole or not at all: one by itself, or all that a command writes together.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A whole file in memory, and the guess what kind of mesh it holds.
 #pragma once
 

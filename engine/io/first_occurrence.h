@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds things that were seen before: a hash table of indices, small and without an allocation per entry.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sentences of the parsers: one place for the words, so that all formats complain alike. Every function throws.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The header of a PLY file: which elements follow, how many, and what each row holds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The body of a PLY file, value by value: one source for text and one for both binaries, with the same functions.
 #pragma once
 

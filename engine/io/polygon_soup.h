@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the parsers of the four formats hand over: points and polygons exactly as the file holds them.
 #pragma once
 

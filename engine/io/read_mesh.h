@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reading PLY, STL, OBJ and OFF into a validated triangle soup. All of a file, or an error.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Walking through the text of a mesh file: lines, tokens, numbers. Independent of the locale; cannot run past the end.
 #pragma once
 

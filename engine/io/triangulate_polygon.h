@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One polygon of a file into triangles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writing PLY, STL, OBJ and OFF, each atomically: the whole file under its name, or nothing new.
 #pragma once
 

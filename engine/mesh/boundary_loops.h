@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary loops of a surface: what a person sees as holes and rims.
 #pragma once
 

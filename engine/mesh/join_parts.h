@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Several surfaces in one model, so that a patch can join loops of different files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a boundary loop lies, which way it turns, and which way the surface would go on beyond it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a soup orientable and manifold by turning faces and splitting vertices (through CGAL).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Patch: the part of a surface that evolves, with the rings of fixed vertices around it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pieces of a surface that do not hang together, and which of them lie as islands in a hole of another.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Figures that tell whether a triangulation is fit to compute on: angles, folds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A region of a surface as a patch: its vertices free, its surroundings fixed (paper §5, Fig. 5.6).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which triangles cut each other (exact predicates, through CGAL).
 #pragma once
 

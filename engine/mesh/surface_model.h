@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The opened surface: the soup as read, and a manifold, oriented halfedge view of it in which loops can be walked.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // TriMesh: OpenMesh's halfedge triangle mesh with double coordinates held as Eigen vectors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A surface as a file holds it: points and triangles by index. This is what is read, and what is written back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bᵀ Q B of sparse factors: the matrix of every Gauss-Newton step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/local_fit.h"
 
 #include "mesh/quality.h"

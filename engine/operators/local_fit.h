@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Local quadratic fit at one vertex, and the operator weights that follow from it (paper §4, after its reference [18]).
 #pragma once
 

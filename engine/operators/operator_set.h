@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The operators ∇, ◇, Δ and the curvatures H, K at many vertices at once, in flat arrays, and their sparse assembly.
 #pragma once
 

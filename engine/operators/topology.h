@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Who is next to whom: one-rings of vertices and faces in flat arrays, built once for a connectivity.
 #pragma once
 

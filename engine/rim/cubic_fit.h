@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A cubic height field over the neighbourhood of one vertex, with outliers weighted down, and how far it can be believed.
 #pragma once
 

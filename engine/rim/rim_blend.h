@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The patch for rough surroundings: linear fairing of blended order that believes each rim vertex as far as it deserves.
 #pragma once
 

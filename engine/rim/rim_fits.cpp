@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/rim_fits.h"
 
 #include "rim/cubic_fit.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Normal, H and ∇H of the surroundings along a loop, each with its uncertainty.
 #pragma once
 

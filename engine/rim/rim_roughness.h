@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How rough the surroundings of a patch are, told from the surroundings alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bad triangles at the rim of a hole: finding them, and taking them away where a person asks for it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/white_noise.h"
 
 #include "filling/fairing.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Surroundings under white noise: a problem without the noise, and its answer carried back to the surroundings as they are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes of surfaces whose answer is known, for tests, benches and the paper's figures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cutting pieces out of a mesh, and tidying what the cut leaves.
 #include "samples/analytic_surfaces.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples/paper_inputs.h"
 
 #include "samples/analytic_surfaces.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs of the paper's section 5, made by our own code; sizes as near to Table 5.1 as the meshes allow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random numbers whose bits are the same on every platform (PCG-XSH-RR 64/32, O'Neill 2014). The standard's engines are
 // portable, its distributions are not.
 #pragma once

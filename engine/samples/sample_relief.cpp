@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The shape of the sample: a dome with soft bumps, a sleeping face. Only +, −, ×, ÷ are used, so that the heights do not
 // depend on anybody's mathematical library.
 #include "samples/sample_scan.h"

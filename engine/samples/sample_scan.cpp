@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the relief is scanned: points as dense as a scanner's, a Delaunay mesh, noise, holes.
 //
 // The same bits everywhere: basic arithmetic and square roots only, exact predicates, triangles in a canonical order,

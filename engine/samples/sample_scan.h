@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The embedded sample: a scan-like relief that our own code makes, so that a first run needs no download.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/dissection.h"
 #include "solvers/factoring.h"
 #include "solvers/halved_cholesky.h"

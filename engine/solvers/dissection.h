@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Nested dissection: an order of elimination in which two halves of a matrix know nothing of each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solvers/factoring.h"
 #include "solvers/gmres.h"
 #include "solvers/linear_solver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sparse Cholesky by two threads. For the .cpp files of this folder alone.
 #pragma once
 

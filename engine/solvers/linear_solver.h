@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sparse linear systems behind one small interface. Backends (CHOLMOD, UMFPACK, GMRES) stay inside the .cpp file.
 #pragma once
 

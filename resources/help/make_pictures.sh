@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of the help pages from the real window, so that they stay true; and, for people to judge, all of
 # them light and dark, at once and twice the size.
 # Usage: resources/help/make_pictures.sh BUILD SCAN [FOLDER]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Keeps the translations in step with the sources.
 
 Run it after strings have changed: it calls lupdate, fills loopmend_de.ts from german.json, writes the English plurals,

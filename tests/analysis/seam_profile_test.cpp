@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/seam_profile.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend_accuracy: how close fillings come to surfaces that are known, ours and those of the programs used instead.
 // Distances in 1e-3 of the hole's diameter. One call, default settings.
 #include "accuracy_problems.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The problems of the accuracy table: analytic surfaces with pieces cut out, and what must be reached on each.
 #pragma once
 

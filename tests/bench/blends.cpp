@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend_blends: random sets of tubes joined by default settings, their seams under refinement, and ring-shaped gaps.
 #include "analysis/seam_profile.h"
 #include "evolution/blend_loops.h"

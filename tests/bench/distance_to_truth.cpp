@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far patches lie from a surface that is known: fills each hole of SCAN by itself with the default settings and
 // prints the distance of the new vertices to TRUTH, in units of the hole's diameter.
 #include "evolution/fill_loops.h"

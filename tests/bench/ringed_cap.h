@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Patches with an exact number of free vertices, made without any filler: rings of vertices on a cap of the unit sphere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "rough_problem.h"
 
 #include "evolution/patch_verdict.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces cut out of real scans, and noisy surfaces: what a rim that is not smooth does to a filling.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend_rough_rims: pieces cut out of real scans are filled, by us and by others; who comes closest to what was there?
 #include "filling_result.h"
 #include "peers.h"

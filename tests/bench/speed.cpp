@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend_speed: how long forming, factoring, solving, a step, the steady state and a whole fill take, for the sizes of
 // the paper's Table 5.1 and from 10 thousand free vertices on; beside CGAL's fairing of the same patch and its whole call
 // on the same hole. The arguments are those of Google Benchmark (--benchmark_filter, --benchmark_out), and:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of the speed bench: times by size, ratios to CGAL, growth exponents.
 #pragma once
 

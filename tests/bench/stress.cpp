@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend-stress: hundreds of random hole problems, default settings; which share is filled validly, and why not.
 #include "filling_result.h"
 #include "io/write_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tube_sets.h"
 
 #include "samples/random.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random sets of tubes to be blended, each made from one seed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs `loopmend` as a person or a script would.
 #pragma once
 

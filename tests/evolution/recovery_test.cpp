@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Constant-mean-curvature surfaces come back exactly, up to the discretisation, however large the opening.
 #include "bench/problems/known_surfaces.h"
 #include "mesh/quality.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "flows/flow_terms.h"
 
 #include "energy/curvature_energy.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The symmetric matrices that precondition the steps: their factors must make few iterations of many.
 #include "evolution/state.h"
 #include "flows/decay_rate.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drives the real window as a person would; shared by the GUI tests and the screenshot tool.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a person meets beside the stories: looks, probes, pictures, filters, help, words on every control; and how long
 // the window stands still.
 #include "driver.h"

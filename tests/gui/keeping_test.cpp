@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What outlasts the moment: preferences, recent files, saving before the window closes, how a session was looked at; and
 // what becomes of a fill where the flow must give way.
 #include "driver.h"

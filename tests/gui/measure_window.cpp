@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Figures that issue after issue asks of the window, on this machine: measure_window DRAGON [BUNNY] [WHAT...]
 // WHAT: opening (and hovering), gaps (on BUNNY), memory, flow (18 000 triangles in a scan of a million), compare (four flows on a patch of
 // 20 000); all of them without it. Run by hand: none of it is a test.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures without a display. The test is started with DISPLAY unset.
 #include "driver.h"
 

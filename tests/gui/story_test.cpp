@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole stories, told to the real window by mouse and keyboard: fill one hole by eye; fill all small holes of a scan;
 // crash and recover; the same by a script; another day; several scans.
 #include "driver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Takes pictures of the real window, for people to judge and for the help pages: take_screenshots FILE FOLDER [light|dark [de]]
 // Twice the size: QT_SCALE_FACTOR=2. See resources/help/make_pictures.sh.
 #include "driver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The real window, driven by mouse and keyboard under a virtual screen.
 #include "driver.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Who may know whom: checks every #include under ROOT/engine and ROOT/app, and names each line that breaks a rule.
 # Usage: check_includes.sh ROOT
 # Exit code: 0 all well, 1 rules broken, 2 nothing to check there.

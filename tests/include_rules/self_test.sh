@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The check must name exactly the lines of the fixture that are marked "broken", and pass the rest.
 set -euo pipefail
 

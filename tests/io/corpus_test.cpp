@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The shared corpus of hostile and odd files, and the example meshes: the outcome of each, looked at one by one. The
 // files stay where they are (LOOPMEND_SHARED_DIR); without that folder these tests are skipped.
 #include "io_test_support.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files cut off at every byte, and files with bytes changed: an error or a valid mesh, never a crash, never a part.
 #include "io/write_mesh.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the tests of engine/io share: a folder that vanishes, small meshes, and "this file must be refused like so".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Telling the format, and files that are no mesh at all.
 #include "io_test_support.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // OBJ: indices of all kinds, colours, continuations, what is left out, and each way of being broken.
 #include "io_test_support.h"
 

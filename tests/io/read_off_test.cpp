@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // OFF: header variants, colours, and each way of being broken.
 #include "io_test_support.h"
 

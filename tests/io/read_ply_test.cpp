@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PLY: text and both binaries, all number types, colours, and each way of being broken.
 #include "io_test_support.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // STL: text and binary, welding of corners, and each way of being broken.
 #include "io_test_support.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines, tokens and numbers of mesh text.
 #include "io/text_cursor.h"
 

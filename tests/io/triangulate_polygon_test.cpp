@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Polygons into triangles: inside the polygon, oriented like it, always size - 2 of them.
 #include "io/triangulate_polygon.h"
 

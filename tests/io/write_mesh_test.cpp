@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writing, and reading back the same bits.
 #include "io/write_mesh.h"
 

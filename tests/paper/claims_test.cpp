@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's claims (section 5). Inputs are those of samples/paper_inputs.h.
 #include "evolution/compare_flows.h"
 #include "evolution/fill_loops.h"

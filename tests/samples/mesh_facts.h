@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Facts about a mesh that a test can state, counted directly from the triangles and without the engine's help.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples/paper_inputs.h"
 
 #include "mesh/boundary_loops.h"

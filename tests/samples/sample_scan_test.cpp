@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples/sample_scan.h"
 
 #include "mesh_facts.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of tubes to be blended, which several tests share.
 #pragma once
 

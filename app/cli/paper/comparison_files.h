@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a comparison of flows leaves in a folder: meshes, one picture, the profile as CSV and plot, tables.
 #pragma once
 

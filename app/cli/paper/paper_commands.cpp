@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper_commands.h"
 
 #include <CLI/CLI.hpp>

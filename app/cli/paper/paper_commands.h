@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The commands for the paper's other problems: blend, interpolate, evolve, compare, reproduce.
 #pragma once
 

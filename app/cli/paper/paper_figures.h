@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's experiments (section 5), each from its input to its numbers. No files, no pictures.
 #pragma once
 

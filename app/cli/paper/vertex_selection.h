@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices named in a file, or by a condition on a number that each of them has.
 #pragma once
 

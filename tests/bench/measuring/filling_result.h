@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a program made of a hole problem, and how good it is: the same figures for everybody.
 #pragma once
 

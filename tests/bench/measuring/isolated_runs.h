@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs jobs in processes of their own, so that a crash or an endless loop costs one job and no more.
 #pragma once
 

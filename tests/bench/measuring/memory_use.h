@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory of this process, from /proc. 0 where that cannot be read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The programs that people use instead, run on the same holes. CGAL stays in its own .cpp file.
 #pragma once
 

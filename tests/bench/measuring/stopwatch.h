@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One clock for all: ours and the peers' times must be comparable.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of results, as Markdown for people and as CSV for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A surface with a piece cut out, and the truth about that piece.
 #pragma once
 

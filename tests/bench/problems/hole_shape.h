@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines of holes in the plane, to be laid onto surfaces.
 #pragma once
 

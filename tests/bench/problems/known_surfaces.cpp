@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "known_surfaces.h"
 
 #include "profile_curve.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces whose every point is known: as a mesh, and as the nearest point to any place. Lengths in the surface's own unit.
 #pragma once
 

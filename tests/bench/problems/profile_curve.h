@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Profiles of surfaces of revolution, parametrised by arc length.
 #pragma once
 

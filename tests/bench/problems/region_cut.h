@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts one disc-shaped piece out of a mesh, by growing a region over its edges.
 #pragma once
 

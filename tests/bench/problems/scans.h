@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The shared scans, made fit to be cut: one component, oriented, rims trimmed.
 #pragma once
 
