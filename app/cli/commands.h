@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/error.h"
-#include "evolution/fill_loops.h"
+#include "pipeline/fill_holes.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "progress_line.h"
@@ -42,7 +42,6 @@ struct FillCommand {
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
-  enum class Islands { leave, bridge } islands = Islands::leave;  ///< pieces of surface within a hole
   FillOptions fill;
   int trim_rounds = 0;  ///< rings of bad rim triangles to be removed first, 0..100
   std::string report;   ///< file or "-"; empty: none

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge_islands.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "loop_selection.h"
@@ -9,6 +8,8 @@
 
 #include "core/version.h"
 #include "io/atomic_file.h"
+#include "mesh/pieces.h"
+#include "pipeline/paste.h"
 #include "rim/trim_rim.h"
 
 #include <sys/resource.h>
@@ -17,7 +18,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <map>
 
 namespace loopmend {
@@ -30,20 +30,6 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-/// Points bit for bit, triangles in their order; `turned` triangles may have changed their sense, as the import says.
-bool starts_with(const TriangleSoup& result, const TriangleSoup& input, std::size_t turned) {
-  if (result.points.size() < input.points.size() || result.triangles.size() < input.triangles.size()) return false;
-  if (std::memcmp(result.points.data(), input.points.data(), input.points.size() * sizeof(Vec3)) != 0) return false;
-  std::size_t found_turned = 0;
-  for (std::size_t f = 0; f < input.triangles.size(); ++f) {
-    if (result.triangles[f] == input.triangles[f]) continue;
-    const Triangle& t = input.triangles[f];
-    if (result.triangles[f] != Triangle{t[0], t[2], t[1]}) return false;
-    ++found_turned;
-  }
-  return found_turned == turned;
-}
-
 /// "0.1234 -> 0.0056", or a dash where the surface has too few vertices to measure it.
 std::string before_and_after(double before, double after) {
   char text[64];
@@ -53,11 +39,11 @@ std::string before_and_after(double before, double after) {
 }
 
 /// Why flows were not run as asked, each reason once with its loops.
-void print_reasons(std::FILE* out, const std::vector<LoopResult>& results) {
+void print_reasons(std::FILE* out, const std::vector<HoleResult>& results) {
   constexpr std::size_t most_numbers = 12;
   std::map<std::string, std::vector<int>> loops_of;
-  for (const LoopResult& r : results)
-    if (!r.reason.empty()) loops_of[r.method + ": " + r.reason].push_back(r.loop.number);
+  for (const HoleResult& r : results)
+    if (!r.reason().empty()) loops_of[r.method() + ": " + r.reason()].push_back(r.loop.number);
   for (const auto& [reason, numbers] : loops_of) {
     std::string list;
     for (std::size_t k = 0; k < std::min(numbers.size(), most_numbers); ++k)
@@ -80,13 +66,13 @@ struct Outcome {
   int exit_code() const { return failed > 0 || doubtful > 0 || in_vain() ? exit_loops_failed : exit_done; }
 };
 
-Outcome outcome_of(const std::vector<LoopResult>& results, const std::vector<LoopChoice>& choices) {
+Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<LoopChoice>& choices) {
   Outcome outcome;
   for (std::size_t k = 0; k < results.size(); ++k) {
     outcome.filled += is_filled(results[k].status);
-    outcome.failed += results[k].status == LoopStatus::failed;
-    outcome.doubtful += results[k].status == LoopStatus::doubtful;
-    if (results[k].status != LoopStatus::skipped) continue;
+    outcome.failed += results[k].status == PatchStatus::failed;
+    outcome.doubtful += results[k].status == PatchStatus::doubtful;
+    if (results[k].status != PatchStatus::skipped) continue;
     const bool no_hole = choices[k].left == LoopChoice::Left::no_hole;
     ++(no_hole ? outcome.no_hole : outcome.left);
     outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_rim);
@@ -111,20 +97,20 @@ void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<B
 }
 
 /// One line for each loop that is worth a line: all when there are few, else only those that went wrong.
-void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const Outcome& outcome,
+void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const Outcome& outcome,
                    const FillCommand& command, double seconds) {
   const bool all = results.size() <= 40;
   std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
                "method", "angle at seam, deg", "jump of H x diameter");
-  for (const LoopResult& r : results) {
+  for (const HoleResult& r : results) {
     if (!all && is_filled(r.status) && r.message.empty()) continue;
-    std::fprintf(out, "%5d  %6d  %6d  %5d  %-10s", r.loop.number, r.loop.edges(), r.free_vertices, r.steps,
+    std::fprintf(out, "%5d  %6d  %6d  %5d  %-10s", r.loop.number, r.loop.edges(), r.free_vertices, r.steps(),
                  to_string(r.status));
     if (is_filled(r.status))
-      std::fprintf(
-          out, "  %-24s  %20s  %20s", r.method.c_str(),
-          before_and_after(r.seam_before.g1_rms_deg, r.seam_after.g1_rms_deg).c_str(),
-          before_and_after(r.seam_before.h_jump_rms_times_diameter, r.seam_after.h_jump_rms_times_diameter).c_str());
+      std::fprintf(out, "  %-24s  %20s  %20s", r.method().c_str(),
+                   before_and_after(r.seam_before().g1_rms_deg, r.seam_after().g1_rms_deg).c_str(),
+                   before_and_after(r.seam_before().h_jump_rms_times_diameter, r.seam_after().h_jump_rms_times_diameter)
+                       .c_str());
     std::fprintf(out, "%s%s\n", r.message.empty() ? "" : "  ", r.message.c_str());
   }
   print_reasons(out, results);
@@ -135,20 +121,11 @@ void print_summary(std::FILE* out, const std::vector<LoopResult>& results, const
   std::fprintf(out, "; %s written in %.2f s\n", command.output.c_str(), seconds);
 }
 
-/// The holes that are to be filled and have islands.
-std::vector<HoleWithIslands> places_to_bridge(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                              const std::vector<LoopChoice>& choices, const FillCommand& command) {
-  if (command.islands == FillCommand::Islands::leave) return {};
-  std::vector<HoleWithIslands> places = find_islands(model, loops);
-  std::erase_if(places, [&](const HoleWithIslands& place) { return !choices[place.hole].fill; });
-  return places;
-}
-
 /// Pieces of surface that are covered because nobody asked for anything else.
 std::size_t covered_islands(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                             const std::vector<LoopChoice>& choices, const FillCommand& command) {
   constexpr std::size_t most_loops = 500;  // a remark is not worth a search among thousands
-  if (command.islands == FillCommand::Islands::bridge || loops.size() > most_loops) return 0;
+  if (command.fill.islands == FillOptions::Islands::join || loops.size() > most_loops) return 0;
   std::size_t count = 0;
   for (const HoleWithIslands& place : find_islands(model, loops))
     if (choices[place.hole].fill) count += place.islands.size();
@@ -156,44 +133,24 @@ std::size_t covered_islands(const SurfaceModel& model, const std::vector<Boundar
 }
 
 /// The selected loops are worked on; the others get a result that says they were left.
-std::vector<LoopResult> fill_selected(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+std::vector<HoleResult> fill_selected(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                       const std::vector<LoopChoice>& choices, const FillCommand& command) {
-  const std::vector<HoleWithIslands> places = places_to_bridge(model, loops, choices, command);
-  const std::vector<int> anchors = anchors_of(model, loops);
-  std::vector<char> bridged(loops.size(), 0);
-  for (const HoleWithIslands& place : places) {
-    bridged[place.hole] = 1;
-    for (int island : place.islands) bridged[island] = 1;
-  }
   std::vector<BoundaryLoop> selected;
   for (std::size_t k = 0; k < loops.size(); ++k)
-    if (choices[k].fill && !bridged[k]) selected.push_back(loops[k]);
-  ProgressLine progress(command.verbosity);
-  std::vector<LoopResult> filled;
+    if (choices[k].fill) selected.push_back(loops[k]);
+  std::map<int, HoleResult> filled;
   if (!selected.empty()) {
+    ProgressLine progress(command.verbosity);
     progress.say("filling " + std::to_string(selected.size()) + (selected.size() == 1 ? " loop" : " loops"));
-    filled = fill_loops(
-        model, selected, command.fill,
-        [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); }, CancelToken());
+    const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
+    for (HoleResult& result : fill_holes(model, selected, command.fill, show, CancelToken()))
+      filled[result.loop.number] = std::move(result);
   }
-  std::vector<LoopResult> results;
-  std::size_t next = 0;
+  std::vector<HoleResult> results;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    if (choices[k].fill && !bridged[k]) {
-      results.push_back(std::move(filled[next++]));
-      continue;
-    }
-    LoopResult result;
-    result.loop = loops[k];
-    result.message = choices[k].why_not;
-    results.push_back(std::move(result));
-  }
-  for (const HoleWithIslands& place : places) {
-    progress.say("bridging " + std::to_string(place.islands.size()) +
-                 (place.islands.size() == 1 ? " island" : " islands"));
-    std::vector<LoopResult> joined = bridge_islands(model, loops, anchors, place, command.fill);
-    results[place.hole] = std::move(joined.front());
-    for (std::size_t k = 0; k < place.islands.size(); ++k) results[place.islands[k]] = std::move(joined[k + 1]);
+    const auto done = filled.find(loops[k].number);
+    results.push_back(done != filled.end() ? std::move(done->second)
+                                           : open_hole(loops[k], PatchStatus::skipped, choices[k].why_not));
   }
   return results;
 }
@@ -252,7 +209,7 @@ RimWork trim_chosen(OpenedModel& opened, std::vector<BoundaryLoop>& loops, std::
 }
 
 nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ModelRepairs& repairs,
-                                   const std::vector<LoopResult>& results, const RimWork& rims) {
+                                   const std::vector<HoleResult>& results, const RimWork& rims) {
   nlohmann::ordered_json json;
   json["version"] = version();
   json["command_line"] = command.command_line;
@@ -263,7 +220,7 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
     json["suggestion"] = std::to_string(rims.bad.size()) +
                          " bad triangles at the rims: --trim-rim 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
-  for (const LoopResult& result : results) json["loops"].push_back(loop_json(result));
+  for (const HoleResult& result : results) json["loops"].push_back(loop_json(result));
   return json;
 }
 
@@ -283,9 +240,8 @@ int run_fill(const FillCommand& command) {
   const RimWork rims = trim_chosen(opened, loops, choices, command.trim_rounds);
 
   const std::size_t covered = covered_islands(model, loops, choices, command);
-  const std::vector<LoopResult> results = fill_selected(model, loops, choices, command);
-  const bool unchanged = starts_with(model.soup, opened.as_read, model.repairs.reoriented_faces);
-  if (!unchanged) throw std::logic_error("the surroundings of a patch were changed: nothing was written");
+  const std::vector<HoleResult> results = fill_selected(model, loops, choices, command);
+  check_exterior(opened.as_read, model.soup, model.repairs.reoriented_faces);
   OutputTransaction outputs;
   write_mesh(outputs, command.output, model.soup, command.encoding);
   const OutputLosses losses =
@@ -298,9 +254,7 @@ int run_fill(const FillCommand& command) {
   json["output"] = losses_json(losses);
   json["peak_memory_mb"] = peak_memory_mb();
   json["total_seconds"] = seconds;
-  add_report(outputs, command.report, json);
-  outputs.commit();
-  print_report(command.report, json);
+  commit_with_report(outputs, command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
     if (command.coincident == CoincidentVertices::weld)

@@ -2,7 +2,7 @@
 // The options of a flow as words on the command line, shared by the commands that evolve a patch.
 #pragma once
 
-#include "evolution/fill_loops.h"
+#include "pipeline/fill_holes.h"
 #include "io/write_mesh.h"
 #include "progress_line.h"
 

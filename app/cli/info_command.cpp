@@ -69,9 +69,7 @@ int run_info(const InfoCommand& command) {
     json["loops"] = nlohmann::ordered_json::array();
     for (const BoundaryLoop& loop : loops) json["loops"].push_back(loop_json(loop));
     OutputTransaction outputs;
-    add_report(outputs, command.json, json);
-    outputs.commit();
-    print_report(command.json, json);
+    commit_with_report(outputs, command.json, json);
     return exit_done;
   }
   std::printf("%s: %s, %zu vertices, %zu faces\n", command.input.c_str(), opened.import.format.c_str(),

@@ -105,7 +105,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
 
 void take_words(const FillWords& words, FillCommand& command) {
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
-  command.islands = words.bridge_islands ? FillCommand::Islands::bridge : FillCommand::Islands::leave;
+  command.fill.islands = words.bridge_islands ? FillOptions::Islands::join : FillOptions::Islands::cover;
   command.verbosity = words.flow.verbosity();
   command.encoding = words.flow.encoding();
   command.report = words.flow.report;

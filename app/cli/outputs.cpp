@@ -67,11 +67,9 @@ void CommandFiles::check() const {
   }
 }
 
-void add_report(OutputTransaction& outputs, const std::string& target, const nlohmann::ordered_json& report) {
+void commit_with_report(OutputTransaction& outputs, const std::string& target, const nlohmann::ordered_json& report) {
   if (!target.empty() && target != "-") add_text(outputs, target, text_of(report));
-}
-
-void print_report(const std::string& target, const nlohmann::ordered_json& report) {
+  outputs.commit();
   if (target == "-") std::cout << text_of(report) << std::flush;
 }
 

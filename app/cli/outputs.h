@@ -43,12 +43,9 @@ class CommandFiles {
   std::vector<NamedFile> inputs_, outputs_;
 };
 
-/// Adds the report to what the command writes; nothing for an empty target and for "-", which is print_report's.
-/// @throws WriteError
-void add_report(OutputTransaction& outputs, const std::string& target, const nlohmann::ordered_json& report);
-
-/// The report to standard output, if its target is "-". After the commit: whoever reads it may count on the files.
-void print_report(const std::string& target, const nlohmann::ordered_json& report);
+/// The report joins the other files, and all appear together. A report for standard output, "-", comes after that: whoever
+/// reads it may count on the files. @param target  empty: no report. @throws WriteError
+void commit_with_report(OutputTransaction& outputs, const std::string& target, const nlohmann::ordered_json& report);
 
 /// Adds one file of text. @throws WriteError
 void add_text(OutputTransaction& outputs, const std::filesystem::path& path, const std::string& text);

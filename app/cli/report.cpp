@@ -56,8 +56,8 @@ Json loop_json(const BoundaryLoop& loop) {
 
 namespace {
 
-Json rim_json(const LoopResult& result) {
-  const RimSummary& rim = result.rim;
+Json rim_json(const HoleResult& result) {
+  const RimSummary rim = result.neighborhood();
   return {{"surroundings", to_string(rim.roughness.kind)},
           {"rough_share", number(rim.roughness.rough_share)},
           {"noise_share", number(rim.roughness.noise_share)},
@@ -75,43 +75,46 @@ Json rim_json(const LoopResult& result) {
 
 }  // namespace
 
-Json loop_json(const LoopResult& result) {
+Json loop_json(const HoleResult& result) {
+  const PatchResult& patch = result.outcome();
   Json json = loop_json(result.loop);
   json["status"] = to_string(result.status);
   json["message"] = result.message;
-  json["method"] = result.method;
-  json["reason"] = result.reason;
-  if (is_filled(result.status))
-    json["proportion"] = {{"area", number(result.proportion.area)},
-                          {"depth", number(result.proportion.depth)},
-                          {"energy", number(result.proportion.energy)}};
+  json["method"] = result.method();
+  json["reason"] = result.reason();
+  json["attempts"] = patch.attempts;
+  if (result.patch) {
+    const Proportion proportion = result.proportion();
+    json["proportion"] = {
+        {"area", number(proportion.area)}, {"depth", number(proportion.depth)}, {"energy", number(proportion.energy)}};
+  }
   json["free_vertices"] = result.free_vertices;
-  json["steps"] = result.steps;
-  json["bending"] = result.bending;
+  json["steps"] = patch.steps;
+  json["bending"] = patch.bending;
   json["rim"] = rim_json(result);
-  json["seconds"] = {{"filler", result.seconds.filler},
-                     {"assemble", result.seconds.assemble},
-                     {"solve", result.seconds.solve},
-                     {"total", result.seconds.total}};
-  json["energy"] = {{"initial", number(result.energy.initial)}, {"final", number(result.energy.final)}};
-  json["seam_before"] = seam_json(result.seam_before);
-  json["seam_after"] = seam_json(result.seam_after);
+  json["seconds"] = {{"filler", patch.seconds.initial_patch},
+                     {"assemble", patch.seconds.assemble},
+                     {"solve", patch.seconds.solve},
+                     {"total", result.seconds}};
+  json["energy"] = {{"initial", number(patch.energy.initial)}, {"final", number(patch.energy.final)}};
+  json["seam_before"] = seam_json(result.seam_before());
+  json["seam_after"] = seam_json(result.seam_after());
   return json;
 }
 
-Json evolved_json(const EvolvedPatch& evolved) {
-  return {{"status", to_string(evolved.status)},
-          {"message", evolved.message},
-          {"method", method_name(evolved.method, evolved.flow)},
-          {"reason", evolved.reason},
-          {"free_vertices", evolved.patch.free_count},
-          {"steps", evolved.steps},
-          {"bending", evolved.bending},
-          {"energy", {{"initial", number(evolved.energy.initial)}, {"final", number(evolved.energy.final)}}},
-          {"seconds", {{"assemble", evolved.seconds.assemble}, {"solve", evolved.seconds.solve}}},
-          {"folds", evolved.quality.folds},
-          {"self_intersections", evolved.quality.self_intersections},
-          {"min_angle_deg", evolved.quality.min_angle_deg}};
+Json patch_json(const PatchResult& result) {
+  return {{"status", to_string(result.status)},
+          {"message", result.message},
+          {"method", method_name(result)},
+          {"reason", result.reason},
+          {"free_vertices", result.patch.free_count},
+          {"steps", result.steps},
+          {"bending", result.bending},
+          {"energy", {{"initial", number(result.energy.initial)}, {"final", number(result.energy.final)}}},
+          {"seconds", {{"assemble", result.seconds.assemble}, {"solve", result.seconds.solve}}},
+          {"folds", result.validity.folds},
+          {"self_intersections", result.validity.intersections},
+          {"min_angle_deg", result.validity.min_angle_deg}};
 }
 
 void print_reason(std::FILE* out, const std::string& reason) {

@@ -2,8 +2,8 @@
 // The JSON report of `loopmend info` and `loopmend fill`.
 #pragma once
 
-#include "evolution/evolve_patch.h"
-#include "evolution/fill_loops.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/fill_holes.h"
 #include "io/read_mesh.h"
 #include "mesh/surface_model.h"
 
@@ -26,10 +26,10 @@ nlohmann::ordered_json seam_json(const SeamReport& seam);
 nlohmann::ordered_json loop_json(const BoundaryLoop& loop);
 
 /// The same with status, times, energies and seam figures.
-nlohmann::ordered_json loop_json(const LoopResult& result);
+nlohmann::ordered_json loop_json(const HoleResult& result);
 
 /// Status, steps, energies, times and quality of a patch that was evolved by itself.
-nlohmann::ordered_json evolved_json(const EvolvedPatch& evolved);
+nlohmann::ordered_json patch_json(const PatchResult& result);
 
 /// One line on why something else than the flow was done; nothing where there is no reason.
 void print_reason(std::FILE* out, const std::string& reason);

@@ -3,38 +3,26 @@
 
 #include "document/timeline.h"
 #include "document/words.h"
-#include "problems/problem.h"
+#include "pipeline/problem.h"
 
 #include <algorithm>
 
 namespace loopmend {
 namespace {
 
-PatchStage stage_of(const LaneState& lane) {
-  if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::converged) return PatchStage::converged;
-  if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::faired) return PatchStage::faired;
-  if (lane.stage == LaneState::Stage::ended && lane.status == EvolutionStatus::failed) return PatchStage::stalled;
-  return PatchStage::stepped;
-}
-
 /// The lane as a patch of the document: the start and where the flow has led.
 OpenPatch patch_of(const LaneState& start, const LaneState& lane, double density) {
-  auto filler = std::make_shared<PatchState>();
-  filler->patch = start.patch;
-  filler->shape = start.shape;
-  filler->seam = filler->seam_before = start.seams;
-  filler->recipe.density = density;
-  auto now = std::make_shared<PatchState>(*filler);
-  now->patch = lane.patch;
+  auto initial = std::make_shared<PatchState>();
+  static_cast<PatchResult&>(*initial) = start;
+  initial->status = PatchStatus::filled;
+  initial->shape = start.shape;
+  initial->seams_before = start.seams;
+  initial->recipe.density = density;
+  auto now = std::make_shared<PatchState>(*initial);
+  static_cast<PatchResult&>(*now) = lane;
+  now->history.clear();
+  now->seams_before = start.seams;
   now->shape = lane.shape;
-  now->seam = lane.seams;
-  now->stage = stage_of(lane);
-  now->message = lane.message;
-  now->flow = lane.flow;
-  now->steps = lane.steps;
-  now->last_step.energy = lane.own_energy[1];
-  now->initial_energy = lane.own_energy[0];
-  now->seconds = lane.seconds;
   // `loopmend fill` would solve several holes one by one.
   const bool nameable = start.patch.loops.size() == 1 && lane.stage == LaneState::Stage::ended;
   RunRecipe run = recipe_of(lane.options);
@@ -42,7 +30,7 @@ OpenPatch patch_of(const LaneState& start, const LaneState& lane, double density
   if (!nameable) run.end = RunRecipe::End::unnamed;
   now->recipe.runs.push_back(run);
   OpenPatch patch;
-  patch.timeline = std::make_shared<Timeline>(Timeline{filler, now});
+  patch.timeline = std::make_shared<Timeline>(Timeline{initial, now});
   patch.state = now;
   return patch;
 }

@@ -66,7 +66,7 @@ std::vector<std::string> live_row(const LaneState& lane) {
   std::string status;
   if (lane.stage == LaneState::Stage::ended) status = to_string(lane.status);
   return comparison_row(upper_name(lane.flow), status, lane.steps, lane.energies, lane.seams, lane.wide_jump,
-                        lane.quality);
+                        lane.validity);
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ QString stage_words(const LaneState& lane) {
     case LaneState::Stage::ended: break;
   }
   switch (lane.status) {
-    case EvolutionStatus::converged: return FlowPane::tr("converged, %1 steps").arg(lane.steps);
-    case EvolutionStatus::faired: return FlowPane::tr("faired, %1 steps").arg(lane.steps);
-    case EvolutionStatus::failed: return FlowPane::tr("stopped early, step %1").arg(lane.steps);
+    case PatchStatus::converged: return FlowPane::tr("converged, %1 steps").arg(lane.steps);
+    case PatchStatus::faired: return FlowPane::tr("faired, %1 steps").arg(lane.steps);
+    case PatchStatus::stalled: return FlowPane::tr("stopped early, step %1").arg(lane.steps);
     default: return FlowPane::tr("%1 steps").arg(lane.steps);
   }
 }

@@ -18,6 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("loopmend::Sca
 QString options_of(const PatchRecipe& recipe) {
   QString text;
   if (recipe.density != 1) text += QStringLiteral(" --density ") + shell::exact(recipe.density);
+  if (recipe.start == PatchRecipe::Start::bridge) text += QStringLiteral(" --bridge-islands");
   if (recipe.runs.empty()) return text + QStringLiteral(" --flow none");
   const RunRecipe& run = recipe.runs.back();
   text += QStringLiteral(" --flow ") + shell::word(run.flow);
@@ -54,7 +55,7 @@ class ScanCommands {
     auto& loops = by_options_[options_of(recipe)];
     loops.insert(patch.loops.begin(), patch.loops.end());
     const QString name = words::sentence(words::holes(document_, {patch.loops.begin(), patch.loops.end()}));
-    if (patch.state->stage == PatchStage::cutting)
+    if (patch.state->status == PatchStatus::invalid)
       remarks << tr("%1: the patch cuts the surface; the command would leave it open.").arg(name);
     if (scan_.from == ScanOrigin::made)
       remarks << tr("%1 was made in the window: export it as surface.ply, without patches, before you use the command.")

@@ -60,16 +60,17 @@ HoleState Document::state(int loop) const {
   }
   if (running_.contains(patch->id)) return HoleState::running;
   if (patch->acceptance == Acceptance::accepted) return HoleState::accepted;
-  switch (patch->state->stage) {
-    case PatchStage::filled: return HoleState::filled;
-    case PatchStage::stepped: return HoleState::stepped;
-    case PatchStage::converged: return HoleState::converged;
-    case PatchStage::stalled: return HoleState::stalled;
-    case PatchStage::cutting: return HoleState::cutting;
-    case PatchStage::faired: return HoleState::faired;
-    case PatchStage::doubtful: return HoleState::doubtful;
+  switch (patch->state->status) {
+    case PatchStatus::filled: return HoleState::filled;
+    case PatchStatus::ready: return HoleState::stepped;
+    case PatchStatus::converged: return HoleState::converged;
+    case PatchStatus::stalled:
+    case PatchStatus::step_limit: return HoleState::stalled;
+    case PatchStatus::invalid: return HoleState::cutting;
+    case PatchStatus::faired: return HoleState::faired;
+    case PatchStatus::doubtful: return HoleState::doubtful;
+    default: return HoleState::open;
   }
-  return HoleState::open;
 }
 
 QString Document::message(int loop) const {
@@ -163,7 +164,7 @@ void Document::set_states(const std::map<int, PatchStatePtr>& states) {
     const auto it = patch_by_id_.find(id);
     if (it == patch_by_id_.end() || patches_[it->second].state == state) continue;
     PatchStatePtr& now = patches_[it->second].state;
-    renamed = renamed || now->stage != state->stage || now->message != state->message;
+    renamed = renamed || now->status != state->status || now->message != state->message;
     now = state;
     Q_EMIT patch_moved(id);
   }

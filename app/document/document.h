@@ -16,7 +16,20 @@
 
 namespace loopmend {
 
-enum class HoleState { open, left_out, filled, running, stepped, converged, stalled, cutting, accepted, failed, faired, doubtful };
+enum class HoleState {
+  open,
+  left_out,
+  filled,
+  running,
+  stepped,
+  converged,
+  stalled,
+  cutting,
+  accepted,
+  failed,
+  faired,
+  doubtful
+};
 
 /// Whether the rim of an open sheet counts as something to fill.
 enum class OuterRims { leave, include };

@@ -3,9 +3,7 @@
 // stack, timeline, worker and view.
 #pragma once
 
-#include "analysis/seam_report.h"
-#include "evolution/evolution.h"
-#include "mesh/patch.h"
+#include "pipeline/patch_result.h"
 #include "rim/rim_fits.h"
 #include "scene/surface_shape.h"
 
@@ -15,24 +13,14 @@
 
 namespace loopmend {
 
-enum class PatchStage {
-  filled,     ///< the G0 filler
-  stepped,    ///< some steps of a flow, more can be taken
-  converged,  ///< at rest
-  stalled,    ///< the flow found no further acceptable step; the state is the last accepted one
-  cutting,    ///< it cuts the surface or itself: not part of the result unless a person accepts it
-  faired,     ///< shaped by linear fairings, or by something between these and a flow
-  doubtful,   ///< out of proportion: a person should look at it
-};
-
 /// One run of a flow, as the command line would name it.
 struct RunRecipe {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steps;
-  double sigma = 10;  ///< of EvolutionMode::steps
-  BoundaryTrust boundary = BoundaryTrust::automatic;           ///< of EvolutionMode::steady
+  double sigma = 10;                                      ///< of EvolutionMode::steps
+  BoundaryTrust boundary = BoundaryTrust::automatic;      ///< of EvolutionMode::steady
   SeamContinuity continuity = SeamContinuity::curvature;  ///< likewise
-  int steps = 0;      ///< taken
+  int steps = 0;                                          ///< taken
   enum class End {
     whole,        ///< as far as it goes
     after_steps,  ///< stopped by a person after `steps`
@@ -45,9 +33,13 @@ inline RunRecipe recipe_of(const EvolutionOptions& options) {
   return {options.flow, options.mode, options.sigma, options.boundary, options.continuity, 0, RunRecipe::End::whole};
 }
 
-/// How a state came about: the filler, then one run after another.
+/// How a state came about: the initial patch, then one run after another.
 struct PatchRecipe {
   double density = 1;
+  enum class Start {
+    holes,   ///< each loop closed by a patch of its own
+    bridge,  ///< a hole and the islands in it joined by one patch
+  } start = Start::holes;
   std::vector<RunRecipe> runs;
 };
 
@@ -57,19 +49,11 @@ struct RimKnowledge {
   std::vector<float> curvature_uncertainty;  ///< of H, one for each fixed vertex (rim_fits.h)
 };
 
-struct PatchState {
-  Patch patch;
+/// What the engine made, and what is shown of it. Without the history of steps: the timeline holds the states themselves.
+struct PatchState : PatchResult {
   std::shared_ptr<const SurfaceShape> shape;
-  PatchStage stage = PatchStage::filled;
-  std::string message;  ///< the engine's words about this state; may be empty
-  PatchRecipe recipe;
-  FlowKind flow = FlowKind::mmcvf;
-  int steps = 0;                            ///< since the filler
+  PatchRecipe recipe;                       ///< `steps` counts from the initial patch on
   StepRecord last_step;                     ///< meaningful when steps > 0
-  double initial_energy = 0;                ///< of the run that led here
-  double seconds = 0;                       ///< of that run
-  std::vector<SeamReport> seam_before;      ///< of the filler, one per loop
-  std::vector<SeamReport> seam;             ///< of this state, one per loop
   std::shared_ptr<const RimKnowledge> rim;  ///< the same for all states of a patch; null where nobody asked
 };
 using PatchStatePtr = std::shared_ptr<const PatchState>;

@@ -16,7 +16,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 4;
+constexpr qint32 format_version = 5;
+constexpr qint32 version_without_bridges = 4;
 constexpr qint32 version_without_boundary = 3;
 constexpr qint32 first_version = 1;  ///< without the view and without surfaces that were made here
 
@@ -185,6 +186,7 @@ E word(Reader& in, E last) {
 
 void put(Writer& out, const PatchRecipe& recipe) {
   out.put(recipe.density);
+  out.put(static_cast<qint32>(recipe.start));
   out.put(static_cast<quint64>(recipe.runs.size()));
   for (const RunRecipe& run : recipe.runs) {
     out.put(static_cast<qint32>(run.flow));
@@ -200,6 +202,7 @@ void put(Writer& out, const PatchRecipe& recipe) {
 PatchRecipe recipe(Reader& in) {
   PatchRecipe r;
   r.density = in.number<double>();
+  if (in.version > version_without_bridges) r.start = word(in, PatchRecipe::Start::bridge);
   const int runs = in.count(sizeof(double));
   for (int i = 0; i < runs; ++i) {
     RunRecipe run;
@@ -231,15 +234,17 @@ StepRecord step(Reader& in) {
 
 void put(Writer& out, const PatchState& state) {
   put(out, state.patch);
-  out.put(static_cast<qint32>(state.stage));
+  out.put(static_cast<qint32>(state.status));
   out.put(QString::fromStdString(state.message));
   put(out, state.recipe);
   out.put(static_cast<qint32>(state.flow));
   out.put(static_cast<qint32>(state.steps));
-  put(out, state.last_step);
-  out.put(state.initial_energy);
-  out.put(state.seconds);
-  for (const auto* reports : {&state.seam_before, &state.seam}) {
+  StepRecord last = state.last_step;
+  last.energy = state.energy.final;
+  put(out, last);
+  out.put(state.energy.initial);
+  out.put(state.seconds.total);
+  for (const auto* reports : {&state.seams_before, &state.seams}) {
     out.put(static_cast<quint64>(reports->size()));
     for (const SeamReport& report : *reports) put(out, report);
   }
@@ -248,20 +253,21 @@ void put(Writer& out, const PatchState& state) {
 PatchStatePtr state(Reader& in) {
   auto s = std::make_shared<PatchState>();
   s->patch = patch(in);
-  s->stage = word(in, PatchStage::doubtful);
+  s->status = word(in, PatchStatus::step_limit);
   s->message = in.text().toStdString();
   s->recipe = recipe(in);
   s->patch.grading.density = s->recipe.density;
   s->flow = word(in, FlowKind::mmcvf);
   s->steps = in.number<qint32>();
   s->last_step = step(in);
-  s->initial_energy = in.number<double>();
-  s->seconds = in.number<double>();
-  for (auto* reports : {&s->seam_before, &s->seam}) {
+  s->energy.final = s->last_step.energy;
+  s->energy.initial = in.number<double>();
+  s->seconds.total = in.number<double>();
+  for (auto* reports : {&s->seams_before, &s->seams}) {
     const int count = in.count(6 * sizeof(double));
     for (int i = 0; i < count; ++i) reports->push_back(seam(in));
   }
-  if (s->seam.size() != s->patch.loops.size() || s->seam_before.size() != s->seam.size())
+  if (s->seams.size() != s->patch.loops.size() || s->seams_before.size() != s->seams.size())
     in.fail("the seams of a patch are not complete");
   return s;
 }
@@ -394,7 +400,8 @@ Session session_from_file(const QString& path) {
     throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
   Reader in(bytes.mid(magic_size), path);
   const auto version = in.version = in.number<qint32>();
-  if (version != format_version && version != version_without_boundary && version != first_version)
+  if (version != format_version && version != version_without_bridges && version != version_without_boundary &&
+      version != first_version)
     throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   Session session;

@@ -136,7 +136,7 @@ QString number(double value) {
   return QString::number(value, 'f', decimals);
 }
 
-QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStage stage) {
+QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage) {
   const bool tangent = now.g1_rms_deg < tangent_seen_deg;
   const bool curvature = tangent && now.h_jump_rms_times_diameter < curvature_seen;
   QString sentence = tr("Tangent and curvature run through the seam.");
@@ -144,13 +144,14 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStag
   if (tangent && !curvature)
     sentence =
         tr("The tangent runs through the seam; the mean curvature jumps by %1 (rms).").arg(number(now.h_jump_rms));
-  if (stage == PatchStage::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
-  if (stage == PatchStage::doubtful)
+  if (stage == PatchStatus::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
+  if (stage == PatchStatus::doubtful)
     return sentence + QLatin1Char(' ') + tr("But the patch is out of proportion to its hole.");
   if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms)
-    sentence += QLatin1Char(' ') + (stage == PatchStage::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
-                                                                : tr("The flow made the jump of curvature %1 times smaller."))
-                                       .arg(number(before.h_jump_rms / now.h_jump_rms));
+    sentence +=
+        QLatin1Char(' ') + (stage == PatchStatus::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
+                                                         : tr("The flow made the jump of curvature %1 times smaller."))
+                               .arg(number(before.h_jump_rms / now.h_jump_rms));
   return sentence;
 }
 

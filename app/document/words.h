@@ -26,7 +26,7 @@ QString sentence(QString text);
 QString number(double value);
 
 /// One sentence on how the patch meets the scan at a loop.
-QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStage stage);
+QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage);
 
 /// "3", or "3 of bunny.ply" when several scans are open.
 QString hole_name(const Document& document, int loop);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/evolve_patches.h"
 
+#include "jobs/in_parallel.h"
 #include "jobs/state_making.h"
 #include "jobs/steady_run.h"
 
 #include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <system_error>
 #include <thread>
 
 namespace loopmend {
@@ -16,15 +16,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* no_free_vertex = "too small to hold a free vertex: closed by triangles between its own vertices";
-
-PatchStage stage_of(EvolutionStatus status) {
-  switch (status) {
-    case EvolutionStatus::converged: return PatchStage::converged;
-    case EvolutionStatus::faired: return PatchStage::faired;
-    case EvolutionStatus::failed: return PatchStage::stalled;
-    default: return PatchStage::stepped;
-  }
-}
 
 bool same(const EvolutionOptions& a, const EvolutionOptions& b) {
   return a.flow == b.flow && a.mode == b.mode && a.sigma == b.sigma && a.solver == b.solver && a.bending == b.bending &&
@@ -43,12 +34,12 @@ class Stepper {
     if (item.session) {
       evolution_ = item.session;
       // Only other options make another run: the same ones go on as if there had been no pause, as the command would.
-      goes_on_ = same(evolution_->options(), task.options) && evolution_->status() == EvolutionStatus::ready;
+      goes_on_ = same(evolution_->options(), task.options) && evolution_->status() == PatchStatus::ready;
       if (!goes_on_) evolution_->set_options(task.options);
     } else {
       evolution_ = std::make_shared<Evolution>(state_->patch, task.options);
     }
-    initial_energy_ = goes_on_ ? state_->initial_energy : evolution_->energy();
+    initial_energy_ = goes_on_ ? state_->energy.initial : evolution_->energy();
   }
 
   bool at_rest() const { return at_rest_; }
@@ -58,7 +49,7 @@ class Stepper {
     evolution_->step(cancel);
     if (cancel.cancelled()) return;
     const bool moved = evolution_->history().size() > before;
-    at_rest_ = !moved || evolution_->status() != EvolutionStatus::ready;
+    at_rest_ = !moved || evolution_->status() != PatchStatus::ready;
     moved ? publish(evolution_->history().back()) : close();
   }
 
@@ -81,6 +72,7 @@ class Stepper {
     next->flow = options.flow;
     next->steps = state_->steps + 1;
     next->last_step = record;
+    next->energy.final = record.energy;
     if (std::exchange(goes_on_, true) && !next->recipe.runs.empty()) {
       ++next->recipe.runs.back().steps;
     } else {
@@ -104,10 +96,10 @@ class Stepper {
   }
 
   void set_outcome(PatchState& next) const {
-    next.stage = stage_of(evolution_->status());
+    next.status = evolution_->status();
     next.message = evolution_->message();
-    next.initial_energy = initial_energy_;
-    next.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+    next.energy.initial = initial_energy_;
+    next.seconds.total = std::chrono::duration<double>(Clock::now() - started_).count();
   }
 
   const EvolveTask::Item& item_;
@@ -121,28 +113,18 @@ class Stepper {
   bool at_rest_ = false;
 };
 
-/// work(k) for k = 0..count−1, each worker taking every so-manieth: no patch waits for another one's end. Without further
-/// threads, all is done here.
-void in_parallel(std::size_t count, const std::function<void(std::size_t first, std::size_t stride)>& work) {
-  const std::size_t threads = std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), count);
-  std::vector<std::jthread> helpers;
-  std::size_t begun = 1;
-  try {
-    for (; begun < threads; ++begun) helpers.emplace_back([&, t = begun] { work(t, threads); });
-  } catch (const std::system_error&) {
-    for (std::size_t t = begun; t < threads; ++t) work(t, threads);
-  }
-  if (count > 0) work(0, threads);
-}
-
 class Drive {
  public:
   Drive(const EvolveTask& task, RunRecorder& recorder, const Job& job) : task_(task), recorder_(recorder), job_(job) {}
 
   EvolveResult go() {
-    in_parallel(task_.items.size(), [this](std::size_t first, std::size_t stride) {
-      task_.pace == Pace::steady ? settle(first, stride) : step_on(first, stride);
-    });
+    if (task_.pace == Pace::steady) {
+      in_parallel(task_.items.size(), [this](std::size_t k) { settle(task_.items[k]); });
+    } else {
+      // Each takes every so-manieth: no patch waits for another one's end.
+      const std::size_t strands = std::max(1u, std::thread::hardware_concurrency());
+      in_parallel(strands, [&](std::size_t first) { step_on(first, strands); });
+    }
     return std::move(result_);
   }
 
@@ -163,17 +145,14 @@ class Drive {
     result_.failures[id] = words;
   }
 
-  void settle(std::size_t first, std::size_t stride) {
-    for (std::size_t k = first; k < task_.items.size() && !stopped(); k += stride) {
-      const EvolveTask::Item& item = task_.items[k];
-      if (rigid(item)) continue;
-      try {
-        std::vector<OpenPatch> parts = SteadyRun(task_, item, recorder_, job_).run();
-        const std::lock_guard lock(mutex_);
-        if (!parts.empty()) result_.splits[item.patch.id] = std::move(parts);
-      } catch (const std::exception& error) {
-        fail(item.patch.id, error.what());
-      }
+  void settle(const EvolveTask::Item& item) {
+    if (stopped()) return;
+    try {
+      std::vector<OpenPatch> parts = SteadyRun(task_, item, recorder_, job_).run();
+      const std::lock_guard lock(mutex_);
+      if (!parts.empty()) result_.splits[item.patch.id] = std::move(parts);
+    } catch (const std::exception& error) {
+      fail(item.patch.id, error.what());
     }
   }
 

@@ -45,7 +45,7 @@ struct FlowRace::Post {
   std::mutex mutex;
   std::vector<LaneStatePtr> newest;            ///< not yet taken
   std::vector<std::vector<RacePoint>> points;  ///< likewise
-  std::vector<FlowRun> runs;
+  std::vector<ComparedFlow> runs;
   std::size_t ended = 0;
   bool waiting = false;  ///< the window has been asked to come
   FlowComparison comparison;
@@ -63,30 +63,34 @@ FlowRace::~FlowRace() {
 
 void FlowRace::prepare() {
   job_ = std::make_shared<Job>(this);
-  tasks_.start([this, job = job_, source = source_] {
-    try {
-      const Patch patch = source.start(job->token());
-      if (job->token().cancelled()) return;
-      const auto near = source.surroundings ? near_shape(source.surroundings, patch, source.origin) : nullptr;
-      auto state = seen(patch, first_edge(patch), source.origin);
-      state->energies = patch_energies(patch);
-      job->tell([this, near, start = LaneStatePtr(state)] {
+  struct Prepared {
+    std::shared_ptr<const SurfaceShape> near;
+    LaneStatePtr start;
+  };
+  tasks_.run(
+      job_,
+      [job = job_, source = source_]() -> Prepared {
+        const Patch patch = source.start(job->token());
+        if (job->token().cancelled()) return {};
+        const auto near = source.surroundings ? near_shape(source.surroundings, patch, source.origin) : nullptr;
+        auto state = seen(patch, first_edge(patch), source.origin);
+        state->energies = patch_energies(patch);
+        return {near, state};
+      },
+      [this](const Prepared& prepared) {
         job_.reset();
-        surroundings_ = near;
-        start_ = start;
+        surroundings_ = prepared.near;
+        start_ = prepared.start;
         forget_results();
         stage_ = Stage::ready;
         Q_EMIT stage_changed();
-      });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] {
+      },
+      [this](const QString& text) {
         job_.reset();
         stage_ = Stage::failed;
         Q_EMIT stage_changed();
-        Q_EMIT failed(words);
+        Q_EMIT failed(text);
       });
-    }
-  });
 }
 
 void FlowRace::forget_results() {
@@ -128,7 +132,7 @@ class FlowRace::Lane {
 
   void go() const {
     const auto on_step = [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); };
-    FlowRun run = run_compared(start_->patch, flow_, base_, on_step, job_->token());
+    ComparedFlow run = run_compared(start_->patch, flow_, base_, on_step, job_->token());
     if (job_->token().cancelled()) return;
     show_end(run);
     {
@@ -162,27 +166,24 @@ class FlowRace::Lane {
     state->stage = LaneState::Stage::moving;
     state->steps = record.step;
     state->energies = energies;
-    state->own_energy = {evolution.initial_energy(), record.energy};
+    state->status = PatchStatus::ready;
+    state->energy = {evolution.initial_energy(), record.energy};
     put(std::move(state));
   }
 
-  void show_end(const FlowRun& run) const {
-    auto state = seen(run.evolved.patch, post_->edge, origin_);
+  void show_end(const ComparedFlow& run) const {
+    auto state = seen(run.outcome.patch, post_->edge, origin_);
+    static_cast<PatchResult&>(*state) = run.outcome;
     state->stage = LaneState::Stage::ended;
-    state->status = run.evolved.status;
-    state->message = run.evolved.message;
-    state->steps = run.evolved.steps;
     state->energies = run.energies;
     state->wide_jump = run.wide_jump;
-    state->own_energy = {run.evolved.energy.initial, run.evolved.energy.final};
-    state->quality = run.evolved.quality;
     put(std::move(state));
   }
 
   void put(std::shared_ptr<LaneState> state) const {
     state->flow = flow_;
     state->options = options_for(flow_, base_);
-    state->seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+    state->seconds.total = std::chrono::duration<double>(Clock::now() - began_).count();
     {
       const std::lock_guard lock(post_->mutex);
       post_->newest[at_] = std::move(state);

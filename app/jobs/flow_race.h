@@ -2,8 +2,8 @@
 // Several flows from one start, side by side, each on its own thread. The window hears of the newest state of each.
 #pragma once
 
-#include "evolution/compare_flows.h"
 #include "jobs/task_runner.h"
+#include "pipeline/compare.h"
 #include "scene/surface_shape.h"
 
 #include <QObject>
@@ -25,21 +25,12 @@ struct RaceSource {
 };
 
 /// One flow as far as it has come. Immutable.
-struct LaneState {
-  FlowKind flow = FlowKind::mmcvf;
+struct LaneState : PatchResult {
   enum class Stage { start, moving, ended, stopped } stage = Stage::start;
   EvolutionOptions options;  ///< that led here
-  EvolutionStatus status = EvolutionStatus::ready;
-  std::string message;  ///< of the engine; may be empty
-  int steps = 0;
-  double seconds = 0;
-  std::array<double, 2> own_energy{};  ///< what this flow lowers, at its start and now; units as in StepRecord
   PatchEnergies energies;
-  std::vector<SeamReport> seams;
   double wide_jump = 0;  ///< NaN until the flow has ended
   std::vector<ProfilePoint> profile;
-  FillerQuality quality;  ///< once the flow has ended
-  Patch patch;
   std::shared_ptr<const SurfaceShape> shape;
 };
 using LaneStatePtr = std::shared_ptr<const LaneState>;

@@ -2,7 +2,7 @@
 // What the tests for cuts read of a scan: made by the first worker that needs it, then shared.
 #pragma once
 
-#include "evolution/patch_verdict.h"
+#include "pipeline/validate.h"
 
 #include <memory>
 #include <mutex>
@@ -15,15 +15,15 @@ class ScanSite {
 
   const SurfaceModel& model() const { return *model_; }
   /// Takes a second for a million triangles, the first time. Safe from several threads.
-  const FillSite& site() {
-    std::call_once(made_, [this] { site_ = std::make_unique<FillSite>(*model_); });
+  const ScanIndex& site() {
+    std::call_once(made_, [this] { site_ = std::make_unique<ScanIndex>(*model_); });
     return *site_;
   }
 
  private:
   std::shared_ptr<const SurfaceModel> model_;
   std::once_flag made_;
-  std::unique_ptr<FillSite> site_;
+  std::unique_ptr<ScanIndex> site_;
 };
 using ScanSitePtr = std::shared_ptr<ScanSite>;
 

@@ -2,7 +2,7 @@
 #include "jobs/state_making.h"
 
 #include "analysis/curvature_field.h"
-#include "evolution/proportion.h"
+#include "pipeline/proportion.h"
 
 namespace loopmend {
 
@@ -16,8 +16,9 @@ std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch) {
 PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin) {
   auto state = std::make_shared<PatchState>();
   state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
-  state->seam = seam_reports(patch);
-  state->seam_before = state->seam;
+  state->seams = seam_reports(patch);
+  state->seams_before = state->seams;
+  state->status = PatchStatus::filled;
   state->rim = rim_knowledge(patch);
   state->message = message;
   state->recipe.density = density;
@@ -29,18 +30,19 @@ std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch
   auto next = std::make_shared<PatchState>(old);
   next->patch = patch;
   next->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
-  next->seam = seam_reports(patch);
+  next->seams = seam_reports(patch);
   return next;
 }
 
 PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site) {
-  const PatchVerdict verdict = judge(site.site(), state->patch);
-  const bool cuts = verdict.total() > 0, worse = filler && !no_worse(verdict, judge(site.site(), *filler));
+  const Validity validity = validate(site.site(), state->patch);
+  const bool cuts = validity.intersections > 0;
+  const bool worse = filler && !no_worse(validity, validate(site.site(), *filler));
   if (!cuts && !worse) return state;
   auto marked = std::make_shared<PatchState>(*state);
-  marked->stage = PatchStage::cutting;
+  marked->status = PatchStatus::invalid;
   marked->message =
-      cuts ? "It cuts the surface or itself in " + std::to_string(verdict.total()) +
+      cuts ? "It cuts the surface or itself in " + std::to_string(validity.intersections) +
                  " places; the command line leaves such a hole open. Run a flow, or reject it and try another density."
            : "It folds over itself where the initial patch did not; the command line would keep the initial patch. Go "
              "back a few "
@@ -49,12 +51,12 @@ PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site) {
 }
 
 PatchStatePtr in_proportion(PatchStatePtr state, const Patch& initial) {
-  if (state->stage == PatchStage::cutting) return state;
+  if (state->status == PatchStatus::invalid) return state;
   const std::vector<Proportion> proportions = proportions_of(state->patch, initial);
   const Proportion* bad = out_of_proportion(proportions);
   if (!bad) return state;
   auto marked = std::make_shared<PatchState>(*state);
-  marked->stage = PatchStage::doubtful;
+  marked->status = PatchStatus::doubtful;
   marked->message =
       "the patch is out of proportion: " + describe(*bad) + (state->message.empty() ? "" : "; " + state->message);
   return marked;

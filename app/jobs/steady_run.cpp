@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/steady_run.h"
 
+#include "analysis/curvature_field.h"
+#include "core/error.h"
 #include "document/timeline.h"
 #include "jobs/state_making.h"
+#include "pipeline/blend.h"
+
+#include <algorithm>
 
 namespace loopmend {
 namespace {
 
-PatchStage stage_of(LoopStatus status) {
-  switch (status) {
-    case LoopStatus::converged: return PatchStage::converged;
-    case LoopStatus::faired: return PatchStage::faired;
-    case LoopStatus::doubtful: return PatchStage::doubtful;
-    case LoopStatus::step_limit: return PatchStage::stalled;
-    default: return PatchStage::filled;
-  }
-}
-
 /// What was done in place of the flow, and why; then what is to be said of the result.
-std::string message_of(const Evolved& evolved) {
+std::string message_of(const PatchResult& result) {
   const char* method = [&] {
-    switch (evolved.method) {
+    switch (result.method) {
       case Method::robust_fairing: return "robust fairing in place of the flow";
       case Method::linear_fairing: return "linear fairing in place of the flow";
       case Method::interpolated: return "between the flow's patch and robust fairing";
@@ -32,14 +27,9 @@ std::string message_of(const Evolved& evolved) {
     return "";
   }();
   std::string text;
-  for (const std::string& part : {std::string(method), evolved.reason, evolved.message})
+  for (const std::string& part : {std::string(method), result.reason, result.message})
     if (!part.empty()) text += (text.empty() ? "" : text == method ? ": " : "; ") + part;
   return text;
-}
-
-/// Worth another try, loop by loop.
-bool is_spoilt(const PatchState& state) {
-  return state.stage == PatchStage::filled || state.stage == PatchStage::cutting || state.stage == PatchStage::doubtful;
 }
 
 }  // namespace
@@ -53,19 +43,20 @@ SteadyRun::SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRe
 
 void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   const PatchState& start = *item_.patch.state;
+  if (evolution.patch().loop_numbers != start.patch.loop_numbers) return;  // only a part of what is shown
   if (record.step == 1) {
     if (attempts_++ > 0) recorder_.restart(item_.patch.id);
     initial_energy_ = evolution.initial_energy();
     last_ = item_.patch.state;
   }
   auto next = with_patch(start, evolution.patch(), task_.origin);
-  next->stage = PatchStage::stepped;
+  next->status = PatchStatus::ready;
+  next->energy = {initial_energy_, record.energy};
   next->message.clear();
   next->flow = task_.options.flow;
   next->steps = start.steps + record.step;
   next->last_step = record;
-  next->initial_energy = initial_energy_;
-  next->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  next->seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const bool first_attempt = attempts_ == 1;
   RunRecipe run = recipe_of(task_.options);
   run.steps = record.step;
@@ -75,42 +66,45 @@ void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   recorder_.record(item_.patch.id, std::move(next));
 }
 
-Evolved SteadyRun::evolve(const PatchState& start) {
-  const bool is_filler = start.recipe.runs.empty();
-  return evolve_filler(
-      item_.site->site(), start.patch, is_filler ? item_.loops : std::vector<BoundaryLoop>{}, task_.options,
-      [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
-}
-
-PatchStatePtr SteadyRun::state_of(const Evolved& evolved, const PatchState& from) {
-  auto state = with_patch(from, evolved.patch, task_.origin);
-  state->stage = stage_of(evolved.status);
-  state->message = message_of(evolved);
-  state->recipe = item_.patch.state->recipe;
+PatchStatePtr SteadyRun::state_of(const PatchResult& result, const PatchState& from) {
+  const PatchState& start = *item_.patch.state;
+  auto state = std::make_shared<PatchState>(from);
+  const std::vector<SeamReport> before = from.seams_before;
+  static_cast<PatchResult&>(*state) = result;
+  state->history.clear();
+  state->seams_before = before;
+  state->message = message_of(result);
+  state->shape = std::make_shared<SurfaceShape>(shape_of(result.patch, curvature_field(result.patch), task_.origin));
+  state->recipe = start.recipe;
   RunRecipe run = recipe_of(task_.options);
-  run.steps = evolved.steps;
+  run.steps = result.steps;
   state->recipe.runs.push_back(run);
-  state->flow = task_.options.flow;
-  state->steps = item_.patch.state->steps + evolved.steps;
-  state->initial_energy = evolved.initial_energy;
-  state->last_step.energy = evolved.final_energy;
-  state->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-  return judged(std::move(state), nullptr, *item_.site);
+  state->steps = start.steps + result.steps;
+  state->seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return state;
 }
 
 std::vector<OpenPatch> SteadyRun::run() {
   const PatchState& start = *item_.patch.state;
-  const bool may_be_parted = item_.loops.size() > 1 && start.recipe.runs.empty();
-  if (may_be_parted && is_judged(task_.options)) {
-    const std::vector<std::vector<int>> parts = parts_alike();
-    if (job_.pause_token().cancelled()) return {};
-    if (parts.size() > 1) return in_parts(parts);
-  }
-  const Evolved evolved = evolve(start);
+  InitialPatch initial;
+  initial.patch = start.patch;
+  initial.loops = item_.loops;
+  if (!start.recipe.runs.empty()) initial.origin = InitialPatch::Origin::evolved;
+  const GroupOptions options{FillerOptions{start.recipe.density}, task_.options};
+  if (start.recipe.start == PatchRecipe::Start::bridge && start.recipe.runs.empty()) return run_bridge();
+  const GroupResult group = solve_group(
+      item_.site->site(), initial, options,
+      [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
   if (job_.token().cancelled() || job_.asked_to_pause()) return {};
-  PatchStatePtr state = state_of(evolved, *last_);
-  if (is_spoilt(*state) && may_be_parted) return in_parts(one_by_one());
-  if (evolved.status == LoopStatus::filled) {
+  if (group.patches.empty()) throw InvalidArgument(group.holes.front().message);
+  if (group.patches.size() > 1 || group.patches.front()->patch.loops.size() < start.patch.loops.size()) {
+    std::vector<OpenPatch> parts;
+    for (const auto& result : group.patches) parts.push_back(part(*result));
+    return parts;
+  }
+  const PatchResult& result = *group.patches.front();
+  PatchStatePtr state = state_of(result, *last_);
+  if (result.status == PatchStatus::filled) {
     recorder_.restart(item_.patch.id);
     recorder_.record(item_.patch.id, std::move(state));
   } else {
@@ -119,60 +113,40 @@ std::vector<OpenPatch> SteadyRun::run() {
   return {};
 }
 
-std::vector<std::vector<int>> SteadyRun::one_by_one() const {
-  std::vector<std::vector<int>> parts;
-  for (std::size_t k = 0; k < item_.loops.size(); ++k) parts.push_back({static_cast<int>(k)});
-  return parts;
-}
-
-/// As the command line parts them: one hole does not decide for its neighbours.
-std::vector<std::vector<int>> SteadyRun::parts_alike() const {
+std::vector<OpenPatch> SteadyRun::run_bridge() {
   const FillerOptions options{item_.patch.state->recipe.density};
-  const SurfaceModel& model = item_.site->model();
-  return groups_alike(model, item_.loops, start_patch(model, item_.loops, options, job_.pause_token()).fillers);
+  const BridgeOutcome outcome = bridge_loops(item_.site->model(), item_.loops, options, job_.pause_token());
+  if (job_.pause_token().cancelled()) return {};
+  if (!outcome.bridge) throw InvalidArgument(outcome.message);
+  const PatchResult result = solve_bridge(
+      item_.site->site(), *outcome.bridge, task_.options,
+      [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
+  if (job_.token().cancelled() || job_.asked_to_pause()) return {};
+  if (result.status == PatchStatus::failed) throw InvalidArgument(result.message);
+  recorder_.amend(item_.patch.id, state_of(result, *last_));
+  return {};
 }
 
-/// Each part as a patch of its own; where that is spoilt, its loops one by one.
-std::vector<OpenPatch> SteadyRun::in_parts(const std::vector<std::vector<int>>& parts) {
-  std::vector<OpenPatch> result;
-  for (const std::vector<int>& members : parts) {
-    std::optional<OpenPatch> part = solved(members);
-    if (job_.pause_token().cancelled()) return {};
-    if (!part) continue;
-    if (members.size() == 1 || !is_spoilt(*part->state)) {
-      result.push_back(std::move(*part));
-      continue;
-    }
-    for (int k : members) {
-      std::optional<OpenPatch> single = solved({k});
-      if (job_.pause_token().cancelled()) return {};
-      if (single) result.push_back(std::move(*single));
-    }
-  }
-  return result;
+std::vector<BoundaryLoop> SteadyRun::loops_of(const std::vector<int>& numbers) const {
+  std::vector<BoundaryLoop> loops;
+  for (const BoundaryLoop& loop : item_.loops)
+    if (std::find(numbers.begin(), numbers.end(), loop.number) != numbers.end()) loops.push_back(loop);
+  return loops;
 }
 
-/// @param members  indices into the item's loops. @returns empty when cancelled, or where there is no initial patch.
-std::optional<OpenPatch> SteadyRun::solved(const std::vector<int>& members) {
+OpenPatch SteadyRun::part(const PatchResult& result) {
   const double density = item_.patch.state->recipe.density;
+  const std::vector<BoundaryLoop> loops = loops_of(result.patch.loop_numbers);
   OpenPatch part;
   part.scan = item_.patch.scan;
-  std::vector<BoundaryLoop> loops;
-  for (int k : members) {
-    loops.push_back(item_.loops[static_cast<std::size_t>(k)]);
-    part.loops.push_back(item_.patch.loops[static_cast<std::size_t>(k)]);
-  }
-  PatchStart start = start_patch(item_.site->model(), loops, FillerOptions{density}, job_.pause_token());
-  if (!start.patch || job_.pause_token().cancelled()) return std::nullopt;
-  std::string remarks;
-  for (const FillerOutcome& filler : start.fillers)
-    if (!filler.message.empty()) remarks += (remarks.empty() ? "" : " ") + filler.message;
-  const PatchStatePtr initial = first_state(*start.patch, remarks, density, task_.origin);
-  const Evolved evolved =
-      evolve_filler(item_.site->site(), *start.patch, loops, task_.options, nullptr, job_.pause_token());
-  if (job_.pause_token().cancelled()) return std::nullopt;
-  part.state = state_of(evolved, *initial);
-  part.timeline = std::make_shared<Timeline>(Timeline{initial, part.state});
+  for (std::size_t k = 0; k < item_.loops.size(); ++k)
+    for (const BoundaryLoop& loop : loops)
+      if (loop.number == item_.loops[k].number) part.loops.push_back(item_.patch.loops[k]);
+  InitialPatch initial = make_initial_patch(item_.site->model(), loops, FillerOptions{density}, job_.pause_token());
+  const PatchStatePtr first =
+      first_state(initial.patch ? std::move(*initial.patch) : result.patch, initial.message(), density, task_.origin);
+  part.state = state_of(result, *first);
+  part.timeline = std::make_shared<Timeline>(Timeline{first, part.state});
   return part;
 }
 

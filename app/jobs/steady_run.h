@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One patch to its steady state, as `loopmend fill` does it: same tests, same fallbacks, same result.
+// One patch to its steady state by the engine's solve_group(), every accepted state shown on the way.
 #pragma once
 
-#include "evolution/evolve_filler.h"
 #include "jobs/evolve_patches.h"
+#include "pipeline/solve_group.h"
 
 #include <chrono>
-#include <optional>
 #include <vector>
 
 namespace loopmend {
@@ -15,18 +14,16 @@ class SteadyRun {
  public:
   SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder, const Job& job);
 
-  /// @returns several patches in place of the item's, where its holes ask for different treatment, or a joint solution
-  /// would spoil one of them; else nothing.
+  /// @returns several patches in place of the item's, where its holes were solved apart from each other; else nothing.
+  /// @throws InvalidArgument with the engine's words where no patch came of it.
   std::vector<OpenPatch> run();
 
  private:
-  Evolved evolve(const PatchState& start);
+  std::vector<OpenPatch> run_bridge();
   void show(const Evolution& evolution, const StepRecord& record);
-  PatchStatePtr state_of(const Evolved& evolved, const PatchState& from);
-  std::vector<std::vector<int>> one_by_one() const;
-  std::vector<std::vector<int>> parts_alike() const;
-  std::vector<OpenPatch> in_parts(const std::vector<std::vector<int>>& parts);
-  std::optional<OpenPatch> solved(const std::vector<int>& members);
+  PatchStatePtr state_of(const PatchResult& result, const PatchState& from);
+  OpenPatch part(const PatchResult& result);
+  std::vector<BoundaryLoop> loops_of(const std::vector<int>& numbers) const;
 
   const EvolveTask& task_;
   const EvolveTask::Item& item_;

@@ -6,9 +6,11 @@
 #include "core/cancel.h"
 
 #include <QObject>
+#include <QString>
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <list>
 #include <memory>
@@ -56,6 +58,19 @@ class TaskRunner {
   TaskRunner& operator=(const TaskRunner&) = delete;
 
   void start(std::function<void()> work);
+  /// work() on a worker; what it returns goes to done(), what it throws to failed() in words, both on the window's thread.
+  /// Neither is called once the job was cancelled.
+  template <class Work, class Done, class Failed>
+  void run(const JobPtr& job, Work work, Done done, Failed failed) {
+    start([job, work = std::move(work), done = std::move(done), failed = std::move(failed)]() mutable {
+      try {
+        auto result = std::make_shared<decltype(work())>(work());
+        job->tell([done, result]() mutable { done(std::move(*result)); });
+      } catch (const std::exception& error) {
+        job->tell([failed, text = QString::fromUtf8(error.what())]() mutable { failed(text); });
+      }
+    });
+  }
   /// @returns whether every job has ended within the time.
   bool wait(std::chrono::milliseconds at_most);
 

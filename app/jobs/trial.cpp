@@ -179,7 +179,7 @@ void Trial::evolve(const EvolutionOptions& options) {
       if (job->token().cancelled()) return;
       OpenedScanPtr made;
       if (solution->refusal.empty()) made = made_scan(solution->surface, name, origin);
-      const auto shape = shape_of_patch(solution->patch, origin);
+      const auto shape = shape_of_patch(solution->outcome.patch, origin);
       job->tell([this, solution, made, shape] { on_solved(solution, made, shape); });
     } catch (const std::exception& error) {
       job->tell([this, words = QString::fromUtf8(error.what())] { fail(words, Stage::posed); });
@@ -216,12 +216,13 @@ void Trial::on_solved(std::shared_ptr<const Solution> solution, const OpenedScan
   made_ = made;
   picture_.patch = std::move(shape);
   picture_.arrival = Arrival::soon;
-  const bool rest = solution_->status == EvolutionStatus::converged;
-  QString words = (rest ? tr("Converged after %1 steps, energy %2 \u2192 %3.") : tr("%1 steps, energy %2 \u2192 %3."))
-                      .arg(solution_->steps)
-                      .arg(words::number(solution_->initial_energy), words::number(solution_->final_energy));
-  if (!solution_->message.empty())
-    words += QLatin1Char(' ') + words::sentence(text(solution_->message)) + QLatin1Char('.');
+  const bool rest = solution_->outcome.status == PatchStatus::converged;
+  QString words =
+      (rest ? tr("Converged after %1 steps, energy %2 \u2192 %3.") : tr("%1 steps, energy %2 \u2192 %3."))
+          .arg(solution_->outcome.steps)
+          .arg(words::number(solution_->outcome.energy.initial), words::number(solution_->outcome.energy.final));
+  if (!solution_->outcome.message.empty())
+    words += QLatin1Char(' ') + words::sentence(text(solution_->outcome.message)) + QLatin1Char('.');
   go_to(Stage::solved, words);
   Q_EMIT picture_changed();
 }
@@ -259,25 +260,25 @@ QString Trial::adopt(const LaneState& lane) {
   if (!posed_ || busy() || workbench_.busy()) return tr("The main window is busy, or has gone on to something else.");
   job_ = std::make_shared<Job>(this);
   go_to(Stage::evolving, tr("Taking over\u2026"));
-  tasks_.start([this, job = job_, posed = posed_, lane, origin = document_.origin(), name = wish_.made_name] {
-    try {
-      auto solution = std::make_shared<Solution>();
-      solution->patch = lane.patch;
-      solution->surface = posed->problem.surface(lane.patch);
-      solution->status = lane.status;
-      solution->message = lane.message;
-      solution->steps = lane.steps;
-      solution->initial_energy = lane.own_energy[0];
-      solution->final_energy = lane.own_energy[1];
-      const OpenedScanPtr made = made_scan(solution->surface, name, origin);
-      job->tell([this, solution, made, shape = lane.shape] {
-        on_solved(solution, made, shape);
+  struct Taken {
+    std::shared_ptr<const Solution> solution;
+    OpenedScanPtr made;
+    std::shared_ptr<const SurfaceShape> shape;
+  };
+  tasks_.run(
+      job_,
+      [posed = posed_, lane, origin = document_.origin(), name = wish_.made_name] {
+        auto solution = std::make_shared<Solution>();
+        solution->outcome = lane;
+        solution->surface = posed->problem.surface(lane.patch);
+        const OpenedScanPtr made = made_scan(solution->surface, name, origin);
+        return Taken{std::move(solution), made, lane.shape};
+      },
+      [this](const Taken& taken) {
+        on_solved(taken.solution, taken.made, taken.shape);
         accept();
-      });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] { fail(words, Stage::posed); });
-    }
-  });
+      },
+      [this](const QString& text) { fail(text, Stage::posed); });
   return tr("%1 was taken over into the main window; Ctrl+Z there takes it back.").arg(words::flow_name(lane.flow));
 }
 

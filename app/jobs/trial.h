@@ -7,7 +7,7 @@
 #include "document/problem_commands.h"
 #include "jobs/flow_race.h"
 #include "jobs/workbench.h"
-#include "problems/problem.h"
+#include "pipeline/problem.h"
 #include "scene/trial_picture.h"
 
 #include <QObject>

@@ -60,6 +60,11 @@ void Workbench::end() {
   Q_EMIT activity_changed();
 }
 
+void Workbench::give_up(const QString& text) {
+  end();
+  tell_failure(text);
+}
+
 void Workbench::tell_failure(const QString& words) {
   Q_EMIT failed(words);
   Q_EMIT said(words);
@@ -75,7 +80,7 @@ void Workbench::push(std::vector<PatchChange::Pair> pairs, const QString& text) 
   if (!pairs.empty()) undo_.push(std::make_unique<PatchChange>(document_, std::move(pairs), text));
 }
 
-std::vector<FillTask> Workbench::fill_tasks(const std::set<int>& loops, double density) {
+std::vector<FillTask> Workbench::fill_tasks(const std::set<int>& loops, const FillChoice& choice) {
   std::map<int, FillTask> by_scan;
   for (int loop : loops) {
     if (document_.patch_of(loop) || !document_.present(loop)) continue;
@@ -86,7 +91,9 @@ std::vector<FillTask> Workbench::fill_tasks(const std::set<int>& loops, double d
   for (auto& [scan, task] : by_scan) {
     task.scan = scan;
     task.site = site_of(scan);
-    task.options.density = density;
+    task.options.filler.density = choice.density;
+    task.options.islands = choice.islands;
+    task.first_loop = document_.first_loop_of(scan);
     task.origin = document_.origin();
     for (const OpenPatch& patch : document_.patches())
       if (patch.scan == scan && patch.acceptance == Acceptance::pending)
@@ -96,58 +103,94 @@ std::vector<FillTask> Workbench::fill_tasks(const std::set<int>& loops, double d
   return tasks;
 }
 
-void Workbench::fill(const std::set<int>& loops, double density) {
+void Workbench::fill(const std::set<int>& loops, const FillChoice& choice) {
   if (busy()) return;
-  const std::vector<FillTask> tasks = fill_tasks(loops, density);
+  const std::vector<FillTask> tasks = fill_tasks(loops, choice);
   std::set<int> wanted;
   for (const FillTask& task : tasks)
     for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
   if (wanted.empty()) return;
   const auto ready = preview_;
   const JobPtr job = begin(Activity::filling, tr("Filling %1").arg(words::holes(document_, wanted)));
-  if (ready && ready->loops == wanted && ready->density == density) {
+  if (ready && ready->loops == wanted && ready->choice == choice) {
     on_filled(ready->result, wanted);
     return;
   }
   const int total = static_cast<int>(wanted.size());
-  tasks_.start([this, job, tasks, wanted, total] {
-    const auto progress = [&](int done) { job->tell([this, done, total] { Q_EMIT progress_changed(done, total); }); };
-    try {
-      auto result = std::make_shared<FillResult>(fill_holes(tasks, Judging::cuts, progress, job->token()));
-      job->tell([this, result, wanted] { on_filled(std::move(*result), wanted); });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] {
-        end();
-        tell_failure(words);
-      });
-    }
-  });
+  tasks_.run(
+      job,
+      [this, job, tasks, total] {
+        return make_initial_patches(
+            tasks, [&](int done) { job->tell([this, done, total] { Q_EMIT progress_changed(done, total); }); },
+            job->token());
+      },
+      [this, wanted](FillResult result) { on_filled(std::move(result), wanted); },
+      [this](const QString& text) { give_up(text); });
 }
 
-void Workbench::preview_fill(const std::set<int>& loops, double density) {
+void Workbench::preview_fill(const std::set<int>& loops, const FillChoice& choice) {
   if (busy()) return;
   drop_fill_preview();
-  const std::vector<FillTask> tasks = fill_tasks(loops, density);
+  const std::vector<FillTask> tasks = fill_tasks(loops, choice);
   std::set<int> wanted;
   for (const FillTask& task : tasks)
     for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
   if (wanted.empty()) return;
   preview_job_ = std::make_shared<Job>(this);
-  tasks_.start([this, job = preview_job_, tasks, wanted, density] {
-    try {
-      auto made = std::make_shared<FillPreview>(FillPreview{wanted, density,
-                                                            fill_holes(
-                                                                tasks, Judging::cuts, [](int) {}, job->token())});
-      job->tell([this, made] {
-        preview_ = made;
+  const JobPtr job = preview_job_;
+  tasks_.run(
+      job,
+      [job, tasks] {
+        return make_initial_patches(
+            tasks, [](int) {}, job->token());
+      },
+      [this, wanted, choice](FillResult result) {
         std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
-        for (const OpenPatch& patch : made->result.patches) ghosts.push_back(patch.state->shape);
+        for (const OpenPatch& patch : result.patches) ghosts.push_back(patch.state->shape);
+        preview_ = std::make_shared<FillPreview>(FillPreview{wanted, choice, std::move(result)});
         Q_EMIT ghosts_changed(ghosts);
-      });
-    } catch (const std::exception&) {
-      // Fill will say it in words.
-    }
-  });
+      },
+      [](const QString&) {});  // Fill will say it in words
+}
+
+void Workbench::trim(const std::set<int>& loops) {
+  constexpr int rounds = 3;
+  if (busy()) return;
+  std::map<int, std::vector<BoundaryLoop>> by_scan;
+  for (int loop : loops)
+    if (document_.present(loop)) by_scan[document_.scan_of(loop)].push_back(document_.loop(loop));
+  if (by_scan.empty()) return;
+  struct Trimmed {
+    int scan = 0;
+    std::size_t removed = 0;
+    OpenedScanPtr made;
+  };
+  const JobPtr job = begin(Activity::filling, tr("Trimming %1").arg(words::holes(document_, loops)));
+  std::map<int, OpenedScanPtr> opened;
+  for (const auto& [scan, chosen] : by_scan) opened[scan] = document_.scan(scan);
+  tasks_.run(
+      job,
+      [by_scan, opened] {
+        std::vector<Trimmed> all;
+        for (const auto& [scan, chosen] : by_scan) {
+          const OpenedScan& old = *opened.at(scan);
+          TrimmedModel trimmed = trim_rim(*old.model, chosen, rounds);
+          if (trimmed.removed.empty()) continue;
+          all.push_back({scan, trimmed.removed.size(), made_scan(std::move(trimmed.model.soup), old.name, old.origin)});
+        }
+        return all;
+      },
+      [this](const std::vector<Trimmed>& all) {
+        end();
+        for (const Trimmed& one : all) {
+          replace_scans({one.scan}, one.made, tr("Trim the boundaries of %1").arg(one.made->name));
+          Q_EMIT said(tr("%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
+                          .arg(one.made->name)
+                          .arg(one.removed));
+        }
+        if (all.empty()) Q_EMIT notice(tr("There are no bad triangles at these boundaries."));
+      },
+      [this](const QString& text) { give_up(text); });
 }
 
 void Workbench::drop_fill_preview() {
@@ -228,17 +271,13 @@ void Workbench::evolve(const std::set<int>& patch_ids, EvolutionOptions options,
   for (const auto& [id, patch] : run_start_) running.insert(id);
   document_.set_running(running);
   recorder_ = std::make_shared<RunRecorder>([this, job] { job->tell([this] { take_records(); }); });
-  tasks_.start([this, job, task = std::move(task), recorder = recorder_] {
-    try {
-      auto result = std::make_shared<EvolveResult>(evolve_patches(task, *recorder, *job));
-      job->tell([this, result] { on_evolved(*result); });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] {
+  tasks_.run(
+      job, [job, task = std::move(task), recorder = recorder_] { return evolve_patches(task, *recorder, *job); },
+      [this](const EvolveResult& result) { on_evolved(result); },
+      [this](const QString& text) {
         on_evolved({});
-        tell_failure(words);
+        tell_failure(text);
       });
-    }
-  });
 }
 
 void Workbench::take_records() {
@@ -266,8 +305,8 @@ QString Workbench::run_words(const OpenPatch& before, const OpenPatch& now) cons
   QString line = tr("%1, %2: %3 steps, energy %4 \u2192 %5, %6 s.")
                      .arg(words::sentence(words::holes(document_, loops_of(now))), words::flow_name(state.flow))
                      .arg(state.steps - before.state->steps)
-                     .arg(words::number(state.initial_energy), words::number(state.last_step.energy))
-                     .arg(state.seconds, 0, 'f', 1);
+                     .arg(words::number(state.energy.initial), words::number(state.energy.final))
+                     .arg(state.seconds.total, 0, 'f', 1);
   if (!state.message.empty()) line += QLatin1Char(' ') + QString::fromStdString(state.message);
   return line;
 }
@@ -300,10 +339,10 @@ void Workbench::record_run(const EvolveResult& result) {
 void Workbench::adopt(OpenPatch patch) {
   if (busy() || !document_.scan(patch.scan)) return;
   const JobPtr job = begin(Activity::filling, tr("Taking over %1").arg(words::holes(document_, loops_of(patch))));
-  tasks_.start([this, job, patch, site = site_of(patch.scan)] {
-    const PatchStatePtr state = judged(patch.state, &patch.timeline->front()->patch, *site);
-    job->tell([this, patch, state] { on_judged(patch, state); });
-  });
+  tasks_.run(
+      job, [patch, site = site_of(patch.scan)] { return judged(patch.state, &patch.timeline->front()->patch, *site); },
+      [this, patch](const PatchStatePtr& state) { on_judged(patch, state); },
+      [this](const QString& text) { give_up(text); });
 }
 
 void Workbench::on_judged(OpenPatch patch, PatchStatePtr state) {

@@ -6,7 +6,8 @@
 #include "document/session.h"
 #include "document/undo_history.h"
 #include "jobs/evolve_patches.h"
-#include "jobs/fill_holes.h"
+#include "jobs/export_scene.h"
+#include "jobs/initial_patches.h"
 #include "jobs/load_scan.h"
 #include "jobs/run_recorder.h"
 #include "jobs/task_runner.h"
@@ -24,6 +25,13 @@ enum class Activity { idle, opening, filling, stepping, running, solving, pausin
 enum class OpenMode {
   replace,  ///< another scene
   add,      ///< into the scene; can be undone
+};
+
+/// How holes are filled.
+struct FillChoice {
+  double density = 1;  ///< FillerOptions::density
+  FillOptions::Islands islands = FillOptions::Islands::cover;
+  bool operator==(const FillChoice&) const = default;
 };
 
 class Workbench : public QObject {
@@ -50,10 +58,13 @@ class Workbench : public QObject {
   void export_to(const QString& path);
 
   /// Loops that have a patch already are passed over.
-  void fill(const std::set<int>& loops, double density);
+  void fill(const std::set<int>& loops, const FillChoice& choice);
   /// Computes what fill() would do and shows it as a ghost. A later call replaces the earlier one.
-  void preview_fill(const std::set<int>& loops, double density);
+  void preview_fill(const std::set<int>& loops, const FillChoice& choice);
   void drop_fill_preview();
+  /// Takes bad triangles at the boundaries of these holes away, as `loopmend fill --trim-rim 3`: each scan is replaced by one
+  /// without them, and loses its patches; can be undone.
+  void trim(const std::set<int>& loops);
   void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
   void pause();
   /// Comes back at once; what was accepted so far stays and can be undone.
@@ -91,20 +102,23 @@ class Workbench : public QObject {
   struct Restored;
   struct FillPreview {
     std::set<int> loops;
-    double density = 1;
+    FillChoice choice;
     FillResult result;
   };
 
   JobPtr begin(Activity activity, const QString& stage);
   void end();
   void tell_failure(const QString& words);
+  /// The job has failed.
+  void give_up(const QString& text);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
   void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);
   Restored restore(const QString& path, const JobPtr& job) const;
   void on_restored(Restored restored, const QString& path, const QString& shown_as);
-  std::vector<FillTask> fill_tasks(const std::set<int>& loops, double density);
+  std::vector<FillTask> fill_tasks(const std::set<int>& loops, const FillChoice& choice);
   void on_judged(OpenPatch patch, PatchStatePtr state);
+  void on_exported(const ExportResult& result, const QString& path);
   void on_filled(FillResult result, const std::set<int>& wanted);
   void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
   void take_records();

@@ -2,7 +2,6 @@
 // The workbench's dealings with files: scans, sessions, exports.
 #include "document/timeline.h"
 #include "document/words.h"
-#include "io/write_mesh.h"
 #include "jobs/state_making.h"
 #include "jobs/workbench.h"
 
@@ -213,84 +212,42 @@ void Workbench::open_made(const std::vector<OpenedScanPtr>& scans) {
 void Workbench::save_session(const QString& path) {
   if (busy() || !document_.has_scan()) return;
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
-  tasks_.start([this, job, session = session_of(document_, view_), path] {
-    try {
-      write_session(session, path);
-      job->tell([this, path] {
+  tasks_.run(
+      job,
+      [session = session_of(document_, view_), path] {
+        write_session(session, path);
+        return true;
+      },
+      [this, path](bool) {
         end();
         undo_.mark_saved();
         Q_EMIT said(tr("Saved the session as %1.").arg(QDir::toNativeSeparators(path)));
         Q_EMIT session_saved(path);
-      });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] {
-        end();
-        tell_failure(words);
-      });
-    }
-  });
+      },
+      [this](const QString& text) { give_up(text); });
 }
 
 void Workbench::export_to(const QString& path) {
   if (busy() || !document_.has_scan()) return;
-  struct Part {
-    std::shared_ptr<const SurfaceModel> model;
-    std::vector<PatchStatePtr> states;
-  };
-  std::vector<Part> parts;
-  std::vector<NotKept> lost;
-  std::set<int> left_open;
-  for (int index : document_.scans()) {
-    Part part{document_.scan(index)->model, {}};
-    for (const NotKept& entry : document_.scan(index)->import.not_kept) count_not_kept(lost, entry.what, entry.count);
-    for (const OpenPatch& patch : document_.patches()) {
-      if (patch.scan != index) continue;
-      const bool wanted = patch.state->stage != PatchStage::cutting || patch.acceptance == Acceptance::accepted;
-      if (wanted) part.states.push_back(patch.state);
-      if (!wanted) left_open.insert(patch.loops.begin(), patch.loops.end());
-    }
-    parts.push_back(std::move(part));
-  }
-  const QString remark =
-      left_open.empty()
-          ? QString()
-          : tr(" Left open, because the patch cuts the surface: %1.").arg(words::holes(document_, left_open));
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
-  tasks_.start([this, job, parts, path, remark, lost]() mutable {
-    try {
-      std::vector<TriangleSoup> soups;
-      for (const Part& part : parts) {
-        SurfaceModel model = *part.model;
-        for (const PatchStatePtr& state : part.states) {
-          if (job->token().cancelled()) return;
-          append_patch(model, patch_geometry(state->patch));
-        }
-        soups.push_back(std::move(model.soup));
-      }
-      const TriangleSoup all = joined(std::move(soups));
-      if (job->token().cancelled()) return;
-      write_mesh(path.toStdString(), all);
-      for (const NotKept& entry : not_kept_by_format(path.toStdString(), all))
-        count_not_kept(lost, entry.what, entry.count);
-      QString losses;
-      if (!lost.empty()) losses = tr(" Not in it: %1.").arg(words::not_kept(lost));
-      if (const double way = largest_rounding(path.toStdString(), all.points, Encoding::binary); way > 0)
-        losses += tr(" STL rounds: vertices were moved by up to %1; PLY keeps every digit.").arg(words::number(way));
-      job->tell([this, path, remark, losses, count = all.triangles.size()] {
-        end();
-        undo_.mark_saved();
-        const QString words =
-            tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), words::count(count)) + losses + remark;
-        Q_EMIT said(words);
-        Q_EMIT notice(words);
-      });
-    } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] {
-        end();
-        tell_failure(words);
-      });
-    }
-  });
+  tasks_.run(
+      job, [job, task = export_task(document_, path.toStdString())] { return export_scene(task, job->token()); },
+      [this, path](const ExportResult& result) { on_exported(result, path); },
+      [this](const QString& text) { give_up(text); });
+}
+
+void Workbench::on_exported(const ExportResult& result, const QString& path) {
+  end();
+  undo_.mark_saved();
+  QString text = tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), words::count(result.triangles));
+  if (!result.not_kept.empty()) text += tr(" Not in it: %1.").arg(words::not_kept(result.not_kept));
+  if (result.largest_rounding > 0)
+    text += tr(" STL rounds: vertices were moved by up to %1; PLY keeps every digit.")
+                .arg(words::number(result.largest_rounding));
+  if (!result.left_open.empty())
+    text += tr(" Left open, because the patch cuts the surface: %1.").arg(words::holes(document_, result.left_open));
+  Q_EMIT said(text);
+  Q_EMIT notice(text);
 }
 
 }  // namespace loopmend

@@ -52,14 +52,14 @@ void EnergyView::show_run(const OpenPatch* patch) {
   bool positive = true;
   double low = std::numeric_limits<double>::max(), high = 0;
   if (patch) {
-    double start = patch->state->initial_energy;
+    double start = patch->state->energy.initial;
     for (const PatchStatePtr& state : *patch->timeline)
       if (state->steps > 0) {
-        start = state->initial_energy;
+        start = state->energy.initial;
         break;
       }
     for (const PatchStatePtr& state : *patch->timeline) {
-      const double value = state->steps == 0 ? start : state->last_step.energy;
+      const double value = state->steps == 0 ? start : state->energy.final;
       step << state->steps;
       energy << value;
       positive = positive && value > 0;

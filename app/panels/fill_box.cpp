@@ -32,7 +32,9 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, Workb
   preview_timer_.setInterval(preview_delay_ms);
   connect(&preview_timer_, &QTimer::timeout, this, &FillBox::preview_now);
   connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
+  connect(trim_, &QPushButton::clicked, this, &FillBox::trim);
   connect(preview_, &QCheckBox::toggled, this, &FillBox::preview_now);
+  connect(islands_, &QCheckBox::toggled, this, &FillBox::preview_soon);
   connect(density_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
     update_state();
     preview_soon();
@@ -60,21 +62,37 @@ void FillBox::build() {
   preview_ = new QCheckBox(tr("Pre&view"));
   preview_->setObjectName(QStringLiteral("preview"));
   explain(preview_, tr("Preview"), tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
+  islands_ = new QCheckBox(tr("&Join islands"));
+  islands_->setObjectName(QStringLiteral("islands"));
+  explain(islands_, tr("Join islands"),
+          tr("Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them"));
+  trim_ =
+      make_button("trim", tr("&Trim"),
+                  tr("Remove dangling, folded and needle-like triangles at the boundaries of these holes, up to three "
+                     "rings of them, before they are filled; Ctrl+Z brings them back"));
   fill_ = make_button("fill", tr("&Fill"), tr("Close the selected holes, or all holes when none is selected (Ctrl+F)"));
   grid->addWidget(target_, 0, 0, 1, 3);
   grid->addWidget(density_label, 1, 0);
   grid->addWidget(density_, 1, 1);
   grid->addWidget(preview_, 1, 2);
-  grid->addWidget(estimate_, 2, 0, 1, 3);
-  grid->addWidget(fill_, 3, 0, 1, 3);
+  grid->addWidget(islands_, 2, 0, 1, 2);
+  grid->addWidget(trim_, 2, 2);
+  grid->addWidget(estimate_, 3, 0, 1, 3);
+  grid->addWidget(fill_, 4, 0, 1, 3);
   grid->setColumnStretch(1, 1);
 }
 
 void FillBox::fill() {
-  if (fill_->isEnabled()) fill_loops(loops_to_fill(document_, selection_));
+  if (fill_->isEnabled()) fill_holes(loops_to_fill(document_, selection_));
 }
 
-void FillBox::fill_loops(const std::set<int>& loops) { workbench_.fill(loops, density_->value()); }
+void FillBox::fill_holes(const std::set<int>& loops) { workbench_.fill(loops, choice()); }
+
+FillChoice FillBox::choice() const {
+  return {density_->value(), islands_->isChecked() ? FillOptions::Islands::join : FillOptions::Islands::cover};
+}
+
+void FillBox::trim() { workbench_.trim(loops_to_fill(document_, selection_)); }
 
 void FillBox::preview_soon() {
   if (preview_->isChecked()) preview_timer_.start();
@@ -83,7 +101,7 @@ void FillBox::preview_soon() {
 void FillBox::preview_now() {
   const std::set<int> loops = loops_to_fill(document_, selection_);
   const bool wanted = preview_->isChecked() && !loops.empty() && loops.size() <= most_previewed;
-  wanted ? workbench_.preview_fill(loops, density_->value()) : workbench_.drop_fill_preview();
+  wanted ? workbench_.preview_fill(loops, choice()) : workbench_.drop_fill_preview();
 }
 
 QString FillBox::target_words(const std::set<int>& loops) const {
@@ -129,6 +147,8 @@ void FillBox::update_state() {
   fill_->setEnabled(idle && !loops.empty());
   fill_->setDefault(fill_->isEnabled());
   density_->setEnabled(idle && document_.has_scan());
+  islands_->setEnabled(idle && document_.has_scan());
+  trim_->setEnabled(idle && !loops.empty());
   preview_->setEnabled(idle && !loops.empty() && loops.size() <= most_previewed);
 }
 

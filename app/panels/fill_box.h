@@ -17,6 +17,7 @@ namespace loopmend {
 class Document;
 class HoleSelection;
 class Workbench;
+struct FillChoice;
 
 class FillBox : public QGroupBox {
   Q_OBJECT
@@ -25,11 +26,13 @@ class FillBox : public QGroupBox {
   FillBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent = nullptr);
 
   void fill();
-  void fill_loops(const std::set<int>& loops);
+  void trim();
+  void fill_holes(const std::set<int>& loops);
   void update_state();
 
  private:
   void build();
+  FillChoice choice() const;
   QString target_words(const std::set<int>& loops) const;
   QString estimate(const std::set<int>& loops) const;
   void preview_soon();
@@ -40,8 +43,8 @@ class FillBox : public QGroupBox {
   Workbench& workbench_;
   QLabel *target_ = nullptr, *estimate_ = nullptr;
   QDoubleSpinBox* density_ = nullptr;
-  QCheckBox* preview_ = nullptr;
-  QPushButton* fill_ = nullptr;
+  QCheckBox *preview_ = nullptr, *islands_ = nullptr;
+  QPushButton *fill_ = nullptr, *trim_ = nullptr;
   QTimer preview_timer_;
 };
 

@@ -200,11 +200,11 @@ void InspectPanel::update_seam() {
   const OpenPatch& patch = *document_.patch_of(first);
   const auto at =
       static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), first) - patch.loops.begin());
-  if (at >= patch.state->seam.size()) return;
+  if (at >= patch.state->seams.size()) return;
   sentence_->setText(
       tr("Hole %1: %2")
           .arg(words::hole_name(document_, first),
-               words::seam_sentence(patch.state->seam_before[at], patch.state->seam[at], patch.state->stage)));
+               words::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status)));
 }
 
 void InspectPanel::fill_row(int row, int loop) {
@@ -215,10 +215,10 @@ void InspectPanel::fill_row(int row, int loop) {
     QString text;
     if (column == hole) {
       text = words::hole_name(document_, loop);
-    } else if (at < patch.state->seam.size()) {
+    } else if (at < patch.state->seams.size()) {
       const QString unit = column == angle_rms || column == angle_max ? QStringLiteral("\u00b0") : QString();
-      const QString now = words::number(value(patch.state->seam[at], column)) + unit;
-      const QString before = words::number(value(patch.state->seam_before[at], column)) + unit;
+      const QString now = words::number(value(patch.state->seams[at], column)) + unit;
+      const QString before = words::number(value(patch.state->seams_before[at], column)) + unit;
       text = before == now ? now : before.chopped(unit.size()) + QStringLiteral(" \u2192 ") + now;
     }
     auto* item = new QTableWidgetItem(text);

@@ -73,10 +73,10 @@ void ProgressBox::show_figures(int patch_id) {
                      .arg(words::sentence(words::holes(document_, {patch->loops.begin(), patch->loops.end()})),
                           words::flow_name(state.flow))
                      .arg(state.steps)
-                     .arg(words::number(state.last_step.energy), words::number(state.initial_energy));
+                     .arg(words::number(state.energy.final), words::number(state.energy.initial));
   if (state.last_step.max_move > 0)
     text += tr(", residual %1 edge lengths").arg(words::number(state.last_step.max_move));
-  figures_->setText(text + tr(", %1 s").arg(state.seconds, 0, 'f', 1));
+  figures_->setText(text + tr(", %1 s").arg(state.seconds.total, 0, 'f', 1));
 }
 
 }  // namespace loopmend

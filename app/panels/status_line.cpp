@@ -56,12 +56,12 @@ void StatusLine::show_figures(int patch_id) {
     return;
   }
   const PatchState& state = *patch->state;
-  QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(words::number(state.last_step.energy));
+  QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(words::number(state.energy.final));
   if (state.last_step.max_move > 0) text += tr(" \u00b7 residual %1").arg(words::number(state.last_step.max_move));
   if (state.last_step.tau > 0)
     text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2")
                 .arg(words::number(state.last_step.sigma), words::number(state.last_step.tau));
-  figures_->setText(text + tr(" \u00b7 %1 s").arg(state.seconds, 0, 'f', 1));
+  figures_->setText(text + tr(" \u00b7 %1 s").arg(state.seconds.total, 0, 'f', 1));
 }
 
 }  // namespace loopmend

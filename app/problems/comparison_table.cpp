@@ -59,7 +59,7 @@ const std::vector<std::string>& comparison_heads() {
 
 std::vector<std::string> comparison_row(const std::string& name, const std::string& status, int steps,
                                         const PatchEnergies& energies, const std::vector<SeamReport>& seams,
-                                        double wide_jump, const FillerQuality& quality) {
+                                        double wide_jump, const Validity& quality) {
   const SeamFigures seam = seam_figures(seams);
   return {name,
           status,
@@ -72,15 +72,15 @@ std::vector<std::string> comparison_row(const std::string& name, const std::stri
           format("%.4g", seam.jump_times_diameter),
           format("%.4g", seam.angle),
           std::to_string(quality.folds),
-          std::to_string(quality.self_intersections)};
+          std::to_string(quality.intersections)};
 }
 
 namespace {
 
 /// The flow, and what took its place where something did.
-std::string run_name(const FlowRun& run) {
-  if (run.evolved.method == Method::flow) return upper_name(run.flow);
-  return upper_name(run.flow) + " as " + method_name(run.evolved.method, run.flow);
+std::string run_name(const ComparedFlow& run) {
+  if (run.outcome.method == Method::flow) return upper_name(run.outcome.flow);
+  return upper_name(run.outcome.flow) + " as " + method_name(run.outcome.method, run.outcome.flow);
 }
 
 }  // namespace
@@ -88,10 +88,10 @@ std::string run_name(const FlowRun& run) {
 std::vector<std::vector<std::string>> comparison_rows(const FlowComparison& comparison) {
   std::vector<std::vector<std::string>> rows;
   rows.push_back(comparison_row("start", "", 0, comparison.start, comparison.start_seams, comparison.start_wide_jump,
-                                comparison.start_quality));
-  for (const FlowRun& run : comparison.runs)
-    rows.push_back(comparison_row(run_name(run), to_string(run.evolved.status), run.evolved.steps, run.energies,
-                                  run.seams, run.wide_jump, run.evolved.quality));
+                                comparison.start_validity));
+  for (const ComparedFlow& run : comparison.runs)
+    rows.push_back(comparison_row(run_name(run), to_string(run.outcome.status), run.outcome.steps, run.energies,
+                                  run.outcome.seams, run.wide_jump, run.outcome.validity));
   return rows;
 }
 
@@ -108,9 +108,9 @@ std::string comparison_table(const FlowComparison& comparison) {
   std::string text = joined_row(heads, "| ", " | ", " |\n");
   text += joined_row(std::vector<std::string>(heads.size(), "---"), "| ", " | ", " |\n");
   for (const auto& row : comparison_rows(comparison)) text += joined_row(row, "| ", " | ", " |\n");
-  for (const FlowRun& run : comparison.runs)
-    if (!run.evolved.message.empty())
-      text.append("\n").append(upper_name(run.flow)).append(": ").append(run.evolved.message).append(".\n");
+  for (const ComparedFlow& run : comparison.runs)
+    if (!run.outcome.message.empty())
+      text.append("\n").append(upper_name(run.outcome.flow)).append(": ").append(run.outcome.message).append(".\n");
   return text;
 }
 
@@ -118,7 +118,7 @@ std::string profile_csv(const FlowComparison& comparison) {
   std::string text = "flow,distance,H,H_sigma\n";
   for (std::size_t k = 0; k < comparison.profiles.size(); ++k)
     for (const ProfilePoint& p : comparison.profiles[k])
-      text += joined_row({upper_name(comparison.runs[k].flow), format("%.17g", p.distance), format("%.17g", p.H),
+      text += joined_row({upper_name(comparison.runs[k].outcome.flow), format("%.17g", p.distance), format("%.17g", p.H),
                           p.H_sigma >= 0 ? format("%.17g", p.H_sigma) : ""},
                          "", ",", "\n");
   return text;

@@ -2,7 +2,7 @@
 // A comparison of flows in numbers, the same on the command line and in the window.
 #pragma once
 
-#include "evolution/compare_flows.h"
+#include "pipeline/compare.h"
 
 #include <string>
 #include <vector>
@@ -27,7 +27,7 @@ std::vector<std::vector<std::string>> comparison_rows(const FlowComparison& comp
 /// One row. @param wide_jump  NaN where it was not measured.
 std::vector<std::string> comparison_row(const std::string& name, const std::string& status, int steps,
                                         const PatchEnergies& energies, const std::vector<SeamReport>& seams,
-                                        double wide_jump, const FillerQuality& quality);
+                                        double wide_jump, const Validity& quality);
 
 std::string comparison_csv(const FlowComparison& comparison);
 /// The same from rows that were made elsewhere.

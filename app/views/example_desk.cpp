@@ -105,7 +105,7 @@ void ExampleDesk::fill_and_run() {
         },
         Qt::QueuedConnection);
   });
-  parts_.workbench.fill(loops_to_fill(parts_.document, parts_.selection), 1);
+  parts_.workbench.fill(loops_to_fill(parts_.document, parts_.selection), {});
 }
 
 }  // namespace loopmend

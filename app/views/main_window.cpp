@@ -184,7 +184,7 @@ void MainWindow::connect_document() {
 
 void MainWindow::connect_panels() {
   connect(holes_, &HolesPanel::fly_to, view_, &MeshView::fly_to);
-  connect(holes_, &HolesPanel::fill_wanted, &patch_->fill_box(), &FillBox::fill_loops);
+  connect(holes_, &HolesPanel::fill_wanted, &patch_->fill_box(), &FillBox::fill_holes);
   connect(patch_, &PatchPanel::updated, this, &MainWindow::update_actions);
   connect(&patch_->decision_box(), &DecisionBox::notice, banner_, &Banner::show_notice);
   connect(look_, &LookPanel::look_changed, view_, &MeshView::set_look);

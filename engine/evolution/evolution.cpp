@@ -83,18 +83,6 @@ std::string reason_for(const RimRoughness& boundary) {
   return "";
 }
 
-const char* to_string(EvolutionStatus status) {
-  switch (status) {
-    case EvolutionStatus::ready: return "ready";
-    case EvolutionStatus::converged: return "converged";
-    case EvolutionStatus::faired: return "faired";
-    case EvolutionStatus::step_limit: return "step_limit";
-    case EvolutionStatus::cancelled: return "cancelled";
-    case EvolutionStatus::failed: return "failed";
-  }
-  return "";
-}
-
 std::string method_name(Method method, FlowKind flow) {
   const std::string name = to_string(flow);
   switch (method) {
@@ -179,7 +167,7 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   general = make_general_solver(options.solver, flow_step_tolerance);
   spd = make_spd_solver();
   factored_topology = nullptr;
-  stop(EvolutionStatus::ready, "");
+  stop(PatchStatus::ready, "");
 }
 
 /// On another core, if nothing is known that it comes from at once.
@@ -309,7 +297,7 @@ FlowTrial Evolution::Impl::try_semi_implicit(const FlowSystem& system, StepRecor
 /// One step of the paper's scheme. Where it fails twice, Gauss-Newton takes the implicit step of the size that was asked
 /// for, and a smaller one as long as that fails: it descends the same energy, and is stable where the scheme is not.
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
-  if (!can_be_fitted()) return stop(EvolutionStatus::failed, no_fits_words);
+  if (!can_be_fitted()) return stop(PatchStatus::stalled, no_fits_words);
   Stopwatch watch;
   look_for_decay_rate();
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
@@ -320,7 +308,7 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   std::optional<GaussNewtonSystem> descent;
   SparseMatrix curvature;
   for (int k = 0; k < most_trials; ++k) {
-    if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
+    if (cancel.cancelled()) return stop(PatchStatus::cancelled, "cancelled");
     const bool descends = k >= semi_implicit_trials && has_energy(options.flow);
     if (descends && !descent) {
       descent = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
@@ -334,18 +322,18 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
     const bool stands_still = trial.move < small_move * std::min(1.0, sigma) && sigma >= 0.1 * wanted;
     if (trial.accepted) {
       lowest_measure = std::min(lowest_measure, state.measure);
-      if (trial.whole && stands_still) return stop(EvolutionStatus::converged, "");
-      if (sigma < smallest_step * wanted) return stop(EvolutionStatus::failed, collapsed_words);
+      if (trial.whole && stands_still) return stop(PatchStatus::converged, "");
+      if (sigma < smallest_step * wanted) return stop(PatchStatus::stalled, collapsed_words);
       sigma = std::min(wanted, sigma * 3);
       if (mesh_has_suffered()) care_for_mesh(flow_tolerance * lowest_measure);
       return;
     }
-    if (descends && trial.solved && stands_still) return stop(EvolutionStatus::converged, "");
+    if (descends && trial.solved && stands_still) return stop(PatchStatus::converged, "");
     ++record.rejections;
     sigma /= 10;
   }
-  if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
-  stop(EvolutionStatus::failed, collapsed_words);
+  if (cancel.cancelled()) return stop(PatchStatus::cancelled, "cancelled");
+  stop(PatchStatus::stalled, collapsed_words);
 }
 
 /// The curvature must be known where the patch is free and at the loop, or there is nothing that a flow could follow.
@@ -372,17 +360,17 @@ Evolution::Evolution(Evolution&&) noexcept = default;
 Evolution& Evolution::operator=(Evolution&&) noexcept = default;
 
 void Evolution::step(const CancelToken& cancel) {
-  if (impl_->status == EvolutionStatus::step_limit) impl_->stop(EvolutionStatus::ready, "");
-  if (impl_->status != EvolutionStatus::ready) return;
-  if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
+  if (impl_->status == PatchStatus::step_limit) impl_->stop(PatchStatus::ready, "");
+  if (impl_->status != PatchStatus::ready) return;
+  if (cancel.cancelled()) return impl_->stop(PatchStatus::cancelled, "cancelled");
   const bool newton = impl_->options.mode == EvolutionMode::steady && impl_->options.flow == FlowKind::mmcvf;
   if (!newton) return impl_->semi_implicit_step(cancel);
   if (impl_->blends_left > 0) return impl_->blend_step();
   // Before the starts: what they alone have shaped must not pass for the flow's work.
-  if (!impl_->can_be_fitted()) return impl_->stop(EvolutionStatus::failed, no_fits_words);
+  if (!impl_->can_be_fitted()) return impl_->stop(PatchStatus::stalled, no_fits_words);
   if (std::exchange(impl_->coarse_start_left, false)) {
     if (impl_->coarse_step(cancel)) return;
-    if (cancel.cancelled()) return impl_->stop(EvolutionStatus::cancelled, "cancelled");
+    if (cancel.cancelled()) return impl_->stop(PatchStatus::cancelled, "cancelled");
   }
   if (impl_->fairings_left-- > 0) {
     if (impl_->fairing_step(cancel)) return;
@@ -391,14 +379,14 @@ void Evolution::step(const CancelToken& cancel) {
   impl_->gauss_newton_step(cancel);
 }
 
-EvolutionStatus Evolution::run(const OnStep& on_step, const CancelToken& cancel) {
+PatchStatus Evolution::run(const OnStep& on_step, const CancelToken& cancel) {
   for (int k = 0; k < impl_->options.max_steps; ++k) {
     const std::size_t before = impl_->history.size();
     step(cancel);
     if (on_step && impl_->history.size() > before) on_step(*this, impl_->history.back());
-    if (impl_->status != EvolutionStatus::ready) return impl_->status;
+    if (impl_->status != PatchStatus::ready) return impl_->status;
   }
-  impl_->stop(EvolutionStatus::step_limit,
+  impl_->stop(PatchStatus::step_limit,
               "stopped after " + std::to_string(impl_->options.max_steps) + " steps, before the steady state");
   return impl_->status;
 }
@@ -406,7 +394,7 @@ EvolutionStatus Evolution::run(const OnStep& on_step, const CancelToken& cancel)
 void Evolution::set_options(const EvolutionOptions& options) { impl_->take_options(options); }
 const Patch& Evolution::patch() const { return impl_->state.patch; }
 const EvolutionOptions& Evolution::options() const { return impl_->options; }
-EvolutionStatus Evolution::status() const { return impl_->status; }
+PatchStatus Evolution::status() const { return impl_->status; }
 const std::string& Evolution::message() const { return impl_->message; }
 const std::vector<StepRecord>& Evolution::history() const { return impl_->history; }
 double Evolution::initial_energy() const { return impl_->initial_energy; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "evolution/patch_status.h"
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
 #include "rim/rim_blend.h"
@@ -72,18 +73,6 @@ bool is_judged(const EvolutionOptions& options);
 /// Why the boundary data ask for something else than the flow, and how to get the flow all the same. Empty if they do not.
 std::string reason_for(const RimRoughness& boundary);
 
-enum class EvolutionStatus {
-  ready,      ///< more steps can be taken
-  converged,  ///< the flow's steady state: a step of the size that was asked for moves nothing that could be seen, or next
-              ///< to no energy is left to win
-  faired,     ///< the linear fairings that stand in for the flow are done; no flow has run
-  step_limit,  ///< max_steps taken
-  cancelled,   ///< by the token; the state is the last accepted one
-  failed,      ///< stalled: no acceptable step was found; the state is the last accepted one
-};
-
-const char* to_string(EvolutionStatus status);
-
 /// What shaped a patch.
 enum class Method {
   initial_patch,  ///< triangulation and remeshing; neither flow nor fairing
@@ -132,13 +121,13 @@ class Evolution {
   /// One accepted step; status() tells what came of it. Does nothing unless status() is ready or step_limit.
   void step(const CancelToken& cancel);
   /// Steps until converged, failed, cancelled, or max_steps more are taken.
-  EvolutionStatus run(const OnStep& on_step, const CancelToken& cancel);
+  PatchStatus run(const OnStep& on_step, const CancelToken& cancel);
   /// Goes on from the present state with other options; status() is ready again.
   void set_options(const EvolutionOptions& options);
 
   const Patch& patch() const;
   const EvolutionOptions& options() const;
-  EvolutionStatus status() const;
+  PatchStatus status() const;
   /// In words, for a person: why it stopped, what was left out. Empty while ready.
   const std::string& message() const;
   const std::vector<StepRecord>& history() const;

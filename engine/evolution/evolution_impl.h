@@ -54,7 +54,7 @@ struct Evolution::Impl {
   EvolutionState state;
   Stencil stencil = Stencil::two_ring;
   Objective objective;
-  EvolutionStatus status = EvolutionStatus::ready;
+  PatchStatus status = PatchStatus::ready;
   std::string message;
   std::vector<StepRecord> history;
   double initial_energy = 0;
@@ -125,7 +125,7 @@ struct Evolution::Impl {
     return mean_edge_length(state.patch.positions, state.patch.triangles, state.patch.patch_triangles);
   }
   double radius() const { return patch_radius(state.patch); }
-  void stop(EvolutionStatus why, std::string words) {
+  void stop(PatchStatus why, std::string words) {
     status = why;
     message = std::move(words);
   }

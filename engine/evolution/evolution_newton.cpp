@@ -71,7 +71,7 @@ bool Evolution::Impl::go_over_to_cubic_fits() {
 
 /// At the minimum: done, unless more accurate fits can still refine it.
 void Evolution::Impl::finish() {
-  if (!go_over_to_cubic_fits()) stop(EvolutionStatus::converged, "");
+  if (!go_over_to_cubic_fits()) stop(PatchStatus::converged, "");
 }
 
 /// Steps move nothing any more. Undamped ones say by that that this is the minimum; damped ones only that the damping holds
@@ -83,7 +83,7 @@ bool Evolution::Impl::stand_still(bool undamped) {
     creeping_from.clear();
     return false;
   }
-  undamped ? finish() : stop(EvolutionStatus::failed, damped_words);
+  undamped ? finish() : stop(PatchStatus::stalled, damped_words);
   return true;
 }
 
@@ -206,7 +206,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   bool undamped = mu <= damping_unit, first = true;
   double promised = 0;  // by the first, boldest trial
   for (int k = 0; k < most_trials; ++k) {
-    if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
+    if (cancel.cancelled()) return stop(PatchStatus::cancelled, "cancelled");
     const double energy_before = state.measure;
     const FlowTrial trial = try_gauss_newton(system, curvature, record, cancel);
     if (trial.accepted) {
@@ -232,7 +232,7 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     if (trial.move > 0 && trial.move < small_move) {
       // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
       const bool at_minimum = first || promised < 1e-2 * energy_before || promised < 1e-6 * start_measure;
-      if (!at_minimum) return stop(EvolutionStatus::failed, stalled_words);
+      if (!at_minimum) return stop(PatchStatus::stalled, stalled_words);
       if (stand_still(undamped)) return;
       undamped = first = true;
       continue;
@@ -240,8 +240,8 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
     first = false;
     mu *= 10;
   }
-  if (cancel.cancelled()) return stop(EvolutionStatus::cancelled, "cancelled");
-  stop(EvolutionStatus::failed, stalled_words);
+  if (cancel.cancelled()) return stop(PatchStatus::cancelled, "cancelled");
+  stop(PatchStatus::stalled, stalled_words);
 }
 
 }  // namespace loopmend

@@ -91,11 +91,11 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   if (copy.free_count > least_coarsening * state.patch.free_count) return false;
   Evolution coarse(std::move(copy), coarse_options);
   const Impl& there = *coarse.impl_;
-  while (coarse.status() == EvolutionStatus::ready && there.history.size() < most_coarse_steps && !there.near_the_end())
+  while (coarse.status() == PatchStatus::ready && there.history.size() < most_coarse_steps && !there.near_the_end())
     coarse.step(cancel);
   StepRecord record;
   record.solve_seconds = watch.lap();
-  if (coarse.status() != EvolutionStatus::converged && !there.near_the_end()) return false;
+  if (coarse.status() != PatchStatus::converged && !there.near_the_end()) return false;
   EvolutionState next = make_state(refined(there.state, state.patch.grading), objective, there.stencil);
   record.assemble_seconds = watch.lap();
   if (!acceptable(next, state.measure)) return false;
@@ -137,7 +137,7 @@ void Evolution::Impl::blend_step() {
   Patch patch = before;
   const bool solved =
       first ? blend_once(patch, SeamContinuity::tangent, {}, R) : blend_once(patch, options.continuity, trust, R);
-  if (!solved) return stop(EvolutionStatus::failed, "stopped early: the patch is too degenerate to be faired");
+  if (!solved) return stop(PatchStatus::stalled, "stopped early: the patch is too degenerate to be faired");
   // The first spreads the vertices over the new shape; those after it mend that, and spread them anew where that unfolds.
   if (judged && !first) {
     Patch mended = along_normals(before, patch);
@@ -159,7 +159,7 @@ void Evolution::Impl::blend_step() {
   history.push_back(record);
   // Fairings of lower order are repeated until they move nothing; on most scans vertices go on sliding along the surface.
   const bool at_rest = !judged && record.max_move < small_move;
-  if (blends_left == 0 || at_rest) stop(EvolutionStatus::faired, "");
+  if (blends_left == 0 || at_rest) stop(PatchStatus::faired, "");
 }
 
 }  // namespace loopmend

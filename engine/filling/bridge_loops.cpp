@@ -4,7 +4,7 @@
 #include "core/error.h"
 #include "filling/bridge_topology.h"
 #include "filling/fairing.h"
-#include "filling/patch_quality.h"
+#include "mesh/validity.h"
 #include "filling/patch_remesh.h"
 #include "mesh/loop_facing.h"
 #include "mesh/quality.h"
@@ -65,7 +65,7 @@ Patch with_triangles(const Patch& empty, const Triangles& own) {
   return patch;
 }
 
-int badness(const FillerQuality& quality) { return quality.folds + quality.self_intersections; }
+int badness(const Validity& quality) { return quality.folds + quality.intersections; }
 
 /// The patch over a bridge with vertices of its own, given in mesh units.
 Patch with_sweep(const Patch& empty, const SweptBridge& swept) {
@@ -113,7 +113,7 @@ void try_phase(Patch& best, const Phase& phase) {
   GuardedMesh mesh = open_for_remeshing(best);
   phase(mesh);
   Patch next = with_interior(best, mesh);
-  if (badness(patch_quality(next)) <= badness(patch_quality(best))) best = std::move(next);
+  if (badness(patch_validity(next)) <= badness(patch_validity(best))) best = std::move(next);
 }
 
 /// ∫‖∇H‖² over the patch and the two rings around it: of two starts the smoother one is nearer to the goal.
@@ -134,7 +134,7 @@ Patch remeshed(Patch bridge, const CancelToken& cancel) {
   try_phase(bridge, [&](GuardedMesh& mesh) {
     for (int k = 0; k < remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
   });
-  for (int attempt = 0; attempt < 3 && badness(patch_quality(bridge)) > 0 && !cancel.cancelled(); ++attempt)
+  for (int attempt = 0; attempt < 3 && badness(patch_validity(bridge)) > 0 && !cancel.cancelled(); ++attempt)
     try_phase(bridge, [](GuardedMesh& mesh) {
       mesh.untangle();
       remesh_once(mesh);
@@ -152,7 +152,7 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
       Patch next = bridge;
       for (int i = 0; i < bridge.free_count; ++i)
         next.positions[i] += share * (goal[static_cast<std::size_t>(mesh.locked() + i)] - bridge.positions[i]);
-      if (badness(patch_quality(next)) > badness(patch_quality(bridge))) continue;
+      if (badness(patch_validity(next)) > badness(patch_validity(bridge))) continue;
       bridge = std::move(next);
       break;
     }
@@ -166,13 +166,13 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
 
 /// A patch with the two figures by which starts are compared.
 struct Start {
-  explicit Start(Patch p) : patch(std::move(p)), quality(patch_quality(patch)), unfair(unfairness(patch)) {}
+  explicit Start(Patch p) : patch(std::move(p)), quality(patch_validity(patch)), unfair(unfairness(patch)) {}
   bool better_than(const Start& other) const {
     const int a = badness(quality), b = badness(other.quality);
     return a != b ? a < b : unfair < other.unfair;
   }
   Patch patch;
-  FillerQuality quality;
+  Validity quality;
   double unfair;
 };
 
@@ -214,11 +214,11 @@ double expected_vertices(const Patch& bridge, double density) {
   return area / 2 / (0.866 * size * size);
 }
 
-std::string faults(const FillerQuality& quality) {
+std::string faults(const Validity& quality) {
   std::string text;
   if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
-  if (quality.self_intersections > 0)
-    text += (text.empty() ? "" : " and ") + std::to_string(quality.self_intersections) + " self-intersections";
+  if (quality.intersections > 0)
+    text += (text.empty() ? "" : " and ") + std::to_string(quality.intersections) + " self-intersections";
   return text;
 }
 

@@ -16,7 +16,7 @@ namespace loopmend {
 struct Bridge {
   Patch membrane;  ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
   Patch start;     ///< where the flow begins: minimal surfaces between tubes pinch (NUMERICS §7)
-  FillerQuality quality;  ///< of the start
+  Validity quality;  ///< of the start
 };
 
 struct BridgeOutcome {

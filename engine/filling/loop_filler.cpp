@@ -66,12 +66,12 @@ LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
 struct Candidate {
   Points points;
   Triangles triangles;
-  FillerQuality quality;
+  Validity quality;
 
-  int badness() const { return quality.folds + quality.self_intersections; }
+  int badness() const { return quality.folds + quality.intersections; }
   /// Bad enough to try another triangulation: the folds on a rim that turns back are nobody's fault.
   bool wants_another(int rim) const {
-    return quality.self_intersections > 0 || (quality.folds > 0 && quality.folds < rim);
+    return quality.intersections > 0 || (quality.folds > 0 && quality.folds < rim);
   }
 };
 
@@ -87,14 +87,14 @@ void join(const LoopSite& site, const Candidate& c, Points& points, Triangles& t
   }
 }
 
-FillerQuality assess(const LoopSite& site, const Candidate& c) {
+Validity assess(const LoopSite& site, const Candidate& c) {
   Points points;
   Triangles triangles;
   join(site, c, points, triangles);
   const int count = static_cast<int>(c.triangles.size());
-  FillerQuality quality;
+  Validity quality;
   quality.folds = count_folds(points, triangles, count);
-  quality.self_intersections = static_cast<int>(self_intersections(points, triangles, count).size());
+  quality.intersections = static_cast<int>(self_intersections(points, triangles, count).size());
   quality.min_angle_deg = min_angle_deg(points, triangles, count);
   return quality;
 }
@@ -189,7 +189,7 @@ bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, con
 /// Where a round would make a patch worse that cuts nothing: those parts of it that do not. Splits leave the shape as it is,
 /// only that there are more edges to count along its folds.
 void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& best, const CancelToken& cancel) {
-  if (best.quality.self_intersections > 0 || cancel.cancelled()) return;
+  if (best.quality.intersections > 0 || cancel.cancelled()) return;
   GuardedMesh mesh = guarded(site, size, best);
   mesh.split_long_edges();
   best = harvest(site, mesh);
@@ -269,11 +269,11 @@ std::string why_no_triangulation(const LoopSite& site) {
   return "no valid triangulation of this loop was found";
 }
 
-std::string remaining_faults(const FillerQuality& quality) {
+std::string remaining_faults(const Validity& quality) {
   std::string text;
   if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
-  if (quality.self_intersections > 0)
-    text += (text.empty() ? "" : " and ") + std::to_string(quality.self_intersections) + " self-intersections";
+  if (quality.intersections > 0)
+    text += (text.empty() ? "" : " and ") + std::to_string(quality.intersections) + " self-intersections";
   return text.empty() ? text : "the filler has " + text + " left";
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/cancel.h"
 #include "mesh/patch.h"
+#include "mesh/validity.h"
 
 #include <optional>
 #include <string>
@@ -23,17 +24,10 @@ struct FillerOptions {
 /// @throws InvalidArgument if an option is out of range.
 void check(const FillerOptions& options);
 
-/// What a filler is like, told before anybody builds on it.
-struct FillerQuality {
-  int folds = 0;               ///< edges inside the patch or on the rim with a dihedral over 90°
-  int self_intersections = 0;  ///< pairs of triangles, patch with patch or patch with surroundings
-  double min_angle_deg = 0;    ///< smallest angle of a patch triangle
-};
-
 struct FillerOutcome {
   std::optional<LoopFiller> filler;  ///< empty when there is no valid triangulation, or when cancelled
   std::string message;               ///< why there is none, or what is left to wish; empty when all is well
-  FillerQuality quality;
+  Validity quality;
 };
 
 /// Reads the model, never changes it. No new vertex lies on the loop.

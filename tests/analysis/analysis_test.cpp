@@ -27,7 +27,7 @@ TEST(SeamReport, MeasuresTheAngleAndTheJumpOfAFlatLid) {
   const SurfaceModel model =
       make_surface_model(make_revolution([](double z) { return std::sqrt(1 - z * z); }, 0.5, 0.9, 80, 10));
   const BoundaryLoop loop = find_boundary_loops(model).at(1);
-  const Patch patch = *start_patch(model, {loop}, {}, {}).patch;
+  const Patch patch = *make_initial_patch(model, {loop}, {}, {}).patch;
   const SeamReport seam = seam_report(patch, 0);
   EXPECT_NEAR(seam.g1_rms_deg, std::acos(0.9) * 180 / M_PI, 0.5);
   EXPECT_NEAR(seam.h_jump_rms, 1, 0.1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend_blends: random sets of tubes joined by default settings, their seams under refinement, and ring-shaped gaps.
 #include "analysis/seam_profile.h"
-#include "evolution/blend_loops.h"
-#include "evolution/evolve_patch.h"
+#include "pipeline/blend.h"
+#include "pipeline/evolve_patch.h"
 #include "flows/flow_terms.h"
 #include "mesh/quality.h"
 #include "ring_gaps.h"
@@ -57,17 +57,17 @@ void run_sets(std::uint64_t first, int count) {
     const TubeSet set = make_tube_set(seed);
     Problem problem = problem_of(set.tubes);
     const BlendResult result = blend_loops(problem.model, problem.rims, {}, {});
-    const bool valid = result.patch && result.quality.folds == 0 && result.quality.self_intersections == 0;
-    const bool finished = result.status == LoopStatus::converged || result.status == LoopStatus::faired;
+    const bool valid = result.outcome.status != PatchStatus::failed && result.outcome.validity.folds == 0 && result.outcome.validity.intersections == 0;
+    const bool finished = result.outcome.status == PatchStatus::converged || result.outcome.status == PatchStatus::faired;
     const int ending = !valid ? 2 : finished ? 0 : 1;
     for (const std::string& group :
          {std::string("all"), size_text(set.tubes.size()) + " tubes", set.angles + " angles", set.radii + " radii"})
       ++shares[group][static_cast<std::size_t>(ending)];
-    table.add({std::to_string(seed), size_text(set.tubes.size()), set.angles, set.radii, to_string(result.status),
-               number(result.patch ? result.patch->free_count : 0), number(result.steps), number(result.bending),
-               number(result.quality.min_angle_deg), number(worst_jump(result.seams_after)),
-               number(result.seconds.total), result.message});
-    std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.status), result.steps);
+    table.add({std::to_string(seed), size_text(set.tubes.size()), set.angles, set.radii, to_string(result.outcome.status),
+               number(result.outcome.patch.free_count), number(result.outcome.steps), number(result.outcome.bending),
+               number(result.outcome.validity.min_angle_deg), number(worst_jump(result.outcome.seams)),
+               number(result.outcome.seconds.total), result.outcome.message});
+    std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.outcome.status), result.outcome.steps);
   }
   Table summary({"problems", "converged or faired", "valid, not converged", "invalid or refused"});
   for (const auto& [group, n] : shares) summary.add({group, number(n[0]), number(n[1]), number(n[2])});
@@ -83,13 +83,13 @@ void trace(std::uint64_t seed) {
     std::printf("%s\n", outcome.message.c_str());
     return;
   }
-  const FillerQuality& quality = outcome.bridge->quality;
-  std::printf("start: %d folds, %d cuts, min angle %.1f\n", quality.folds, quality.self_intersections,
+  const Validity& quality = outcome.bridge->quality;
+  std::printf("start: %d folds, %d cuts, min angle %.1f\n", quality.folds, quality.intersections,
               quality.min_angle_deg);
   const auto run = [](const Patch& patch, SteadyStart start) {
     EvolutionOptions options;
     options.start = start;
-    const EvolvedPatch evolved =
+    const PatchResult evolved =
         run_flow(patch, options,
                  [](const Evolution& evolution, const StepRecord& step) {
                    const Patch& p = evolution.patch();
@@ -99,7 +99,7 @@ void trace(std::uint64_t seed) {
                  },
                  {});
     std::printf("%s: %s, %d folds, %d cuts, min angle %.1f\n", evolved.message.c_str(), to_string(evolved.status),
-                evolved.quality.folds, evolved.quality.self_intersections, evolved.quality.min_angle_deg);
+                evolved.validity.folds, evolved.validity.intersections, evolved.validity.min_angle_deg);
     return evolved.patch;
   };
   for (SteadyStart start : {SteadyStart::faired, SteadyStart::evenly_faired, SteadyStart::as_given})
@@ -120,12 +120,12 @@ void run_refinement(std::uint64_t first, int count) {
         FillOptions options;
         options.evolution->flow = flow;
         const BlendResult result = blend_loops(problem.model, problem.rims, options, {});
-        const bool good = result.patch && result.status == LoopStatus::converged;
-        wide.push_back(good ? number(wide_curvature_jump(*result.patch)) : to_string(result.status));
+        const bool good = result.outcome.status == PatchStatus::converged;
+        wide.push_back(good ? number(wide_curvature_jump(result.outcome.patch)) : to_string(result.outcome.status));
         double square = 0;
-        for (const SeamReport& seam : result.seams_after)
-          square += seam.h_jump_rms * seam.h_jump_rms / static_cast<double>(result.seams_after.size());
-        close.push_back(good ? number(std::sqrt(square)) : to_string(result.status));
+        for (const SeamReport& seam : result.outcome.seams)
+          square += seam.h_jump_rms * seam.h_jump_rms / static_cast<double>(result.outcome.seams.size());
+        close.push_back(good ? number(std::sqrt(square)) : to_string(result.outcome.status));
       }
       std::vector<std::string> row{std::to_string(seed), size_text(tubes), to_string(flow)};
       row.insert(row.end(), wide.begin(), wide.end());

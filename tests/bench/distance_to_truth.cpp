@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far patches lie from a surface that is known: fills each hole of SCAN by itself with the default settings and
 // prints the distance of the new vertices to TRUTH, in units of the hole's diameter.
-#include "evolution/fill_loops.h"
+#include "pipeline/fill_holes.h"
 #include "io/read_mesh.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -30,7 +30,7 @@ Mesh to_cgal(const TriangleSoup& soup) {
 
 void measure(const SurfaceModel& scan, const BoundaryLoop& loop, const Tree& truth) {
   SurfaceModel model = scan;
-  const LoopResult result = fill_loops(model, {loop}, {}, nullptr, {}).front();
+  const HoleResult result = fill_holes(model, {loop}, {}, nullptr, {}).front();
   double sum = 0, largest = 0;
   std::size_t count = 0;
   for (std::size_t i = scan.soup.points.size(); i < model.soup.points.size(); ++i, ++count) {
@@ -42,7 +42,7 @@ void measure(const SurfaceModel& scan, const BoundaryLoop& loop, const Tree& tru
   const double unit = 1000 / loop.diameter;
   std::printf("%4d  %5d  %10.4g  %6zu  %9.3f  %9.3f  %7.2f  %7.3f  %s\n", loop.number, loop.edges(), loop.diameter,
               count, unit * std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1))), unit * largest,
-              result.bending, result.seconds.total, to_string(result.status));
+              result.outcome().bending, result.seconds, to_string(result.status));
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 // loopmend_polyhedra: every job on small polyhedra with openings, with all flows, modes, boundary and continuity options. A
 // run counts as bad if the program ends by a signal or a sanitizer, or what it says or leaves behind cannot be true.
 #include "core/error.h"
-#include "evolution/blend_loops.h"
-#include "evolution/compare_flows.h"
-#include "evolution/evolve_patch.h"
-#include "evolution/interpolate_points.h"
+#include "pipeline/blend.h"
+#include "pipeline/compare.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/interpolate.h"
 #include "mesh/region.h"
 #include "rim/trim_rim.h"
 #include "support/small_polyhedra.h"
@@ -81,16 +81,16 @@ std::string run_fill(const TriangleSoup& soup, const NamedOptions& options, doub
   fill.filler.density = density;
   fill.evolution = options.evolution;
   const TriangleSoup before = model.soup;
-  const std::vector<LoopResult> results = fill_loops(model, loops, fill, nullptr, CancelToken());
+  const std::vector<HoleResult> results = fill_holes(model, loops, fill, nullptr, CancelToken());
   if (results.size() != loops.size()) return "not one result for each loop";
   std::size_t filled = 0;
-  for (const LoopResult& result : results) {
+  for (const HoleResult& result : results) {
     filled += is_filled(result.status);
-    if (is_filled(result.status) == result.method.empty()) return "status and method disagree";
-    if (result.status == LoopStatus::failed && result.message.empty()) return "a failure without a reason";
+    if (is_filled(result.status) == result.method().empty()) return "status and method disagree";
+    if (result.status == PatchStatus::failed && result.message.empty()) return "a failure without a reason";
     const bool flow_ran =
-        result.method != "initial_patch" && result.method != "robust_fairing" && result.method != "linear_fairing";
-    if (result.status == LoopStatus::converged && !flow_ran) return "converged where no flow ran";
+        result.method() != "initial_patch" && result.method() != "robust_fairing" && result.method() != "linear_fairing";
+    if (result.status == PatchStatus::converged && !flow_ran) return "converged where no flow ran";
   }
   const std::size_t open = find_boundary_loops(make_surface_model(model.soup)).size();
   if (open > all.size() - filled) return "a loop is open that was said to be filled";
@@ -107,7 +107,7 @@ std::string run_blend(const TriangleSoup& soup, const NamedOptions& options, dou
   fill.evolution = options.evolution;
   const TriangleSoup before = model.soup;
   const BlendResult result = blend_loops(model, loops, fill, CancelToken());
-  if (result.status == LoopStatus::failed && result.message.empty()) return "a failure without a reason";
+  if (result.outcome.status == PatchStatus::failed && result.outcome.message.empty()) return "a failure without a reason";
   return flaw_of(before, model.soup);
 }
 
@@ -115,7 +115,7 @@ std::string run_region(const TriangleSoup& soup, const NamedOptions& options, do
   if (!options.evolution) return "";
   const SurfaceModel model = make_surface_model(soup);
   const Region region = make_region(model, {soup.triangles.back()[0], soup.triangles.back()[1]});
-  const EvolvedPatch evolved = evolve_patch(region.patch, *options.evolution, nullptr, CancelToken());
+  const PatchResult evolved = evolve_patch(region.patch, *options.evolution, nullptr, CancelToken());
   for (const Vec3& p : evolved.patch.positions)
     if (!p.allFinite()) return "a vertex is not finite";
   return "";
@@ -127,11 +127,11 @@ std::string run_compare(const TriangleSoup& soup, const NamedOptions& options, d
   std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   std::erase_if(loops, [](const BoundaryLoop& loop) { return loop.kind != LoopKind::hole; });
   if (loops.empty()) return "";
-  const PatchStart start = start_patch(model, loops, {density}, CancelToken());
+  const InitialPatch start = make_initial_patch(model, loops, {density}, CancelToken());
   if (!start.patch || start.patch->free_count == 0) return "";
   const FlowComparison comparison = compare_flows(*start.patch, *options.evolution, nullptr, CancelToken());
-  for (const FlowRun& run : comparison.runs)
-    for (const Vec3& p : run.evolved.patch.positions)
+  for (const ComparedFlow& run : comparison.runs)
+    for (const Vec3& p : run.outcome.patch.positions)
       if (!p.allFinite()) return "a vertex is not finite";
   return "";
 }

@@ -2,7 +2,7 @@
 #include "ring_gaps.h"
 
 #include "analysis/seam_report.h"
-#include "evolution/blend_loops.h"
+#include "pipeline/blend.h"
 #include "known_surfaces.h"
 #include "peers.h"
 #include "samples/analytic_surfaces.h"
@@ -84,9 +84,9 @@ void add_row(const KnownSurface& surface, MeshKind kind, int around, Table& tabl
   const RingGap gap = ring_gap(surface);
   SurfaceModel model = gap.model;
   const BlendResult result = blend_loops(model, gap.loops, {}, {});
-  if (!result.patch) throw std::runtime_error(result.message);
-  const RingFigures ours = figures_of(*result.patch, surface, gap.diameter);
-  const RingFigures exact = figures_of(on_surface(*result.patch, surface), surface, gap.diameter);
+  if (result.outcome.status == PatchStatus::failed) throw std::runtime_error(result.outcome.message);
+  const RingFigures ours = figures_of(result.outcome.patch, surface, gap.diameter);
+  const RingFigures exact = figures_of(on_surface(result.outcome.patch, surface), surface, gap.diameter);
   constexpr double none = std::numeric_limits<double>::infinity();
   RingFigures best{none, none};
   for (int k : {2, 3})
@@ -96,8 +96,8 @@ void add_row(const KnownSurface& surface, MeshKind kind, int around, Table& tabl
         best.distance = std::min(best.distance, peer.distance);
         best.jump = std::min(best.jump, peer.jump);
       }
-  table.add({surface.name, to_string(kind), number(around), to_string(result.status), number(result.patch->free_count),
-             number(result.steps), number(ours.distance), number(best.distance), number(ours.jump), number(best.jump),
+  table.add({surface.name, to_string(kind), number(around), to_string(result.outcome.status), number(result.outcome.patch.free_count),
+             number(result.outcome.steps), number(ours.distance), number(best.distance), number(ours.jump), number(best.jump),
              number(exact.jump)});
 }
 

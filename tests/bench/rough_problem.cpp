@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rough_problem.h"
 
-#include "evolution/patch_verdict.h"
+#include "pipeline/validate.h"
 #include "known_surfaces.h"
 #include "region_cut.h"
 #include "samples/analytic_surfaces.h"
@@ -67,7 +67,7 @@ std::optional<RoughProblem> make_rough_problem(std::uint64_t seed, int k) {
     RoughProblem result;
     result.problem = problem_of(name + " " + std::to_string(k), std::move(*cut));
     if (result.problem.loops.size() != 1) continue;
-    if (pierced_edges(FillSite(result.problem.model), result.problem.loops.front()) > 0) continue;
+    if (pierced_edges(ScanIndex(result.problem.model), result.problem.loops.front()) > 0) continue;
     result.scan = name;
     result.shape = to_string(plan.shape.kind);
     result.size = result.problem.diameter() / extent(whole);

@@ -66,10 +66,10 @@ void print(const Row& row) {
   std::printf("%3d %-8s %-12s %-8s %4.0f %%  removed %4d ", row.number, row.tuning() ? "tuning" : "aside",
               row.made.scan.c_str(), row.made.shape.c_str(), 100 * row.made.size, row.made.problem.removed);
   for (std::size_t m = 0; m < methods; ++m) std::printf(" %s %-6s", method_name(m).c_str(), number(row.d[m]).c_str());
-  std::printf(" score %-5s bending %-5s cuts %d folds %d%s %6.2f s %s %s\n", number(row.score(0)).c_str(),
+  std::printf(" score %-5s bending %-5s cuts %d folds %d%s %6.2f s %s, %s %s\n", number(row.score(0)).c_str(),
               number(row.ours().bending).c_str(), row.figures[0].cuts, row.figures[0].folds,
               row.ours().exterior_unchanged ? "" : " EXTERIOR CHANGED", row.ours().seconds, row.ours().status.c_str(),
-              row.ours().message.c_str());
+              row.ours().attempt.c_str(), row.ours().message.c_str());
   std::fflush(stdout);
 }
 

@@ -50,6 +50,7 @@ struct Outcome {
   Ending ending = Ending::invalid;
   double d = 0;  ///< rms distance from the answer, 1e-3 diameters; 0 where the equation has another one
   std::string reason;
+  std::string attempt = "none";  ///< Filling::attempt
 };
 
 /// Empty if the patch is what a user may be given.
@@ -90,7 +91,7 @@ std::string to_line(const Outcome& o) {
   std::ostringstream line;
   line << o.seed << '\t' << o.surface << '\t' << o.shape << '\t' << o.mesh << '\t' << o.size << '\t' << o.seconds
        << '\t' << o.removed << '\t' << o.added << '\t' << static_cast<int>(o.ending) << '\t' << o.d << '\t' << o.reason
-       << '\n';
+       << '\t' << o.attempt << '\n';
   return line.str();
 }
 
@@ -98,7 +99,7 @@ Outcome from_line(const std::string& text) {
   std::vector<std::string> f;
   std::istringstream line(text);
   for (std::string field; std::getline(line, field, '\t');) f.push_back(field.substr(0, field.find('\n')));
-  f.resize(11);
+  f.resize(12);
   return {std::stoull(f[0]),
           f[1],
           f[2],
@@ -109,7 +110,8 @@ Outcome from_line(const std::string& text) {
           std::stoi(f[7]),
           static_cast<Ending>(std::stoi(f[8])),
           std::stod(f[9]),
-          f[10]};
+          f[10],
+          f[11]};
 }
 
 void save(const std::string& folder, std::uint64_t seed, const HoleProblem& problem, const Filling& filling) {
@@ -147,6 +149,7 @@ void run_seed(std::uint64_t seed, const Arguments& arguments, const Say& say) {
   const Filling filling = fill_by_engine(made->problem);
   outcome.seconds = filling.seconds;
   outcome.added = static_cast<int>(filling.points.size());
+  outcome.attempt = filling.attempt;
   judge(made->problem, filling, outcome);
   if (!made->has_answer || !(outcome.d >= 0)) outcome.d = 0;
   outcome.reason += note_on_original(*made, outcome.ending);
@@ -218,6 +221,7 @@ std::string report(const std::vector<Outcome>& outcomes) {
   text += shares("mesh", outcomes, [](const Outcome& o) { return o.mesh; }).markdown() + '\n';
   text += shares("size of the hole", outcomes, size_class).markdown() + '\n';
   text += shares("vertices cut away", outcomes, count_class).markdown() + '\n';
+  text += shares("attempt", outcomes, [](const Outcome& o) { return o.attempt; }).markdown() + '\n';
   Table failures({"seed", "surface", "shape", "mesh", "size %", "cut away", "ending", "reason"});
   for (const Outcome& o : outcomes)
     if (o.ending != Ending::finished)

@@ -3,7 +3,7 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
-#include "problems/problem.h"
+#include "pipeline/problem.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 

@@ -38,7 +38,7 @@ int folds(const Patch& patch) { return count_folds(patch.positions, patch.triang
 
 /// Free vertices of a run to the steady state, and what came of it.
 struct Outcome {
-  EvolutionStatus status;
+  PatchStatus status;
   std::size_t steps;
   double error;
   int free_count;
@@ -47,7 +47,7 @@ struct Outcome {
 Outcome run_from_filler(const EvolutionOptions& options) {
   static const SurfaceModel model = test::open_sphere(6, 0.8);
   Evolution evolution(test::start_of(model), options);
-  const EvolutionStatus status = evolution.run(nullptr, CancelToken());
+  const PatchStatus status = evolution.run(nullptr, CancelToken());
   return {status, evolution.history().size(), farthest_from_sphere(evolution.patch()), evolution.patch().free_count};
 }
 
@@ -88,7 +88,7 @@ TEST(CoarsePatch, IsRefinedTheSameByAnyNumberOfThreads) {
 
 TEST(CoarsePatch, ALargePatchReachesTheSteadyStateInTwoOrThreeSteps) {
   const Outcome coarse_first = run_from_filler({});
-  EXPECT_EQ(coarse_first.status, EvolutionStatus::converged);
+  EXPECT_EQ(coarse_first.status, PatchStatus::converged);
   EXPECT_LE(coarse_first.steps, 3u);
   EXPECT_LT(coarse_first.error, 1e-7);
 }
@@ -97,7 +97,7 @@ TEST(CoarsePatch, TrianglesThatAreToBeKeptAreKept) {
   EvolutionOptions kept;
   kept.triangles = PatchTriangles::kept;
   const Outcome run = run_from_filler(kept);
-  EXPECT_EQ(run.status, EvolutionStatus::converged);
+  EXPECT_EQ(run.status, PatchStatus::converged);
   EXPECT_EQ(run.free_count, test::start_of(test::open_sphere(6, 0.8)).free_count);
 }
 
@@ -106,6 +106,6 @@ TEST(CoarsePatch, ACancelledCoarseStartLeavesTheFiller) {
   Evolution evolution(filler, {});
   CancelToken cancel;
   cancel.cancel();
-  EXPECT_EQ(evolution.run(nullptr, cancel), EvolutionStatus::cancelled);
+  EXPECT_EQ(evolution.run(nullptr, cancel), PatchStatus::cancelled);
   EXPECT_EQ(evolution.patch().positions, filler.positions);
 }

@@ -54,7 +54,7 @@ TEST_P(Recovers, SphereFromThirtyPercentOfItsDiameter) {
     EvolutionOptions options;
     options.mode = GetParam().mode;
     Evolution evolution(test::start_of(test::open_sphere(level, std::sqrt(1 - 0.09))), options);
-    EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+    EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
     EXPECT_LT(rms(evolution.patch(), to_sphere), GetParam().bound * 0.6);
     EXPECT_LT(evolution.energy(), 1e-5 * evolution.initial_energy());
   }
@@ -67,8 +67,8 @@ TEST_P(Recovers, CylinderWithThreeMissingPieces) {
   EvolutionOptions options;
   options.mode = GetParam().mode;
   for (const BoundaryLoop& hole : holes) {
-    Evolution evolution(*start_patch(model, {hole}, {}, {}).patch, options);
-    EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+    Evolution evolution(*make_initial_patch(model, {hole}, {}, {}).patch, options);
+    EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
     EXPECT_LT(rms(evolution.patch(), to_cylinder), GetParam().bound * hole.diameter);
   }
 }
@@ -77,13 +77,13 @@ TEST_P(Recovers, SphereOnAnIrregularMesh) {
   EvolutionOptions options;
   options.mode = GetParam().mode;
   Evolution evolution(test::start_of(test::rough_open_sphere(4, 0.8)), options);
-  EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+  EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
   EXPECT_LT(rms(evolution.patch(), to_sphere), 1e-4 * 1.2);
 }
 
 TEST(Evolution, HalfASphereComesBack) {
   Evolution evolution(test::start_of(test::open_sphere(4, 0.01)), {});
-  EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+  EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
   EXPECT_LT(rms(evolution.patch(), to_sphere), 1e-5 * 2);
 }
 
@@ -111,7 +111,7 @@ TEST(Evolution, EnergyNeverRisesInGaussNewtonAndTheExteriorStands) {
 
 TEST(Evolution, TheLastGaussNewtonStepTakesTheFactorsOfTheOneBefore) {
   Evolution evolution(test::start_of(test::open_sphere(4, 0.8)), {});
-  ASSERT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+  ASSERT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
   std::vector<StepRecord> newton;
   for (const StepRecord& step : evolution.history())
     if (step.sigma > 0) newton.push_back(step);
@@ -131,7 +131,7 @@ TEST(Evolution, TheFourFlowsFindTheirOwnSteadyStates) {
     EvolutionOptions options;
     options.flow = flow;
     Evolution evolution(test::start_of(model), options);
-    EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged) << to_string(flow);
+    EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::converged) << to_string(flow);
     distance[flow] = rms(evolution.patch(), to_sphere);
   }
   // The sphere is Willmore, SDF-stationary and MMCVF-stationary; it is no minimal surface.
@@ -243,13 +243,13 @@ TEST(Evolution, SmallSigmaTakesSmallSteps) {
   options.sigma = 0.1;
   options.max_steps = 3;
   Evolution evolution(test::start_of(test::open_sphere(4, 0.8)), options);
-  EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::step_limit);
+  EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::step_limit);
   EXPECT_NE(evolution.message(), "");
   EXPECT_EQ(evolution.history().size(), 3u);
   options.max_steps = 200;
   options.sigma = 100;
   evolution.set_options(options);
-  EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+  EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
 }
 
 TEST(Evolution, CancelKeepsTheLastAcceptedState) {
@@ -259,13 +259,13 @@ TEST(Evolution, CancelKeepsTheLastAcceptedState) {
   options.sigma = 0.01;
   Evolution evolution(test::start_of(test::open_sphere(4, 0.8)), options);
   Points last;
-  const EvolutionStatus status = evolution.run(
+  const PatchStatus status = evolution.run(
       [&](const Evolution& e, const StepRecord& record) {
         last = e.patch().positions;
         if (record.step == 2) cancel.cancel();
       },
       cancel);
-  EXPECT_EQ(status, EvolutionStatus::cancelled);
+  EXPECT_EQ(status, PatchStatus::cancelled);
   EXPECT_EQ(evolution.history().size(), 2u);
   EXPECT_EQ(evolution.patch().positions, last);
 }
@@ -291,7 +291,7 @@ TEST(Evolution, DoesNotDependOnTheUnit) {
     TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
     for (Vec3& p : soup.points) p *= unit;
     Evolution evolution(test::start_of(make_surface_model(soup)), {});
-    EXPECT_EQ(evolution.run(nullptr, {}), EvolutionStatus::converged);
+    EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
     Points points;
     for (int i = 0; i < evolution.patch().free_count; ++i)
       points.push_back(evolution.patch().to_mesh(evolution.patch().positions[i]) / unit);

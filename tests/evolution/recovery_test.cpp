@@ -24,7 +24,7 @@ struct Problem {
 
 struct Filled {
   double rms = 0;  ///< in diameters of the hole
-  LoopResult result;
+  HoleResult result;
   int new_vertices = 0;
   double min_angle = 0;  ///< degrees
 };
@@ -51,7 +51,7 @@ Filled fill(const Problem& problem, MeshKind kind, double density = 1) {
   FillOptions options;
   options.filler.density = density;
   Filled filled;
-  filled.result = fill_loops(model, {holes.front()}, options, nullptr, {}).front();
+  filled.result = fill_holes(model, {holes.front()}, options, nullptr, {}).front();
   const std::size_t after = model.soup.points.size();
   double sum = 0;
   for (std::size_t i = before; i < after; ++i) sum += std::pow(surface.distance(model.soup.points[i]), 2);
@@ -99,13 +99,13 @@ INSTANTIATE_TEST_SUITE_P(Problems, ComesBack,
 TEST_P(ComesBack, OnTheExactSurface) {
   const Problem problem = problems()[std::get<0>(GetParam())];
   const Filled filled = fill(problem, std::get<1>(GetParam()));
-  EXPECT_EQ(filled.result.status, LoopStatus::converged) << filled.result.message;
+  EXPECT_EQ(filled.result.status, PatchStatus::converged) << filled.result.message;
   EXPECT_LT(filled.rms, problem.bound);
-  EXPECT_LT(filled.result.energy.final, 1e-2 * filled.result.energy.initial);
+  EXPECT_LT(filled.result.outcome().energy.final, 1e-2 * filled.result.outcome().energy.initial);
   EXPECT_GT(filled.min_angle, 5);
   RecordProperty("rms_in_diameters", std::to_string(filled.rms));
   std::printf("%s: %.2e of %.0e, %d vertices, %d steps, %.1f degrees\n", problem.name, filled.rms, problem.bound,
-              filled.new_vertices, filled.result.steps, filled.min_angle);
+              filled.new_vertices, filled.result.steps(), filled.min_angle);
 }
 
 TEST(Density, HalfToFourTimesTheVerticesGiveTheSameSurface) {
@@ -113,7 +113,7 @@ TEST(Density, HalfToFourTimesTheVerticesGiveTheSameSurface) {
   int fewer = 0;
   for (double density : {0.5, 1.0, 2.0, 4.0}) {
     const Filled filled = fill(problem, MeshKind::irregular, density);
-    EXPECT_EQ(filled.result.status, LoopStatus::converged);
+    EXPECT_EQ(filled.result.status, PatchStatus::converged);
     EXPECT_GT(filled.new_vertices, 2 * fewer) << "a density that changes nothing proves nothing";
     EXPECT_LT(filled.rms, 1e-4) << density;  // each within 1e-4 of the truth: within 2e-4 of one another
     std::printf("density %g: %.2e, %d vertices\n", density, filled.rms, filled.new_vertices);

@@ -36,7 +36,7 @@ TEST(LinearFairing, LeavesAPlaneAPlane) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   ASSERT_EQ(loops.size(), 2u);
   ASSERT_EQ(loops[1].kind, LoopKind::hole);
-  Patch patch = *start_patch(model, {loops[1]}, {}, {}).patch;
+  Patch patch = *make_initial_patch(model, {loops[1]}, {}, {}).patch;
   test::disturb(patch, 0.05);
   const Points faired = linear_fairing(patch, 0, robust_clamp);
   ASSERT_EQ(faired.size(), patch.positions.size());

@@ -55,7 +55,7 @@ TEST(LoopFiller, ClosesAHoleInASphereAtTheDensityOfTheSurroundings) {
     ASSERT_TRUE(outcome.filler);
     expect_closes(model, loop, *outcome.filler);
     EXPECT_EQ(outcome.quality.folds, 0);
-    EXPECT_EQ(outcome.quality.self_intersections, 0);
+    EXPECT_EQ(outcome.quality.intersections, 0);
     EXPECT_GT(outcome.quality.min_angle_deg, 15);
     EXPECT_EQ(outcome.message, "");
     const double edge = mean_edge_length(outcome.filler->points, outcome.filler->triangles,
@@ -93,7 +93,7 @@ TEST(LoopFiller, ConcaveAndSlitShapedLoops) {
     ASSERT_TRUE(outcome.filler);
     expect_closes(model, loops[0], *outcome.filler);
     EXPECT_EQ(outcome.quality.folds, 0);
-    EXPECT_EQ(outcome.quality.self_intersections, 0);
+    EXPECT_EQ(outcome.quality.intersections, 0);
   }
 }
 
@@ -110,7 +110,7 @@ TEST(LoopFiller, WhereRemeshingWouldCutTheSurroundingsThePatchGetsItsVerticesAll
   const FillerOutcome outcome = fill_loop(model, *hole, {}, {});
   ASSERT_TRUE(outcome.filler);
   expect_closes(model, *hole, *outcome.filler);
-  EXPECT_EQ(outcome.quality.self_intersections, 0);
+  EXPECT_EQ(outcome.quality.intersections, 0);
   EXPECT_GT(outcome.filler->points.size(), 3 * 142u);
 }
 

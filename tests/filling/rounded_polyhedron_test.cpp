@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/rounded_polyhedron.h"
 
-#include "filling/patch_quality.h"
+#include "mesh/validity.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 
@@ -16,7 +16,7 @@ TEST(RoundedPolyhedron, VerticesOnASphereGiveTheSphereWithoutFolds) {
   const PolyhedronPatch flat = subdivide_polyhedron(make_surface_model(make_dodecahedron()), {});
   const std::optional<Patch> round = rounded_polyhedron(flat);
   ASSERT_TRUE(round);
-  EXPECT_EQ(patch_quality(*round).folds, 0);
+  EXPECT_EQ(patch_validity(*round).folds, 0);
   for (const Vec3& p : round->positions) EXPECT_NEAR(round->to_mesh(p).norm(), 1, 1e-12);
 }
 
@@ -26,7 +26,7 @@ TEST(RoundedPolyhedron, GoesThroughVerticesOffTheSphere) {
   const PolyhedronPatch flat = subdivide_polyhedron(make_surface_model(ball), {});
   const std::optional<Patch> round = rounded_polyhedron(flat);
   ASSERT_TRUE(round);
-  EXPECT_EQ(patch_quality(*round).folds, 0);
+  EXPECT_EQ(patch_validity(*round).folds, 0);
   for (int i = round->free_count; i < round->vertex_count(); ++i)
     EXPECT_EQ(round->positions[i], flat.patch.positions[i]);
   // The free vertices around the one that sticks out follow it.

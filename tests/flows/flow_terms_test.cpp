@@ -152,7 +152,7 @@ Patch flat_patch(const std::function<bool(const Vec3&)>& inside) {
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     if (loop.kind == LoopKind::hole) holes.push_back(loop);
   EXPECT_EQ(holes.size(), 1u);
-  return *start_patch(model, holes, {}, CancelToken()).patch;
+  return *make_initial_patch(model, holes, {}, CancelToken()).patch;
 }
 
 /// A round hole of n edges in rings of almost equilateral triangles.
@@ -177,7 +177,7 @@ Patch disc(int n) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   EXPECT_EQ(loops.size(), 2u);
   EXPECT_EQ(loops.back().kind, LoopKind::hole);
-  return *start_patch(model, {loops.back()}, {}, CancelToken()).patch;
+  return *make_initial_patch(model, {loops.back()}, {}, CancelToken()).patch;
 }
 
 /// k of the eigenvalue (k/R)^order that the rate is half of.

@@ -308,7 +308,7 @@ void CompareTest::the_winner_comes_into_the_document() {
   const OpenPatch* patch = main.document().patch_of(loop);
   QVERIFY(patch && patch->state != filler);
   QVERIFY(patch->state->flow == FlowKind::wf);
-  QVERIFY(patch->state->stage == PatchStage::converged);
+  QVERIFY(patch->state->status == PatchStatus::converged);
   QCOMPARE(main.document().patches().size(), std::size_t(1));
   key(main, Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(main.document().patch_of(loop)->state == filler);

@@ -83,6 +83,8 @@ class KeepingTest : public QObject {
   void a_session_is_looked_at_as_before();
   void a_session_of_the_first_version_opens();
   void where_the_flow_must_give_way();
+  void window_and_command_line_give_the_same_bits_data();
+  void window_and_command_line_give_the_same_bits();
   void help_is_there_in_german();
   void everything_can_be_reached_by_keys();
   void the_picture_is_moved_and_asked_by_keys();
@@ -243,7 +245,7 @@ void KeepingTest::a_session_of_the_first_version_opens() {
   }
   QByteArray bytes = to_bytes(session, folder_.path());
   constexpr int version_at = 17;  // behind "Loopmend session\n"
-  QCOMPARE(bytes[version_at], '\4');
+  QCOMPARE(bytes[version_at], '\5');
   bytes[version_at] = '\1';
   bytes.chop(4);
   bytes.remove(bytes.size() - 12, 4);
@@ -269,9 +271,9 @@ void KeepingTest::where_the_flow_must_give_way() {
   // Together they would cut the plate: each by itself, and the large one stays as it was filled.
   QCOMPARE(document.patches().size(), std::size_t(2));
   const PatchState &large = *document.patch_of(0)->state, &small = *document.patch_of(1)->state;
-  QVERIFY2(large.stage == PatchStage::filled, large.message.c_str());
+  QVERIFY2(large.status == PatchStatus::filled, large.message.c_str());
   QVERIFY2(QString::fromStdString(large.message).contains(QStringLiteral("kept")), large.message.c_str());
-  QVERIFY2(small.stage == PatchStage::converged, small.message.c_str());
+  QVERIFY2(small.status == PatchStatus::converged, small.message.c_str());
   const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
   window.workbench().export_to(by_hand);
   QVERIFY(wait_idle(window));
@@ -285,6 +287,37 @@ void KeepingTest::where_the_flow_must_give_way() {
       "window and command line do not give the same vertices");
   key(window, Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(document.patches().size(), std::size_t(1));
+}
+
+void KeepingTest::window_and_command_line_give_the_same_bits_data() {
+  QTest::addColumn<QString>("scan");
+  QTest::newRow("sample") << sample_file(folder_);
+  for (const char* name : {"bunny.ply", "head_holes.ply", "plane_holes.obj"})
+    QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name);
+}
+
+/// Everything that a person gets who fills all holes, runs the flow and exports, against the command's file.
+void KeepingTest::window_and_command_line_give_the_same_bits() {
+  QFETCH(QString, scan);
+  if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  press(window, "steady");
+  QVERIFY(wait_idle(window, 240));
+  const QString by_hand = folder_.filePath(QStringLiteral("window.ply"));
+  const QString by_script = folder_.filePath(QStringLiteral("command.ply"));
+  window.workbench().export_to(by_hand);
+  QVERIFY(wait_idle(window));
+  QProcess program;
+  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
+  QVERIFY(program.waitForFinished(240000));
+  QFile ours(by_hand), theirs(by_script);
+  QVERIFY(ours.open(QIODevice::ReadOnly) && theirs.open(QIODevice::ReadOnly));
+  const QByteArray expected = theirs.readAll();
+  QVERIFY(expected.size() > 1000);
+  QVERIFY2(ours.readAll() == expected, "the window's file is not the command's");
 }
 
 void KeepingTest::help_is_there_in_german() {

@@ -132,8 +132,8 @@ void StoryTest::one_hole_by_eye() {
   key(window, Qt::Key_T);
   QVERIFY(wait_idle(window, 240));
   const OpenPatch& done = *document.patch_of(loop);
-  QVERIFY(done.state->stage == PatchStage::converged || done.state->stage == PatchStage::faired);
-  QVERIFY(done.state->seam.front().h_jump_rms < done.state->seam_before.front().h_jump_rms);
+  QVERIFY(done.state->status == PatchStatus::converged || done.state->status == PatchStatus::faired);
+  QVERIFY(done.state->seams.front().h_jump_rms < done.state->seams_before.front().h_jump_rms);
   key(window, Qt::Key_A);
   QVERIFY(document.state(loop) == HoleState::accepted);
   QVERIFY(!part<QPushButton>(window, "run")->isEnabled());

@@ -372,7 +372,7 @@ void ToolsTest::the_gallery_opens_and_runs() {
       [&] {
         const auto& patches = other.window.document().patches();
         return patches.size() == 3 && std::all_of(patches.begin(), patches.end(), [](const OpenPatch& patch) {
-                 return patch.state->stage == PatchStage::converged;
+                 return patch.state->status == PatchStatus::converged;
                });
       },
       120));

@@ -25,7 +25,8 @@ exec awk '
     may["filling"] = "core mesh operators solvers"
     may["analysis"] = "core mesh operators"
     may["rim"] = "core mesh operators energy solvers filling"
-    may["evolution"] = "core mesh operators energy flows solvers filling rim analysis"
+    may["evolution"] = "core mesh operators energy flows solvers filling rim"
+    may["pipeline"] = "core mesh operators energy flows filling rim evolution analysis"
     may["samples"] = "core mesh"
 
     heavy = "^(CGAL/|suitesparse/|SuiteSparse|cholmod|umfpack|Eigen/(Cholmod|UmfPack)Support)"

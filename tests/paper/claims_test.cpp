@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's claims (section 5). Inputs are those of samples/paper_inputs.h.
-#include "evolution/compare_flows.h"
-#include "evolution/fill_loops.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/compare.h"
+#include "pipeline/fill_holes.h"
 #include "filling/bridge_loops.h"
 #include "mesh/region.h"
 #include "samples/paper_inputs.h"
@@ -19,7 +20,7 @@ Patch filler_of(const SurfaceModel& model) {
   std::vector<BoundaryLoop> holes;
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     if (loop.turning < -0.3) holes.push_back(loop);
-  return *start_patch(model, holes, {}, {}).patch;
+  return *make_initial_patch(model, holes, {}, {}).patch;
 }
 
 template <class Distance>
@@ -46,9 +47,9 @@ Patch six_tube_start(int around) {
 TEST(PaperClaims, TheCylinderComesBackWithSmallAndLargeSteps) {
   const Patch start = filler_of(make_surface_model(make_pierced_cylinder()));
   for (double sigma : {10.0, 1e4}) {
-    const EvolvedPatch evolved = evolve_patch(start, scheme_with(sigma), nullptr, {});
-    EXPECT_EQ(evolved.status, EvolutionStatus::converged) << sigma;
-    EXPECT_TRUE(evolved.is_valid());
+    const PatchResult evolved = evolve_patch(start, scheme_with(sigma), nullptr, {});
+    EXPECT_EQ(evolved.status, PatchStatus::converged) << sigma;
+    EXPECT_TRUE(evolved.validity.is_clean());
     EXPECT_LT(rms(evolved.patch, [](const Vec3& p) { return std::hypot(p.x(), p.y()) - 1; }), 1e-4) << sigma;
   }
 }
@@ -56,16 +57,16 @@ TEST(PaperClaims, TheCylinderComesBackWithSmallAndLargeSteps) {
 TEST(PaperClaims, TheSphereComesBackFromItsWireFrame) {
   const SurfaceModel model = make_surface_model(make_sphere_wireframe());
   EXPECT_EQ(find_boundary_loops(model).size(), 8u);
-  const EvolvedPatch evolved = evolve_patch(filler_of(model), scheme_with(10), nullptr, {});
-  EXPECT_EQ(evolved.status, EvolutionStatus::converged);
+  const PatchResult evolved = evolve_patch(filler_of(model), scheme_with(10), nullptr, {});
+  EXPECT_EQ(evolved.status, PatchStatus::converged);
   EXPECT_LT(rms(evolved.patch, [](const Vec3& p) { return p.norm() - 1; }), 1e-5);
 }
 
 /// Fig. 5.3: G² against the G⁰ filler.
 TEST(PaperClaims, TheHeadsHolesAreFilledWithoutAJumpOfH) {
   const Patch start = filler_of(make_surface_model(make_holed_head()));
-  const EvolvedPatch evolved = evolve_patch(start, {}, nullptr, {});
-  EXPECT_EQ(evolved.status, EvolutionStatus::converged);
+  const PatchResult evolved = evolve_patch(start, {}, nullptr, {});
+  EXPECT_EQ(evolved.status, PatchStatus::converged);
   const std::vector<SeamReport> before = seam_reports(start), after = seam_reports(evolved.patch);
   ASSERT_EQ(after.size(), 3u);
   for (std::size_t k = 0; k < after.size(); ++k) EXPECT_LT(after[k].h_jump_rms, 0.15 * before[k].h_jump_rms);
@@ -79,9 +80,9 @@ TEST(PaperClaims, OnSixTubesTheJumpFallsUnderRefinementForMmcvfAlone) {
     for (FlowKind flow : {FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf}) {
       EvolutionOptions options;
       options.flow = flow;
-      const EvolvedPatch evolved = evolve_patch(start, options, nullptr, {});
-      EXPECT_EQ(evolved.status, EvolutionStatus::converged);
-      EXPECT_TRUE(evolved.is_valid());
+      const PatchResult evolved = evolve_patch(start, options, nullptr, {});
+      EXPECT_EQ(evolved.status, PatchStatus::converged);
+      EXPECT_TRUE(evolved.validity.is_clean());
       wide[flow].push_back(wide_curvature_jump(evolved.patch));
       double sum = 0;
       for (const SeamReport& seam : seam_reports(evolved.patch)) sum += seam.h_jump_rms * seam.h_jump_rms / 6;
@@ -104,10 +105,10 @@ TEST(PaperClaims, OnTheBumpsTheJumpsHaveThePapersOrder) {
   const FlowComparison comparison = compare_flows(make_region(model, vertices).patch, {}, nullptr, {});
   ASSERT_EQ(comparison.runs.size(), 4u);
   std::map<FlowKind, double> jump, angle;
-  for (const FlowRun& run : comparison.runs) {
-    EXPECT_EQ(run.evolved.quality.folds, 0);
-    jump[run.flow] = run.seams.front().h_jump_rms;
-    angle[run.flow] = run.seams.front().g1_rms_deg;
+  for (const ComparedFlow& run : comparison.runs) {
+    EXPECT_EQ(run.outcome.validity.folds, 0);
+    jump[run.outcome.flow] = run.outcome.seams.front().h_jump_rms;
+    angle[run.outcome.flow] = run.outcome.seams.front().g1_rms_deg;
   }
   EXPECT_LT(jump[FlowKind::mmcvf], 0.3 * jump[FlowKind::sdf]);
   EXPECT_LT(jump[FlowKind::mmcvf], 0.3 * jump[FlowKind::wf]);

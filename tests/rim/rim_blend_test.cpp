@@ -36,9 +36,9 @@ Patch rough_start(int level = 5, double height = 0.85, double relief = 1) {
 /// Run to its end, whatever that is called: a linear fairing converges to nothing.
 Evolution evolved(const Patch& start, const EvolutionOptions& options) {
   Evolution evolution(start, options);
-  const EvolutionStatus status = evolution.run(nullptr, {});
-  EXPECT_NE(status, EvolutionStatus::failed) << evolution.message();
-  EXPECT_NE(status, EvolutionStatus::step_limit) << evolution.message();
+  const PatchStatus status = evolution.run(nullptr, {});
+  EXPECT_NE(status, PatchStatus::stalled) << evolution.message();
+  EXPECT_NE(status, PatchStatus::step_limit) << evolution.message();
   return evolution;
 }
 
@@ -84,7 +84,7 @@ Patch patch_with_fine_and_scattered_side(int smooth_vertices) {
       soup.triangles.insert(soup.triangles.end(), {{a, c, b}, {b, c, d}});
     }
   const SurfaceModel model = make_surface_model(soup);
-  Patch patch = *start_patch(model, {find_boundary_loops(model).back()}, {}, {}).patch;
+  Patch patch = *make_initial_patch(model, {find_boundary_loops(model).back()}, {}, {}).patch;
   for (int i = 0; i < patch.free_count; ++i)
     patch.positions[i] = patch.to_frame(patch.to_mesh(patch.positions[i]).normalized());
   return patch;
@@ -288,7 +288,7 @@ TEST(RimBlend, AFairingThatWouldFoldAlongNormalsSpreadsTheVerticesAnew) {
       Evolution evolution(start, options);
       int folds = folds_of(start);
       ASSERT_GT(folds, 0);
-      while (evolution.status() == EvolutionStatus::ready) {
+      while (evolution.status() == PatchStatus::ready) {
         evolution.step({});
         EXPECT_LE(folds_of(evolution.patch()), folds) << height << ", " << relief;
         folds = folds_of(evolution.patch());

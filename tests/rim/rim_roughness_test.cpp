@@ -73,7 +73,7 @@ TEST(RimRoughness, CleanBentSheetsAreSmooth) {
           make_surface_model(trim_rims(cut(sheet.mesh, [&](const Vec3& p) { return (p - center).norm() < 0.35; })));
       for (const BoundaryLoop& loop : find_boundary_loops(model)) {
         if (loop.kind != LoopKind::hole) continue;
-        const RimRoughness rim = rim_roughness(*start_patch(model, {loop}, {}, {}).patch);
+        const RimRoughness rim = rim_roughness(*make_initial_patch(model, {loop}, {}, {}).patch);
         EXPECT_EQ(rim.rough_share, 0) << "sheet " << seed << ", " << to_string(kind) << ": growth " << rim.local_growth
                                       << ", residual " << rim.noise_per_edge;
         EXPECT_EQ(rim.kind, Surroundings::smooth);
@@ -92,7 +92,7 @@ TEST(RimRoughness, TheExactSolutionOfTheEquationIsSmooth) {
   for (const BoundaryLoop& loop : find_boundary_loops(model)) {
     if (loop.kind != LoopKind::hole) continue;
     ++holes;
-    const RimRoughness rim = rim_roughness(*start_patch(model, {loop}, {}, {}).patch);
+    const RimRoughness rim = rim_roughness(*make_initial_patch(model, {loop}, {}, {}).patch);
     EXPECT_EQ(rim.rough_share, 0);
     EXPECT_EQ(rim.noise_share, 0);
     EXPECT_EQ(rim.bending, 0);

@@ -72,8 +72,8 @@ Filled fill(const Known& known, const Spikes& spikes, BoundaryTrust trust) {
   const double edge = edge_of(test::start_of(model));
   FillOptions options;
   options.evolution->boundary = trust;
-  for (const LoopResult& result : fill_loops(model, find_boundary_loops(model), options, nullptr, {}))
-    EXPECT_EQ(result.status, LoopStatus::converged) << result.message;
+  for (const HoleResult& result : fill_holes(model, find_boundary_loops(model), options, nullptr, {}))
+    EXPECT_EQ(result.status, PatchStatus::converged) << result.message;
   Filled filled;
   double count = 0;
   for (std::size_t v = known.open.points.size(); v < model.soup.points.size(); ++v) {

@@ -2,7 +2,7 @@
 #include "rim/trim_rim.h"
 
 #include "core/error.h"
-#include "evolution/fill_loops.h"
+#include "pipeline/fill_holes.h"
 #include "mesh/self_intersections.h"
 #include "support/ragged_rims.h"
 
@@ -147,8 +147,8 @@ TEST(TrimRim, ARimThatWasMendedIsFilledLikeOneThatWasNeverBad) {
   const SurfaceModel ragged = make_surface_model(rim.ragged);
   SurfaceModel mended = trim_rim(ragged, holes_of(ragged), 3).model;
   for (SurfaceModel* model : {&clean, &mended})
-    for (const LoopResult& result : fill_loops(*model, holes_of(*model), {}, nullptr, {}))
-      EXPECT_EQ(result.status, LoopStatus::converged) << result.message;
+    for (const HoleResult& result : fill_holes(*model, holes_of(*model), {}, nullptr, {}))
+      EXPECT_EQ(result.status, PatchStatus::converged) << result.message;
   const auto points_from = [](const SurfaceModel& model, std::size_t first) {
     return Points(model.soup.points.begin() + static_cast<long>(first), model.soup.points.end());
   };

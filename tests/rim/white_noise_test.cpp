@@ -36,8 +36,8 @@ double error_of_fill(double share, BoundaryTrust trust) {
     const Points before = model.soup.points;
     FillOptions options;
     options.evolution->boundary = trust;
-    for (const LoopResult& result : fill_loops(model, find_boundary_loops(model), options, nullptr, {}))
-      EXPECT_EQ(result.status, LoopStatus::converged);
+    for (const HoleResult& result : fill_holes(model, find_boundary_loops(model), options, nullptr, {}))
+      EXPECT_EQ(result.status, PatchStatus::converged);
     EXPECT_TRUE(std::equal(before.begin(), before.end(), model.soup.points.begin()));
     for (std::size_t v = before.size(); v < model.soup.points.size(); ++v) {
       sum += std::pow(model.soup.points[v].norm() - 1, 2);

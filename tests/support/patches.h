@@ -2,7 +2,7 @@
 // Hole problems that several tests share.
 #pragma once
 
-#include "evolution/fill_loops.h"
+#include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
 
 #include <Eigen/Geometry>
@@ -26,7 +26,7 @@ inline SurfaceModel rough_open_sphere(int level, double height) {
 
 /// The G0 filler of all holes of a model as one patch.
 inline Patch start_of(const SurfaceModel& model) {
-  return *start_patch(model, find_boundary_loops(model), FillerOptions{}, CancelToken()).patch;
+  return *make_initial_patch(model, find_boundary_loops(model), FillerOptions{}, CancelToken()).patch;
 }
 
 /// A patch whose free vertices lie exactly on the unit sphere.

@@ -7,27 +7,16 @@
 #include "part_loops.h"
 
 #include "core/version.h"
-#include "evolution/blend_loops.h"
+#include "pipeline/blend.h"
 
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 
 namespace loopmend {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Points bit for bit, triangles in their order up to their sense.
-bool starts_with(const TriangleSoup& result, const TriangleSoup& input) {
-  if (std::memcmp(result.points.data(), input.points.data(), input.points.size() * sizeof(Vec3)) != 0) return false;
-  for (std::size_t f = 0; f < input.triangles.size(); ++f) {
-    const Triangle& t = input.triangles[f];
-    if (result.triangles[f] != t && result.triangles[f] != Triangle{t[0], t[2], t[1]}) return false;
-  }
-  return true;
-}
 
 Json blend_report(const BlendCommand& command, const OpenedParts& parts, const std::vector<NamedLoop>& loops,
                   const BlendResult& result) {
@@ -36,28 +25,16 @@ Json blend_report(const BlendCommand& command, const OpenedParts& parts, const s
   json["command_line"] = command.command_line;
   for (std::size_t k = 0; k < parts.paths.size(); ++k)
     json["inputs"].push_back(input_json(parts.paths[k], parts.imports[k], parts.repairs[k]));
-  json["status"] = to_string(result.status);
-  json["message"] = result.message;
-  json["method"] = result.method;
-  json["reason"] = result.reason;
+  json.update(patch_json(result.outcome));
   json["turned_faces"] = result.turned_faces;
-  json["free_vertices"] = result.patch ? result.patch->free_count : 0;
-  json["folds"] = result.quality.folds;
-  json["self_intersections"] = result.quality.self_intersections;
-  json["min_angle_deg"] = result.quality.min_angle_deg;
-  json["steps"] = result.steps;
-  json["bending"] = result.bending;
-  json["energy"] = {{"initial", result.energy.initial}, {"final", result.energy.final}};
-  json["seconds"] = {{"bridge", result.seconds.bridge},
-                     {"assemble", result.seconds.assemble},
-                     {"solve", result.seconds.solve},
-                     {"total", result.seconds.total}};
+  json["seconds"]["bridge"] = result.outcome.seconds.initial_patch;
+  json["seconds"]["total"] = result.outcome.seconds.total;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     Json loop = loop_json(loops[k].loop);
     loop["name"] = loops[k].name;
-    if (k < result.seams_after.size()) {
-      loop["seam_before"] = seam_json(result.seams_before[k]);
-      loop["seam_after"] = seam_json(result.seams_after[k]);
+    if (k < result.outcome.seams.size()) {
+      loop["seam_before"] = seam_json(result.outcome.seams_before[k]);
+      loop["seam_after"] = seam_json(result.outcome.seams[k]);
     }
     json["loops"].push_back(std::move(loop));
   }
@@ -71,11 +48,13 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
   std::fprintf(out, "%6s  %6s  %21s  %21s\n", "loop", "edges", "angle at seam, deg", "jump of H x diameter");
   for (std::size_t k = 0; k < loops.size(); ++k)
     std::fprintf(out, "%6s  %6d  %9.4f -> %8.4f  %9.4f -> %8.4f\n", loops[k].name.c_str(), loops[k].loop.edges(),
-                 result.seams_before[k].g1_rms_deg, result.seams_after[k].g1_rms_deg,
-                 result.seams_before[k].h_jump_rms_times_diameter, result.seams_after[k].h_jump_rms_times_diameter);
+                 result.outcome.seams_before[k].g1_rms_deg, result.outcome.seams[k].g1_rms_deg,
+                 result.outcome.seams_before[k].h_jump_rms_times_diameter,
+                 result.outcome.seams[k].h_jump_rms_times_diameter);
   std::fprintf(out, "%zu loops joined by %d new vertices: %s (%s) after %d steps%s%s; %s written in %.2f s\n",
-               loops.size(), result.patch->free_count, to_string(result.status), result.method.c_str(), result.steps,
-               result.message.empty() ? "" : ", ", result.message.c_str(), command.output.c_str(), seconds);
+               loops.size(), result.outcome.patch.free_count, to_string(result.outcome.status),
+               method_name(result.outcome).c_str(), result.outcome.steps, result.outcome.message.empty() ? "" : ", ",
+               result.outcome.message.c_str(), command.output.c_str(), seconds);
 }
 
 }  // namespace
@@ -92,12 +71,11 @@ int run_blend(const BlendCommand& command) {
   ProgressLine(command.words.verbosity()).say("joining " + std::to_string(loops.size()) + " loops");
   SurfaceModel model = parts.joined.model;
   const BlendResult result = blend_loops(model, bare, options_of(command.words), CancelToken());
-  if (result.status == LoopStatus::failed) {
-    std::fprintf(stderr, "loopmend: the loops were not joined: %s. Nothing was written.\n", result.message.c_str());
+  if (result.outcome.status == PatchStatus::failed) {
+    std::fprintf(stderr, "loopmend: the loops were not joined: %s. Nothing was written.\n",
+                 result.outcome.message.c_str());
     return exit_loops_failed;
   }
-  if (!starts_with(model.soup, parts.joined.model.soup))
-    throw std::logic_error("the surroundings of a patch were changed: nothing was written");
   OutputTransaction outputs;
   write_mesh(outputs, command.output, model.soup, command.words.encoding());
   std::vector<NotKept> not_read;
@@ -110,16 +88,14 @@ int run_blend(const BlendCommand& command) {
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;
   json["output"] = losses_json(losses);
   json["total_seconds"] = seconds;
-  add_report(outputs, command.words.report, json);
-  outputs.commit();
-  print_report(command.words.report, json);
+  commit_with_report(outputs, command.words.report, json);
   if (!command.words.quiet) {
     std::FILE* out = command.words.report == "-" ? stderr : stdout;
     print_summary(out, command, loops, result, seconds);
-    print_reason(out, result.reason);
+    print_reason(out, result.outcome.reason);
     print_losses(out, command.output, losses);
   }
-  return result.status == LoopStatus::doubtful ? exit_loops_failed : exit_done;
+  return result.outcome.status == PatchStatus::doubtful ? exit_loops_failed : exit_done;
 }
 
 }  // namespace loopmend

@@ -10,8 +10,8 @@
 
 #include "core/version.h"
 #include "io/atomic_file.h"
+#include "pipeline/problem.h"
 #include "problems/comparison_table.h"
-#include "problems/problem.h"
 
 #include <chrono>
 #include <cstdio>
@@ -92,9 +92,7 @@ int run_compare(const CompareCommand& command) {
   json["command_line"] = command.command_line;
   json["free_vertices"] = problem.start.free_count;
   json["flows"] = comparison_json(comparison);
-  add_report(outputs, command.words.report, json);
-  outputs.commit();
-  print_report(command.words.report, json);
+  commit_with_report(outputs, command.words.report, json);
   if (!command.words.quiet) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::fprintf(command.words.report == "-" ? stderr : stdout, "%s%d free vertices; %s written in %.2f s\n",

@@ -32,10 +32,10 @@ LinePlot profile_plot(const FlowComparison& comparison, const std::string& title
       title, "distance from the seam (surroundings left, patch right)", "mean curvature H, one-sided", {}, {}};
   double low = 1e300, high = -1e300;
   for (std::size_t k = 0; k < comparison.profiles.size(); ++k) {
-    PlotLine line{upper_name(comparison.runs[k].flow), {}};
+    PlotLine line{upper_name(comparison.runs[k].outcome.flow), {}};
     for (const ProfilePoint& p : comparison.profiles[k]) {
       line.points.emplace_back(p.distance, p.H);
-      if (comparison.runs[k].flow == FlowKind::mcf || !std::isfinite(p.H)) continue;
+      if (comparison.runs[k].outcome.flow == FlowKind::mcf || !std::isfinite(p.H)) continue;
       low = std::min(low, p.H);
       high = std::max(high, p.H);
     }
@@ -57,16 +57,16 @@ std::vector<std::filesystem::path> comparison_files(const std::filesystem::path&
 
 nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
   nlohmann::ordered_json json;
-  for (const FlowRun& run : comparison.runs) {
-    nlohmann::ordered_json one = evolved_json(run.evolved);
-    one["flow"] = to_string(run.flow);
+  for (const ComparedFlow& run : comparison.runs) {
+    nlohmann::ordered_json one = patch_json(run.outcome);
+    one["flow"] = to_string(run.outcome.flow);
     one["area"] = run.energies.area;
     one["bending_energy"] = run.energies.bending;
     one["variation_energy"] = run.energies.variation;
-    const SeamFigures seam = seam_figures(run.seams);
+    const SeamFigures seam = seam_figures(run.outcome.seams);
     one["h_jump_wide"] = run.wide_jump;
     one["h_jump_rms"] = std::isfinite(seam.jump) ? nlohmann::ordered_json(seam.jump) : nlohmann::ordered_json(nullptr);
-    for (const SeamReport& report : run.seams) one["seams"].push_back(seam_json(report));
+    for (const SeamReport& report : run.outcome.seams) one["seams"].push_back(seam_json(report));
     json.push_back(std::move(one));
   }
   return json;
@@ -76,15 +76,15 @@ void write_comparison(OutputTransaction& outputs, const Problem& problem, const 
                       const std::string& title, const std::filesystem::path& folder, const std::optional<Vec3>& eye) {
   write_mesh(outputs, folder / "start.ply", problem.surface(problem.start));
   std::vector<SurfaceModel> models;
-  for (const FlowRun& run : comparison.runs) {
-    TriangleSoup soup = problem.surface(run.evolved.patch);
-    write_mesh(outputs, folder / (std::string(to_string(run.flow)) + ".ply"), soup);
+  for (const ComparedFlow& run : comparison.runs) {
+    TriangleSoup soup = problem.surface(run.outcome.patch);
+    write_mesh(outputs, folder / (std::string(to_string(run.outcome.flow)) + ".ply"), soup);
     models.push_back(make_surface_model(std::move(soup)));
   }
   std::vector<Panel> panels;
   for (std::size_t k = 0; k < models.size(); ++k) {
-    const FlowRun& run = comparison.runs[k];
-    panels.push_back({&models[k], upper_name(run.flow) + format(": jump of H %.2g", run.wide_jump)});
+    const ComparedFlow& run = comparison.runs[k];
+    panels.push_back({&models[k], upper_name(run.outcome.flow) + format(": jump of H %.2g", run.wide_jump)});
   }
   RenderOptions options;
   options.eye = eye;

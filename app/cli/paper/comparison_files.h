@@ -2,9 +2,9 @@
 // What a comparison of flows leaves in a folder: meshes, one picture, the profile as CSV and plot, tables.
 #pragma once
 
-#include "evolution/compare_flows.h"
+#include "pipeline/compare.h"
 #include "io/atomic_file.h"
-#include "problems/problem.h"
+#include "pipeline/problem.h"
 
 #include <nlohmann/json.hpp>
 

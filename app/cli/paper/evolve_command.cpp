@@ -9,7 +9,7 @@
 
 #include "analysis/seam_report.h"
 #include "core/version.h"
-#include "problems/problem.h"
+#include "pipeline/evolve_region.h"
 
 #include <chrono>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace loopmend {
 
 namespace {
 
-void print_summary(std::FILE* out, const EvolveCommand& command, const Region& region, const EvolvedPatch& evolved,
+void print_summary(std::FILE* out, const EvolveCommand& command, const Region& region, const PatchResult& evolved,
                    double seconds) {
   if (region.held_at_boundary > 0)
     std::fprintf(out, "%d vertices of the region lie on the surface's boundary: they stay.\n", region.held_at_boundary);
@@ -36,8 +36,8 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
       std::fprintf(out, "%5zu  the surface's own boundary: nothing beyond to compare with\n", k + 1);
   }
   std::fprintf(out, "%d vertices: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
-               evolved.patch.free_count, to_string(evolved.status), method_name(evolved.method, evolved.flow).c_str(),
-               evolved.steps, evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
+               evolved.patch.free_count, to_string(evolved.status), method_name(evolved).c_str(), evolved.steps,
+               evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
                evolved.message.c_str(), command.output.c_str(), seconds);
   print_reason(out, evolved.reason);
 }
@@ -61,7 +61,7 @@ int run_evolve(const EvolveCommand& command) {
   const Region region = make_region(opened.model, vertices);
   ProgressLine(command.words.verbosity())
       .say("evolving a region of " + std::to_string(region.patch.free_count) + " vertices");
-  const EvolvedPatch evolved = evolve_region(region, *options_of(command.words).evolution, nullptr, CancelToken());
+  const PatchResult evolved = evolve_region(region, *options_of(command.words).evolution, nullptr, CancelToken());
   if (const std::string refusal = refusal_of(region, evolved); !refusal.empty()) {
     std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.c_str());
     return exit_loops_failed;
@@ -72,7 +72,7 @@ int run_evolve(const EvolveCommand& command) {
   const OutputLosses losses =
       losses_of(command.output, surface, command.words.encoding(), opened.import.not_kept, surface.points.size());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  nlohmann::ordered_json json = evolved_json(evolved);
+  nlohmann::ordered_json json = patch_json(evolved);
   json["version"] = version();
   json["command_line"] = command.command_line;
   json["input"] = input_json(command.input, opened.import, opened.model.repairs);
@@ -82,9 +82,7 @@ int run_evolve(const EvolveCommand& command) {
   for (const SeamReport& seam : seam_reports(evolved.patch)) json["seams_after"].push_back(seam_json(seam));
   json["output"] = losses_json(losses);
   json["total_seconds"] = seconds;
-  add_report(outputs, command.words.report, json);
-  outputs.commit();
-  print_report(command.words.report, json);
+  commit_with_report(outputs, command.words.report, json);
   if (!command.words.quiet) {
     std::FILE* out = command.words.report == "-" ? stderr : stdout;
     print_summary(out, command, region, evolved, seconds);

@@ -8,7 +8,7 @@
 #include "vertex_selection.h"
 
 #include "core/version.h"
-#include "problems/problem.h"
+#include "pipeline/interpolate.h"
 
 #include <chrono>
 #include <cstdio>
@@ -31,8 +31,8 @@ int run_interpolate(const InterpolateCommand& command) {
   ProgressLine(command.words.verbosity()).say("interpolating " + command.input.string());
   const Interpolation result =
       interpolate_points(opened.model, subdivision, options_of(command.words).evolution, CancelToken());
-  const EvolvedPatch& evolved = result.evolved;
-  if (const std::string refusal = refusal_of(result); !refusal.empty()) {
+  const PatchResult& evolved = result.outcome;
+  if (const std::string refusal = refusal_of(evolved); !refusal.empty()) {
     std::fprintf(stderr, "loopmend: %s. Nothing was written.\n", refusal.c_str());
     return exit_loops_failed;
   }
@@ -41,23 +41,21 @@ int run_interpolate(const InterpolateCommand& command) {
   const OutputLosses losses = losses_of(command.output, result.surface, command.words.encoding(),
                                         opened.import.not_kept, static_cast<std::size_t>(result.fixed_count));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  nlohmann::ordered_json json = evolved_json(evolved);
+  nlohmann::ordered_json json = patch_json(evolved);
   json["version"] = version();
   json["command_line"] = command.command_line;
   json["input"] = input_json(command.input, opened.import, opened.model.repairs);
   json["fixed_vertices"] = result.fixed_count;
   json["output"] = losses_json(losses);
   json["total_seconds"] = seconds;
-  add_report(outputs, command.words.report, json);
-  outputs.commit();
-  print_report(command.words.report, json);
+  commit_with_report(outputs, command.words.report, json);
   if (!command.words.quiet) {
     std::FILE* out = command.words.report == "-" ? stderr : stdout;
-    std::fprintf(
-        out, "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
-        result.fixed_count, evolved.patch.free_count, to_string(evolved.status),
-        method_name(evolved.method, evolved.flow).c_str(), evolved.steps, evolved.energy.initial, evolved.energy.final,
-        evolved.message.empty() ? "" : ", ", evolved.message.c_str(), command.output.c_str(), seconds);
+    std::fprintf(out,
+                 "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
+                 result.fixed_count, evolved.patch.free_count, to_string(evolved.status), method_name(evolved).c_str(),
+                 evolved.steps, evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
+                 evolved.message.c_str(), command.output.c_str(), seconds);
     print_reason(out, evolved.reason);
     print_losses(out, command.output, losses);
   }

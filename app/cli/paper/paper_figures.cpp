@@ -2,10 +2,11 @@
 #include "cli/paper/paper_figures.h"
 
 #include "core/error.h"
-#include "evolution/blend_loops.h"
-#include "evolution/interpolate_points.h"
 #include "flows/flow_terms.h"
 #include "mesh/region.h"
+#include "pipeline/blend.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/interpolate.h"
 #include "problems/comparison_table.h"
 #include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
@@ -45,12 +46,12 @@ SurfaceModel pasted(const SurfaceModel& model, const Patch& patch) {
 }
 
 /// The step size that the run settled on: the first ones may have been cut down.
-const StepRecord& largest_step(const EvolvedPatch& evolved) {
+const StepRecord& largest_step(const PatchResult& evolved) {
   return *std::max_element(evolved.history.begin(), evolved.history.end(),
                            [](const StepRecord& a, const StepRecord& b) { return a.sigma < b.sigma; });
 }
 
-TableRow row_of(const EvolvedPatch& evolved) {
+TableRow row_of(const PatchResult& evolved) {
   TableRow row;
   row.unknowns = 3 * evolved.patch.free_count;
   row.steps = evolved.steps;
@@ -62,7 +63,7 @@ TableRow row_of(const EvolvedPatch& evolved) {
 }
 
 /// Figures that every run tells.
-void describe(const EvolvedPatch& evolved, FigureRun& run) {
+void describe(const PatchResult& evolved, FigureRun& run) {
   run.ours = row_of(evolved);
   run.sigma = evolved.history.empty() ? 0 : largest_step(evolved).sigma;
   run.numbers.emplace_back("end", std::string(to_string(evolved.status)) + " after " + std::to_string(evolved.steps) +
@@ -70,9 +71,9 @@ void describe(const EvolvedPatch& evolved, FigureRun& run) {
   run.numbers.emplace_back("free vertices", std::to_string(evolved.patch.free_count));
   run.numbers.emplace_back("energy &int;|&nabla;H|&sup2;",
                            text("%.4g", evolved.energy.initial) + " &rarr; " + text("%.4g", evolved.energy.final));
-  run.numbers.emplace_back("folds, self-intersections", std::to_string(evolved.quality.folds) + ", " +
-                                                            std::to_string(evolved.quality.self_intersections));
-  run.numbers.emplace_back("smallest angle", text("%.1f&deg;", evolved.quality.min_angle_deg));
+  run.numbers.emplace_back("folds, self-intersections", std::to_string(evolved.validity.folds) + ", " +
+                                                            std::to_string(evolved.validity.intersections));
+  run.numbers.emplace_back("smallest angle", text("%.1f&deg;", evolved.validity.min_angle_deg));
 }
 
 double worst_jump_times_diameter(const Patch& patch) {
@@ -94,7 +95,7 @@ Patch filler_of(const SurfaceModel& model) {
   std::vector<BoundaryLoop> holes;
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     if (loop.turning < -0.3) holes.push_back(loop);
-  return *start_patch(model, holes, {}, {}).patch;
+  return *make_initial_patch(model, holes, {}, {}).patch;
 }
 
 FigureRun run_holes(TriangleSoup input, const TableRow& paper) {
@@ -109,14 +110,14 @@ FigureRun run_holes(TriangleSoup input, const TableRow& paper) {
 /// Recovery of a surface of constant mean curvature: the distance decides.
 FigureRun run_recovery(TriangleSoup input, const TableRow& paper, double (*distance)(const Vec3&)) {
   FigureRun run = run_holes(std::move(input), paper);
-  const EvolvedPatch evolved = evolve_patch(run.start, paper_scheme(), nullptr, {});
+  const PatchResult evolved = evolve_patch(run.start, paper_scheme(), nullptr, {});
   run.after = pasted(run.before, evolved.patch);
   describe(evolved, run);
   const double before = rms(run.start, distance), after = rms(evolved.patch, distance);
   run.numbers.emplace_back("rms distance to the surface, radius 1",
                            text("%.3g", before) + " &rarr; " + text("%.3g", after));
   run.numbers.emplace_back("jump of H &times; diameter", text("%.3g", worst_jump_times_diameter(evolved.patch)));
-  const bool good = evolved.is_valid() && evolved.status == EvolutionStatus::converged;
+  const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
   run.verdict = good && after < 1e-3 ? Verdict::reproduced : after < 1e-2 ? Verdict::partly : Verdict::not_reproduced;
   run.why = "The semi-implicit scheme, started from the minimal-surface filling, ends " + text("%.2g", after) +
             " of the radius from the exact surface (the filling: " + text("%.2g", before) + ").";
@@ -166,7 +167,7 @@ FigureRun run_blend(const std::vector<TubeShape>& tubes, const TableRow& paper) 
   run.before = std::move(problem.model);
   run.initial = pasted(run.before, problem.outcome.bridge->membrane);
   run.start = std::move(problem.outcome.bridge->start);
-  const EvolvedPatch evolved = evolve_patch(run.start, paper_scheme(), nullptr, {});
+  const PatchResult evolved = evolve_patch(run.start, paper_scheme(), nullptr, {});
   run.after = pasted(run.before, evolved.patch);
   describe(evolved, run);
   const double before = wide_curvature_jump(problem.outcome.bridge->membrane),
@@ -174,8 +175,8 @@ FigureRun run_blend(const std::vector<TubeShape>& tubes, const TableRow& paper) 
   run.numbers.emplace_back("jump of H at the seams (wide fits), 1/length",
                            text("%.3g", before) + " &rarr; " + text("%.3g", after));
   run.claim = "The meshes are blended smoothly at their boundaries by one fair surface.";
-  const bool good = evolved.is_valid() && evolved.status == EvolutionStatus::converged;
-  run.verdict = good ? Verdict::reproduced : evolved.is_valid() ? Verdict::partly : Verdict::not_reproduced;
+  const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
+  run.verdict = good ? Verdict::reproduced : evolved.validity.is_clean() ? Verdict::partly : Verdict::not_reproduced;
   run.why =
       "The blend is one manifold without folds or self-intersections. The flow does not start from the minimal "
       "surface, "
@@ -206,12 +207,12 @@ FigureRun run_fig52g() {
 FigureRun run_fig53() {
   FigureRun run = run_holes(make_holed_head(), {1296, 0.5, 0.05, 1.26, 10});
   run.claim = "The holes are filled smoothly with G2 continuity on the boundary.";
-  const EvolvedPatch evolved = evolve_patch(run.start, paper_scheme(), nullptr, {});
+  const PatchResult evolved = evolve_patch(run.start, paper_scheme(), nullptr, {});
   run.after = pasted(run.before, evolved.patch);
   describe(evolved, run);
   const double before = worst_jump_times_diameter(run.start), after = worst_jump_times_diameter(evolved.patch);
   run.numbers.emplace_back("jump of H &times; diameter", text("%.3g", before) + " &rarr; " + text("%.3g", after));
-  const bool good = evolved.is_valid() && evolved.status == EvolutionStatus::converged;
+  const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
   run.verdict = good && after < 0.15 * before ? Verdict::reproduced : good ? Verdict::partly : Verdict::not_reproduced;
   run.why =
       "The jump of H falls to " + text("%.2g", after / before) +
@@ -228,13 +229,13 @@ FigureRun run_fig54() {
   const Interpolation result = interpolate_points(run.before, {}, EvolutionOptions{}, {});
   run.initial = make_surface_model(result.initial);
   run.after = make_surface_model(result.surface);
-  describe(result.evolved, run);
+  describe(result.outcome, run);
   run.ours.reset();
   run.sigma = 0;
   double worst = 0;
   for (const Vec3& p : result.surface.points) worst = std::max(worst, std::abs(p.norm() - 1));
   run.numbers.emplace_back("largest distance to the sphere through the vertices, radius 1", text("%.3g", worst));
-  run.verdict = result.evolved.is_valid() && worst < 1e-3 ? Verdict::reproduced : Verdict::partly;
+  run.verdict = result.outcome.validity.is_clean() && worst < 1e-3 ? Verdict::reproduced : Verdict::partly;
   run.why =
       "Each pentagon as three triangles, each of these as 64; 1134 free vertices. The answer is the sphere. The "
       "semi-implicit scheme fails from flat faces, so the steady state is found by Gauss-Newton on the same energy, "
@@ -243,27 +244,28 @@ FigureRun run_fig54() {
 }
 
 /// By wide fits, which look past the triangles that a flow of fourth order hides its jump in, and by close ones.
-std::string jumps_text(const FlowRun& flow) {
-  return text("%.3f", flow.wide_jump) + text(" (close fits %.3f)", seam_figures(flow.seams).jump);
+std::string jumps_text(const ComparedFlow& flow) {
+  return text("%.3f", flow.wide_jump) + text(" (close fits %.3f)", seam_figures(flow.outcome.seams).jump);
 }
 
 /// The order that the paper's claim asks for.
 bool most_continuous_is_mmcvf(const FlowComparison& comparison) {
   const double own = comparison.runs.back().wide_jump;
   return std::all_of(comparison.runs.begin(), comparison.runs.end() - 1,
-                     [own](const FlowRun& run) { return own < run.wide_jump; });
+                     [own](const ComparedFlow& run) { return own < run.wide_jump; });
 }
 
 /// From the least jump to the largest, and how the flow of a minimal surface ended.
 std::string order_text(const FlowComparison& comparison) {
-  std::vector<const FlowRun*> runs;
-  for (const FlowRun& run : comparison.runs) runs.push_back(&run);
-  std::sort(runs.begin(), runs.end(), [](const FlowRun* a, const FlowRun* b) { return a->wide_jump < b->wide_jump; });
+  std::vector<const ComparedFlow*> runs;
+  for (const ComparedFlow& run : comparison.runs) runs.push_back(&run);
+  std::sort(runs.begin(), runs.end(),
+            [](const ComparedFlow* a, const ComparedFlow* b) { return a->wide_jump < b->wide_jump; });
   std::string words;
-  for (const FlowRun* run : runs) words.append(words.empty() ? "" : " < ").append(upper_name(run->flow));
-  const auto mcf =
-      std::find_if(runs.begin(), runs.end(), [](const FlowRun* run) { return run->flow == FlowKind::mcf; });
-  const bool largest = mcf + 1 == runs.end(), at_rest = (*mcf)->evolved.status == EvolutionStatus::converged;
+  for (const ComparedFlow* run : runs) words.append(words.empty() ? "" : " < ").append(upper_name(run->outcome.flow));
+  const auto mcf = std::find_if(runs.begin(), runs.end(),
+                                [](const ComparedFlow* run) { return run->outcome.flow == FlowKind::mcf; });
+  const bool largest = mcf + 1 == runs.end(), at_rest = (*mcf)->outcome.status == PatchStatus::converged;
   if (!largest) words += ": that MCF has the largest jump, as a flow of second order should, is not seen here";
   if (!at_rest) words += ". MCF did not come to rest: its figure is that of where it was stopped";
   return words + ".";
@@ -281,14 +283,14 @@ FigureRun run_fig55() {
     run.start = problem.outcome.bridge->start;
     run.initial = pasted(problem.model, run.start);
     run.comparison = compare_flows(run.start, {}, nullptr, {});
-    for (const FlowRun& flow : run.comparison->runs) {
-      jumps[flow.flow].push_back(flow.wide_jump);
-      std::string& row = rows[flow.flow];
+    for (const ComparedFlow& flow : run.comparison->runs) {
+      jumps[flow.outcome.flow].push_back(flow.wide_jump);
+      std::string& row = rows[flow.outcome.flow];
       row.append(row.empty() ? "" : "; ").append(jumps_text(flow));
     }
     run.before = std::move(problem.model);
   }
-  run.after = pasted(run.before, run.comparison->runs.back().evolved.patch);
+  run.after = pasted(run.before, run.comparison->runs.back().outcome.patch);
   const auto model = std::make_shared<const SurfaceModel>(run.before);
   run.surface = [model](const Patch& patch) { return pasted(*model, patch).soup; };
   for (const auto& [flow, row] : rows)
@@ -326,12 +328,12 @@ FigureRun run_fig56() {
   run.comparison = compare_flows(run.start, {}, nullptr, {});
   const auto model = std::make_shared<const SurfaceModel>(run.before);
   run.surface = [model, region](const Patch& patch) { return with_region(*model, *region, patch); };
-  run.after = make_surface_model(run.surface(run.comparison->runs.back().evolved.patch));
-  const EvolvedPatch scheme = evolve_patch(run.start, paper_scheme(), nullptr, {});
+  run.after = make_surface_model(run.surface(run.comparison->runs.back().outcome.patch));
+  const PatchResult scheme = evolve_patch(run.start, paper_scheme(), nullptr, {});
   run.paper = TableRow{2520, 2.0, 0.09, 1.50, 5};
   describe(scheme, run);
-  for (const FlowRun& flow : run.comparison->runs)
-    run.numbers.emplace_back(upper_name(flow.flow) + ": jump of H", jumps_text(flow));
+  for (const ComparedFlow& flow : run.comparison->runs)
+    run.numbers.emplace_back(upper_name(flow.outcome.flow) + ": jump of H", jumps_text(flow));
   run.verdict = most_continuous_is_mmcvf(*run.comparison) ? Verdict::reproduced : Verdict::not_reproduced;
   run.why =
       "Printed, e(u,v) = exp[&minus;81/16 (u&minus;&frac12;)&sup2; + (v&minus;&frac12;)&sup2;] grows without bound and "
@@ -350,7 +352,7 @@ FigureRun run_table51() {
   for (double sigma : {1.0, 10.0, 100.0, 1e4}) {
     EvolutionOptions options = paper_scheme();
     options.sigma = sigma;
-    const EvolvedPatch evolved = evolve_patch(run.start, options, nullptr, {});
+    const PatchResult evolved = evolve_patch(run.start, options, nullptr, {});
     const double off = rms(evolved.patch, [](const Vec3& p) { return std::hypot(p.x(), p.y()) - 1; });
     int rejections = 0;
     for (const StepRecord& step : evolved.history) rejections += step.rejections;
@@ -358,7 +360,7 @@ FigureRun run_table51() {
                              std::string(to_string(evolved.status)) + " after " + std::to_string(evolved.steps) +
                                  " steps, " + std::to_string(rejections) + " trials rejected, rms distance " +
                                  text("%.2g", off));
-    all = all && evolved.is_valid() && evolved.status == EvolutionStatus::converged && off < 1e-3;
+    all = all && evolved.validity.is_clean() && evolved.status == PatchStatus::converged && off < 1e-3;
     if (sigma == 1e4) run.after = pasted(run.before, evolved.patch);
   }
   run.verdict = all ? Verdict::reproduced : Verdict::partly;

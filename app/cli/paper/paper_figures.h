@@ -2,7 +2,7 @@
 // The paper's experiments (section 5), each from its input to its numbers. No files, no pictures.
 #pragma once
 
-#include "evolution/compare_flows.h"
+#include "pipeline/compare.h"
 #include "mesh/surface_model.h"
 
 #include <functional>

@@ -28,20 +28,38 @@ bool starts_with(const TriangleSoup& longer, const TriangleSoup& shorter) {
          std::equal(shorter.triangles.begin(), shorter.triangles.end(), longer.triangles.begin());
 }
 
+std::string last_attempt(const HoleResult& result) {
+  return result.patch && !result.patch->attempts.empty() ? result.patch->attempts.back() : "none";
+}
+
+int severity(PatchStatus status) {
+  switch (status) {
+    case PatchStatus::converged: return 0;
+    case PatchStatus::faired: return 1;
+    case PatchStatus::step_limit:
+    case PatchStatus::stalled: return 2;
+    case PatchStatus::doubtful: return 3;
+    case PatchStatus::filled: return 4;
+    default: return 5;
+  }
+}
+
 /// The worst of the loops' ends stands for the whole.
-void take_results(const std::vector<LoopResult>& results, Filling& filling) {
+void take_results(const std::vector<HoleResult>& results, Filling& filling) {
   filling.complete = !results.empty();
-  filling.status = results.empty() ? "cancelled" : to_string(LoopStatus::converged);
-  LoopStatus worst = LoopStatus::converged;
-  for (const LoopResult& result : results) {
-    filling.steps = std::max(filling.steps, result.steps);
-    filling.bending = std::max(filling.bending, result.bending);
-    filling.energy_before += result.energy.initial;
-    filling.energy_after += result.energy.final;
-    if (result.status == LoopStatus::failed || result.status == LoopStatus::skipped) filling.complete = false;
-    if (result.status <= worst) continue;
+  filling.status = results.empty() ? "cancelled" : to_string(PatchStatus::converged);
+  PatchStatus worst = PatchStatus::converged;
+  if (!results.empty()) filling.attempt = last_attempt(results.front());
+  for (const HoleResult& result : results) {
+    filling.steps = std::max(filling.steps, result.steps());
+    filling.bending = std::max(filling.bending, result.outcome().bending);
+    filling.energy_before += result.outcome().energy.initial;
+    filling.energy_after += result.outcome().energy.final;
+    if (result.status == PatchStatus::failed || result.status == PatchStatus::skipped) filling.complete = false;
+    if (severity(result.status) <= severity(worst)) continue;
     worst = result.status;
     filling.status = to_string(result.status);
+    filling.attempt = last_attempt(result);
     filling.message = result.message;
   }
 }
@@ -172,7 +190,7 @@ Filling fill_by_engine(const HoleProblem& problem, const FillOptions& options, c
   SurfaceModel model = problem.model;
   Filling filling;
   const Stopwatch watch;
-  const std::vector<LoopResult> results = fill_loops(model, problem.loops, options, nullptr, cancel);
+  const std::vector<HoleResult> results = fill_holes(model, problem.loops, options, nullptr, cancel);
   filling.seconds = watch.seconds();
   take_results(results, filling);
   filling.exterior_unchanged = starts_with(model.soup, problem.model.soup);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/export_scene.h"
+
+#include "io/write_mesh.h"
+#include "pipeline/paste.h"
+
+namespace loopmend {
+namespace {
+
+void leave_open(const OpenPatch& patch, ExportResult& result) {
+  result.left_open.insert(patch.loops.begin(), patch.loops.end());
+}
+
+TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result) {
+  SurfaceModel model = *part.model;
+  std::vector<const OpenPatch*> wanted;
+  std::vector<const Patch*> patches;
+  for (const OpenPatch& patch : part.patches) {
+    if (patch.state->status == PatchStatus::invalid && patch.acceptance != Acceptance::accepted) {
+      leave_open(patch, result);
+      continue;
+    }
+    wanted.push_back(&patch);
+    patches.push_back(&patch.state->patch);
+  }
+  const std::vector<std::string> faults = paste_patches(model, patches);
+  for (std::size_t k = 0; k < faults.size(); ++k)
+    if (!faults[k].empty()) leave_open(*wanted[k], result);
+  return model.soup;
+}
+
+}  // namespace
+
+ExportTask export_task(const Document& document, const std::string& path) {
+  ExportTask task;
+  task.path = path;
+  for (int index : document.scans()) {
+    ExportTask::Part part{document.scan(index)->model, {}};
+    for (const NotKept& entry : document.scan(index)->import.not_kept)
+      count_not_kept(task.not_read, entry.what, entry.count);
+    for (const OpenPatch& patch : document.patches())
+      if (patch.scan == index) part.patches.push_back(patch);
+    task.parts.push_back(std::move(part));
+  }
+  return task;
+}
+
+ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
+  ExportResult result;
+  std::vector<TriangleSoup> soups;
+  for (const ExportTask::Part& part : task.parts) {
+    if (cancel.cancelled()) return result;
+    soups.push_back(pasted(part, result));
+  }
+  const TriangleSoup all = joined(std::move(soups));
+  if (cancel.cancelled()) return result;
+  write_mesh(task.path, all);
+  result.triangles = all.triangles.size();
+  result.not_kept = task.not_read;
+  for (const NotKept& entry : not_kept_by_format(task.path, all))
+    count_not_kept(result.not_kept, entry.what, entry.count);
+  result.largest_rounding = largest_rounding(task.path, all.points, Encoding::binary);
+  return result;
+}
+
+}  // namespace loopmend

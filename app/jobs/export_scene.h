@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All scans of the document with their patches as one mesh file, off the window's thread.
+#pragma once
+
+#include "document/document.h"
+#include "io/not_kept.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+struct ExportTask {
+  struct Part {
+    std::shared_ptr<const SurfaceModel> model;
+    std::vector<OpenPatch> patches;
+  };
+  std::vector<Part> parts;
+  std::vector<NotKept> not_read;  ///< what reading left out already
+  std::string path;
+};
+
+struct ExportResult {
+  std::size_t triangles = 0;
+  std::vector<NotKept> not_kept;
+  double largest_rounding = 0;  ///< mesh units
+  std::set<int> left_open;      ///< loops of the document whose patches intersect the surface or one another
+};
+
+/// The scene as it is. Patches that are `invalid` come along only where a person has accepted them.
+ExportTask export_task(const Document& document, const std::string& path);
+
+/// @throws WriteError. @returns without a file when cancelled.
+ExportResult export_scene(const ExportTask& task, const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/initial_patches.h"
+
+#include "document/timeline.h"
+#include "filling/bridge_loops.h"
+#include "jobs/in_parallel.h"
+#include "jobs/state_making.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+namespace loopmend {
+namespace {
+
+/// Loops that are solved jointly: indices in the document.
+struct Group {
+  const FillTask* task = nullptr;
+  PatchRecipe::Start start = PatchRecipe::Start::holes;
+  std::vector<int> indices;
+  std::vector<BoundaryLoop> loops;
+};
+
+std::vector<BoundaryLoop> wanted_loops(const FillTask& task) {
+  std::vector<BoundaryLoop> loops;
+  for (const auto& [index, loop] : task.wanted) loops.push_back(loop);
+  return loops;
+}
+
+/// Holes whose islands are joined to them.
+std::vector<Group> bridges_of(const FillTask& task) {
+  std::vector<Group> groups;
+  if (task.options.islands == FillOptions::Islands::cover) return groups;
+  for (std::vector<BoundaryLoop>& loops : holes_with_islands(task.site->model(), wanted_loops(task))) {
+    Group group{&task, PatchRecipe::Start::bridge, {}, std::move(loops)};
+    for (const BoundaryLoop& loop : group.loops) group.indices.push_back(task.first_loop + loop.number - 1);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+std::vector<Group> groups_of(const FillTask& task) {
+  std::vector<Group> groups = bridges_of(task);
+  std::map<int, BoundaryLoop> all = task.wanted;
+  all.insert(task.filled.begin(), task.filled.end());
+  for (const Group& bridge : groups)
+    for (int index : bridge.indices) all.erase(index);
+  std::vector<int> indices;
+  std::vector<BoundaryLoop> loops;
+  for (const auto& [index, loop] : all) {
+    indices.push_back(index);
+    loops.push_back(loop);
+  }
+  for (const std::vector<int>& members : group_loops(task.site->model(), loops)) {
+    Group group{&task, PatchRecipe::Start::holes, {}, {}};
+    for (int k : members) {
+      group.indices.push_back(indices[static_cast<std::size_t>(k)]);
+      group.loops.push_back(loops[static_cast<std::size_t>(k)]);
+    }
+    if (std::any_of(group.indices.begin(), group.indices.end(), [&](int k) { return task.wanted.contains(k); }))
+      groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// The patch that the group sets out from, as a document holds it.
+void add_patch(const Group& group, std::vector<int> loops, Patch patch, const std::string& message,
+               FillResult& result) {
+  const FillTask& task = *group.task;
+  OpenPatch open;
+  open.scan = task.scan;
+  open.loops = std::move(loops);
+  auto first =
+      std::make_shared<PatchState>(*first_state(std::move(patch), message, task.options.filler.density, task.origin));
+  first->recipe.start = group.start;
+  open.state = judged(std::move(first), nullptr, *task.site);
+  open.timeline = start_timeline(open.state);
+  result.patches.push_back(std::move(open));
+}
+
+void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
+  const SurfaceModel& model = group.task->site->model();
+  BridgeOutcome outcome;
+  try {
+    if (find_opposed_loops(model, group.loops).empty())
+      outcome = bridge_loops(model, group.loops, group.task->options.filler, cancel);
+    else
+      outcome.message = "an island faces the hole with its inside; the Blend tool turns it round";
+  } catch (const std::exception& error) {
+    outcome.message = error.what();
+  }
+  if (cancel.cancelled()) return;
+  if (!outcome.bridge) {
+    result.failures[group.indices.front()] = outcome.message;
+    return;
+  }
+  if (!outcome.message.empty()) result.remarks[group.indices.front()] = outcome.message;
+  add_patch(group, group.indices, std::move(outcome.bridge->membrane), outcome.message, result);
+}
+
+void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
+  const FillTask& task = *group.task;
+  InitialPatch initial = make_initial_patch(task.site->model(), group.loops, task.options.filler, cancel);
+  if (cancel.cancelled()) return;
+  std::vector<int> filled;
+  bool anything_new = false;
+  for (std::size_t k = 0; k < group.indices.size(); ++k) {
+    const int index = group.indices[k];
+    const std::string& message = initial.outcomes[k].message;
+    const bool wanted = task.wanted.contains(index);
+    if (!initial.outcomes[k].filler) {
+      if (wanted) result.failures[index] = message.empty() ? "No valid triangulation of this loop was found." : message;
+      continue;
+    }
+    filled.push_back(index);
+    anything_new = anything_new || wanted;
+    if (!message.empty()) result.remarks[index] = message;
+  }
+  if (!anything_new)
+    result.remarks.clear();
+  else
+    add_patch(group, std::move(filled), std::move(*initial.patch), initial.message(), result);
+}
+
+}  // namespace
+
+FillResult make_initial_patches(const std::vector<FillTask>& tasks, const std::function<void(int)>& progress,
+                                const CancelToken& cancel) {
+  FillResult result;
+  std::vector<Group> groups;
+  for (const FillTask& task : tasks) {
+    std::vector<Group> more = groups_of(task);
+    std::move(more.begin(), more.end(), std::back_inserter(groups));
+  }
+  std::mutex mutex;
+  int done = 0;
+  in_parallel(groups.size(), [&](std::size_t g) {
+    if (cancel.cancelled()) return;
+    FillResult one;
+    groups[g].start == PatchRecipe::Start::bridge ? bridge(groups[g], cancel, one) : fill(groups[g], cancel, one);
+    const std::lock_guard lock(mutex);
+    std::move(one.patches.begin(), one.patches.end(), std::back_inserter(result.patches));
+    result.failures.merge(one.failures);
+    result.remarks.merge(one.remarks);
+    done += static_cast<int>(groups[g].loops.size());
+    progress(done);
+  });
+  std::sort(result.patches.begin(), result.patches.end(),
+            [](const OpenPatch& a, const OpenPatch& b) { return a.loops < b.loops; });
+  return result;
+}
+
+}  // namespace loopmend

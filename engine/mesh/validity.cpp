@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/validity.h"
+
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
+
+namespace loopmend {
+
+Validity patch_validity(const Patch& patch) {
+  Validity validity;
+  validity.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
+  validity.intersections =
+      static_cast<int>(self_intersections(patch.positions, patch.triangles, patch.patch_triangles).size());
+  validity.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
+  return validity;
+}
+
+}  // namespace loopmend

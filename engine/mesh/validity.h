@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong with a patch, counted: the one type for what initial patches, flows and jobs are judged by.
+#pragma once
+
+#include "mesh/patch.h"
+
+#include <vector>
+
+namespace loopmend {
+
+struct Validity {
+  int folds = 0;             ///< edges inside the patch or on its loops with a dihedral angle over 90 degrees
+  int intersections = 0;     ///< triangles that cut each other, at least one of them the patch's; who counts tells how
+  double min_angle_deg = 0;  ///< smallest angle of a triangle of the patch
+  /// Per loop of the patch, of its part; empty where nobody asked.
+  std::vector<int> intersections_of_loop;
+  /// The patch's triangles beside a fold or in an intersection, ascending; empty where nobody asked.
+  std::vector<int> spoiled;
+
+  bool is_clean() const { return folds == 0 && intersections == 0; }
+};
+
+/// True if a has no more folds and no more intersections than b.
+inline bool no_worse(const Validity& a, const Validity& b) {
+  return a.folds <= b.folds && a.intersections <= b.intersections;
+}
+
+/// Of the patch and the rings around it alone: pairs of triangles.
+Validity patch_validity(const Patch& patch);
+
+}  // namespace loopmend

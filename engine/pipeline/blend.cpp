@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/blend.h"
+
+#include "core/error.h"
+
+#include "mesh/join_parts.h"
+#include "pipeline/paste.h"
+#include "pipeline/strategy.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+namespace loopmend {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Where tubes bend sharply ∫‖∇H‖² seems to prefer two bubbles with a neck that grows ever thinner: the flow reaches its step
+/// limit. Of the shares that were tried the least that kept the neck open.
+constexpr double against_necks = 5;
+
+PatchResult flow_between(const PatchProblem& problem, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+                         const CancelToken& cancel) {
+  PatchResult pure = solve_patch(problem, options, on_step, cancel);
+  const bool may_bend = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending;
+  const bool good = is_at_end(pure.status) || pure.status == PatchStatus::filled;
+  if (good || !may_bend || cancel.cancelled()) return pure;
+  EvolutionOptions stiffer = options;
+  stiffer.bending = against_necks;
+  PatchResult bent = solve_patch(problem, stiffer, on_step, cancel);
+  if (bent.status != PatchStatus::converged || !bent.validity.is_clean()) return pure;
+  bent.reason = pure.status == PatchStatus::doubtful
+                    ? "the patch of the flow itself was out of proportion; with bending energy mixed in it is not"
+                    : "the flow itself did not converge; with bending energy mixed in it did";
+  bent.attempts.insert(bent.attempts.begin(), pure.attempts.begin(), pure.attempts.end());
+  bent.attempts.back() = "mixed order 5";
+  return bent;
+}
+
+constexpr double visible_angle = 5;  ///< degrees at a seam: a crease that the eye sees
+
+/// The patch is meant to leave its neighborhood without a crease; where it does not, that is told.
+void tell_of_creases(const EvolutionOptions& options, PatchResult& result) {
+  if (options.flow != FlowKind::mmcvf || options.continuity == SeamContinuity::position) return;
+  double worst = 0;
+  for (const SeamReport& seam : result.seams) worst = std::max(worst, seam.g1_rms_deg);
+  if (!(worst > visible_angle)) return;
+  if (!result.message.empty()) result.message += "; ";
+  result.message += "a crease of " + std::to_string(std::lround(worst)) +
+                    " degrees is left at a seam: the patch turns too sharply there for edges of this length; finer "
+                    "meshes would help";
+}
+
+PatchResult refused(const Validity& validity) {
+  PatchResult result;
+  result.validity = validity;
+  result.message = "every patch that was found would cut the surface or itself, in " +
+                   std::to_string(validity.intersections) + " places: the loops cannot be joined as they lie";
+  return result;
+}
+
+}  // namespace
+
+PatchResult solve_bridge(const ScanIndex& scan, const Bridge& bridge, const std::optional<EvolutionOptions>& options,
+                         const Evolution::OnStep& on_step, const CancelToken& cancel) {
+  const std::vector<BoundaryLoop> no_loops;  // the bridge is no initial patch of single loops
+  const bool flows = options && bridge.start.free_count > 0;
+  const PatchProblem problem{scan, flows ? bridge.start : bridge.membrane, no_loops};
+  PatchResult result = flows ? flow_between(problem, *options, on_step, cancel)
+                             : initial_result(problem, options ? options->flow : FlowKind::mmcvf);
+  if (cancel.cancelled()) return result;
+  if (result.validity.intersections > 0) return refused(result.validity);
+  result.seams_before = seam_reports(bridge.membrane);
+  result.seams = seam_reports(result.patch);
+  if (options) tell_of_creases(*options, result);
+  return result;
+}
+
+BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const GroupOptions& options,
+                        const CancelToken& cancel, const Evolution::OnStep& on_step) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (options.evolution) check(*options.evolution);
+  BlendResult blend;
+  SurfaceModel agreed = model;
+  std::vector<BoundaryLoop> ends = loops;
+  blend.turned_faces = turn_opposed_pieces(agreed, ends, find_opposed_loops(agreed, ends));
+  BridgeOutcome outcome = bridge_loops(agreed, ends, options.filler, cancel);
+  const double bridge_seconds = seconds_since(begin);
+  blend.outcome.message = outcome.message;
+  blend.bridge = std::move(outcome.bridge);
+  if (!blend.bridge || cancel.cancelled()) return blend;
+  blend.outcome = solve_bridge(ScanIndex(agreed), *blend.bridge, options.evolution, on_step, cancel);
+  blend.outcome.seconds.initial_patch = bridge_seconds;
+  blend.outcome.seconds.total = seconds_since(begin);
+  if (cancel.cancelled() || blend.outcome.status == PatchStatus::failed) return blend;
+  if (!options.evolution) blend.outcome.message = outcome.message;
+  const std::string fault = paste_patches(agreed, {&blend.outcome.patch}).front();
+  if (!fault.empty()) throw InvalidArgument(fault);
+  check_exterior(model.soup, agreed.soup, blend.turned_faces);
+  model = std::move(agreed);
+  return blend;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filling the holes of a scan from end to end: group, initial patch, strategy, validation, paste. The command line and the
+// window's export call nothing else; the window goes through the same steps one by one (initial_patch, solve_group, paste).
+#pragma once
+
+#include "core/cancel.h"
+#include "pipeline/solve_group.h"
+#include "rim/trim_rim.h"
+
+#include <functional>
+#include <vector>
+
+namespace loopmend {
+
+struct FillOptions : GroupOptions {
+  int threads = 0;  ///< groups worked on at once; 0: as many as there are cores. The result does not depend on it.
+  /// Pieces of surface within a hole that is filled: covered by its patch, or joined to it.
+  enum class Islands { cover, join } islands = Islands::cover;
+};
+
+/// @throws InvalidArgument if an option is out of range.
+void check(const FillOptions& options);
+
+struct FillProgress {
+  int loops_done = 0;
+  int loops_total = 0;
+  int loop_number = 0;  ///< the one that was just worked on
+};
+/// May be called from several threads, one call at a time.
+using OnFillProgress = std::function<void(const FillProgress&)>;
+
+/// Fills the loops and pastes the patches. On cancel the model is as it was.
+/// @param loops  of the model as it is.
+/// @returns one result per loop, in order, then those of islands that were joined to one of them; empty when cancelled.
+std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                   const FillOptions& options, const OnFillProgress& progress,
+                                   const CancelToken& cancel);
+
+/// The holes among `asked` in which pieces of surface lie, each as the hole followed by the loops of these islands.
+std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& model,
+                                                          const std::vector<BoundaryLoop>& asked);
+
+/// Every hole of the model; outer rims and cut seams are left. @throws InvalidArgument if an option is out of range.
+std::vector<HoleResult> fill_all_holes(SurfaceModel& model, const FillOptions& options = {},
+                                       const CancelToken& cancel = {});
+
+}  // namespace loopmend

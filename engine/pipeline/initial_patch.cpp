@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/initial_patch.h"
+
+#include "core/threads.h"
+#include "rim/rim_roughness.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <new>
+#include <numeric>
+#include <unordered_map>
+
+namespace loopmend {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What goes wrong in one loop leaves the others alone.
+FillerOutcome guarded_fill(const SurfaceModel& model, const BoundaryLoop& loop, const FillerOptions& options,
+                           const CancelToken& cancel) {
+  FillerOutcome outcome;
+  if (cancel.cancelled()) return outcome;
+  try {
+    return fill_loop(model, loop, options, cancel);
+  } catch (const std::bad_alloc&) {
+    outcome.message = no_memory_message;
+  } catch (const std::exception& error) {
+    outcome.message = error.what();
+  }
+  return outcome;
+}
+
+/// The patch of those loops of a group that have an initial patch; empty if none has.
+std::optional<Patch> joined_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                  const std::vector<FillerOutcome>& outcomes, double density) {
+  std::vector<BoundaryLoop> loops;
+  std::vector<LoopFiller> fillers;
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    if (!outcomes[k].filler) continue;
+    loops.push_back(group[k]);
+    fillers.push_back(*outcomes[k].filler);
+  }
+  if (loops.empty()) return std::nullopt;
+  Patch patch = make_patch(model, loops, fillers);
+  patch.grading.density = density;
+  return patch;
+}
+
+/// The loops and what is around them, with nothing in them.
+Patch without_patches(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<LoopFiller> empty(loops.size());
+  for (std::size_t k = 0; k < loops.size(); ++k) empty[k].points.resize(loops[k].vertices.size());
+  return make_patch(model, loops, empty);
+}
+
+/// What a loop asks for where that is all or nothing: 0 the flow itself, 1 the flow without the noise, 2 robust fairing. −1
+/// where it is something between, which is different for every loop.
+int treatment_of(const RimRoughness& boundary) {
+  if (boundary.rough_share >= 1) return 2;
+  if (boundary.rough_share > 0 || boundary.bending > 0) return -1;
+  return boundary.noise_share == 0 ? 0 : boundary.noise_share >= 1 ? 1 : -1;
+}
+
+template <class T>
+std::vector<T> picked(const std::vector<T>& all, const std::vector<int>& which) {
+  std::vector<T> result;
+  for (int k : which) result.push_back(all[k]);
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::unordered_map<int, int> loop_at;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    for (int v : loops[k].vertices) loop_at[v] = static_cast<int>(k);
+  std::vector<int> parent(loops.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int k) {
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+  };
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    std::unordered_map<int, int> ring;
+    std::vector<int> queue = loops[k].vertices;
+    for (int v : queue) ring[v] = 1;
+    for (std::size_t q = 0; q < queue.size(); ++q) {
+      const int v = queue[q];
+      const auto met = loop_at.find(v);
+      if (met != loop_at.end()) {
+        const int a = root(static_cast<int>(k)), b = root(met->second);
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+      if (ring[v] >= patch_rings) continue;
+      for (const auto w : model.mesh.vv_range(TriMesh::VertexHandle(v)))
+        if (ring.emplace(w.idx(), ring[v] + 1).second) queue.push_back(w.idx());
+    }
+  }
+  std::vector<std::vector<int>> groups;
+  std::unordered_map<int, std::size_t> group_of;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const auto [entry, added] = group_of.emplace(root(static_cast<int>(k)), groups.size());
+    if (added) groups.emplace_back();
+    groups[entry->second].push_back(static_cast<int>(k));
+  }
+  return groups;
+}
+
+std::string InitialPatch::message() const {
+  std::string text;
+  for (const FillerOutcome& outcome : outcomes)
+    if (outcome.filler && !outcome.message.empty()) text += (text.empty() ? "" : " ") + outcome.message;
+  return text;
+}
+
+InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                const FillerOptions& options, const CancelToken& cancel) {
+  check(options);
+  const auto start = std::chrono::steady_clock::now();
+  InitialPatch initial;
+  initial.loops = group;
+  for (const BoundaryLoop& loop : group) initial.outcomes.push_back(guarded_fill(model, loop, options, cancel));
+  initial.patch = joined_patch(model, group, initial.outcomes, options.density);
+  initial.seconds = seconds_since(start);
+  return initial;
+}
+
+InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                 const FillerOptions& options, const CancelToken& cancel) {
+  InitialPatch initial;
+  RimSurvey survey;
+  const bool surveyable = group.size() == 1 && group.front().diameter > 0;
+  const auto make = [&] { initial = make_initial_patch(model, group, options, cancel); };
+  if (!surveyable) {
+    make();
+    return initial;
+  }
+  side_by_side(make, [&] { survey = survey_rim(without_patches(model, group)); });
+  if (initial.patch) initial.survey = std::move(survey);
+  return initial;
+}
+
+InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const std::vector<int>& members,
+                     const FillerOptions& options) {
+  InitialPatch part;
+  part.loops = picked(group.loops, members);
+  part.outcomes = picked(group.outcomes, members);
+  part.patch = joined_patch(model, part.loops, part.outcomes, options.density);
+  part.seconds = group.seconds;
+  return part;
+}
+
+std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group) {
+  const auto treatment = [&](const std::vector<int>& members) {
+    const std::optional<Patch> patch =
+        joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);
+    return patch ? treatment_of(rim_roughness(*patch)) : -1;
+  };
+  std::map<int, std::vector<int>> of_treatment;
+  for (int k = 0; k < static_cast<int>(group.loops.size()); ++k) of_treatment[treatment({k})].push_back(k);
+  std::vector<std::vector<int>> result;
+  for (const auto& [asked, loops] : of_treatment)
+    for (const std::vector<int>& members : group_loops(model, picked(group.loops, loops))) {
+      const std::vector<int> together = picked(loops, members);
+      if (together.size() == 1 || (asked >= 0 && treatment(together) == asked))
+        result.push_back(together);
+      else
+        for (int k : together) result.push_back({k});
+    }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the holes of a scan to groups and their initial patches.
+#pragma once
+
+#include "core/cancel.h"
+#include "filling/loop_filler.h"
+#include "mesh/boundary_loops.h"
+#include "rim/rim_survey.h"
+
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+/// Why a hole is left open that needs more memory than there is.
+inline constexpr const char* no_memory_message =
+    "not enough memory for this hole: left open; a smaller density needs less";
+
+/// Loops whose neighborhoods overlap belong to one problem. @returns groups of indices into `loops`.
+std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+/// The holes of one group and what fills them before any flow. Loops without a valid initial patch are left out of `patch`.
+struct InitialPatch {
+  std::optional<Patch> patch;           ///< empty when no loop of the group could be filled
+  std::vector<BoundaryLoop> loops;      ///< the group
+  std::vector<FillerOutcome> outcomes;  ///< one per loop; empty where they are to be made anew when they are asked for
+  /// Whether `patch` is what the loops alone lead to, or a flow has moved it: then it is solved as one, from there alone.
+  enum class Origin { loops, evolved } origin = Origin::loops;
+  std::optional<RimSurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
+  double seconds = 0;               ///< that it took
+
+  /// What is to be said of the loops that were filled; empty when all is well.
+  std::string message() const;
+};
+
+/// A loop that fails, for want of memory or by a fault, leaves the others alone: its outcome's message says why.
+/// @throws InvalidArgument if an option is out of range.
+InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                const FillerOptions& options, const CancelToken& cancel);
+
+/// The same, and for a single loop beside that a look at the neighborhood, which solve_group() needs.
+InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
+                                 const FillerOptions& options, const CancelToken& cancel);
+
+/// Those loops of a group alone. @param members  indices into the group's loops.
+InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const std::vector<int>& members,
+                     const FillerOptions& options);
+
+/// Parts a group into groups whose loops, each looked at alone, ask for the same treatment of the boundary data: one rough
+/// hole does not decide for its neighbors. @returns groups of indices into the group's loops, whose outcomes are known.
+std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group);
+
+}  // namespace loopmend

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/paste.h"
+
+#include "core/error.h"
+#include "mesh/self_intersections.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+
+namespace loopmend {
+
+namespace {
+
+/// A patch as it was pasted.
+struct Part {
+  Points points;
+  Triangles triangles;
+  Eigen::AlignedBox3d box;
+
+  Part(const SurfaceModel& model, const PatchGeometry& patch) : triangles(patch.triangles) {
+    for (int v : patch.rim) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+    points.insert(points.end(), patch.points.begin(), patch.points.end());
+    for (const Vec3& p : points) box.extend(p);
+  }
+
+  bool intersects(const Part& other) const {
+    if (!box.intersects(other.box)) return false;
+    Points both = points;
+    both.insert(both.end(), other.points.begin(), other.points.end());
+    Triangles all = triangles;
+    const int shift = static_cast<int>(points.size());
+    for (const Triangle& t : other.triangles) all.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+    return !self_intersections(both, all, static_cast<int>(triangles.size())).empty();
+  }
+};
+
+/// @returns why the patch was left out; empty where it was pasted.
+std::string paste(SurfaceModel& model, const Patch& patch, std::vector<Part>& pasted) {
+  const PatchGeometry geometry = patch_geometry(patch);
+  Part part(model, geometry);
+  if (std::any_of(pasted.begin(), pasted.end(), [&](const Part& other) { return part.intersects(other); }))
+    return "its patch would cut that of another loop: left open";
+  try {
+    append_patch(model, geometry);
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  pasted.push_back(std::move(part));
+  return "";
+}
+
+int first_loop(const Patch& patch) {
+  return patch.loop_numbers.empty() ? 0 : *std::min_element(patch.loop_numbers.begin(), patch.loop_numbers.end());
+}
+
+}  // namespace
+
+std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<const Patch*>& patches) {
+  const TriangleSoup before = model.soup;
+  std::vector<std::size_t> order(patches.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return first_loop(*patches[a]) < first_loop(*patches[b]); });
+  std::vector<std::string> faults(patches.size());
+  std::vector<Part> pasted;
+  for (std::size_t k : order) faults[k] = paste(model, *patches[k], pasted);
+  check_exterior(before, model.soup, 0);
+  return faults;
+}
+
+void check_exterior(const TriangleSoup& before, const TriangleSoup& now, std::size_t turned) {
+  const auto changed = [&] {
+    if (now.points.size() < before.points.size() || now.triangles.size() < before.triangles.size()) return true;
+    if (std::memcmp(now.points.data(), before.points.data(), before.points.size() * sizeof(Vec3)) != 0) return true;
+    std::size_t found_turned = 0;
+    for (std::size_t f = 0; f < before.triangles.size(); ++f) {
+      const Triangle& t = before.triangles[f];
+      if (now.triangles[f] == t) continue;
+      if (now.triangles[f] != Triangle{t[0], t[2], t[1]}) return true;
+      ++found_turned;
+    }
+    return found_turned != turned;
+  };
+  if (changed()) throw std::logic_error("the surface outside the patches was changed: nothing is handed on");
+}
+
+}  // namespace loopmend

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one outcome: what a job made of one patch, and how.
+#pragma once
+
+#include "analysis/seam_report.h"
+#include "evolution/evolution.h"
+#include "mesh/patch.h"
+#include "mesh/validity.h"
+#include "pipeline/proportion.h"
+#include "rim/rim_fits.h"
+
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+struct PatchResult {
+  PatchStatus status = PatchStatus::failed;
+  FlowKind flow = FlowKind::mmcvf;        ///< that was asked for
+  Method method = Method::initial_patch;  ///< what shaped the patch
+  std::string message;                    ///< for a person: what is to be known of the patch; empty when all is well
+  std::string reason;  ///< why it was not the flow that was asked for, and how to get that; empty if it was
+  std::vector<std::string> attempts;  ///< names of the attempts that were made, in order; the last one made the patch
+  Patch patch;
+  int steps = 0;                    ///< accepted steps, over all runs that made the patch
+  double bending = 0;               ///< EvolutionOptions::bending that was used
+  std::vector<StepRecord> history;  ///< of the run that made the patch
+  struct {
+    double initial_patch = 0, assemble = 0, solve = 0, total = 0;
+  } seconds;
+  struct {
+    double initial = 0, final = 0;
+  } energy;  ///< units as in StepRecord
+  Validity validity;
+  // One for each loop of the patch; empty where nobody measured.
+  std::vector<Proportion> proportions;
+  std::vector<SeamReport> seams_before;  ///< of the initial patch
+  std::vector<SeamReport> seams;
+  std::vector<RimSummary> neighborhood;
+};
+
+/// Takes steps, times, energies and history of a run.
+void take_figures(const Evolution& evolution, PatchResult& result);
+
+/// The word of reports for what shaped the patch; empty where there is none.
+std::string method_name(const PatchResult& result);
+
+/// What a run came to, as far as the run from another start may be preferred.
+struct StartRating {
+  bool usable = false;
+  bool at_end = false;
+  bool faired = true;  ///< false: it set out from the patch as given, since fairing did not pay
+  int steps = 0;
+  double energy = 0;  ///< at the end; the same for all runs, up to the mesh
+
+  /// Several steady states may exist, and inflated ones are high where the right one is smooth: among what is at its end
+  /// the lowest energy counts.
+  bool beats(const StartRating& other) const {
+    if (usable != other.usable || at_end != other.at_end) return usable != other.usable ? usable : at_end;
+    return usable && energy < other.energy;
+  }
+};
+
+/// @param usable  whether the result may be kept.
+StartRating rating_of(const PatchResult& result, bool usable);
+
+}  // namespace loopmend

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/solve_group.h"
+
+#include "core/threads.h"
+#include "pipeline/strategy.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <numeric>
+
+namespace loopmend {
+
+namespace {
+
+/// Free vertices of the part of the patch that each loop bounds.
+std::vector<int> free_vertices_per_loop(const Patch& patch) {
+  const std::vector<int> loop = loop_of_triangles(patch);
+  std::vector<int> owner(patch.free_count, 0), result(patch.loops.size(), 0);
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    for (int v : patch.triangles[f])
+      if (v < patch.free_count) owner[v] = loop[f];
+  for (int l : owner) ++result[l];
+  return result;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
+  if (const int pierced = pierced_edges(scan, loop))
+    return std::to_string(pierced) + (pierced == 1 ? " boundary edge intersects" : " boundary edges intersect") +
+           " the surface, so that every patch would: left open; remove the intersecting triangles";
+  return "every patch that was found would cut the surface or itself, in " + std::to_string(intersections) +
+         " places: left open";
+}
+
+GroupResult failed_group(const std::vector<BoundaryLoop>& loops, const std::string& why) {
+  GroupResult result;
+  for (const BoundaryLoop& loop : loops) result.holes.push_back(open_hole(loop, PatchStatus::failed, why));
+  return result;
+}
+
+/// work(), which solves these loops; what goes wrong there is theirs alone.
+template <class Work>
+GroupResult guarded(const std::vector<BoundaryLoop>& loops, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return failed_group(loops, no_memory_message);
+  } catch (const std::exception& error) {
+    return failed_group(loops, error.what());
+  }
+}
+
+/// One group from its initial patch on.
+class GroupSolver {
+ public:
+  GroupSolver(const ScanIndex& scan, const GroupOptions& options, const Evolution::OnStep& on_step,
+              const CancelToken& cancel)
+      : scan_(scan),
+        options_(options),
+        on_step_(on_step),
+        cancel_(cancel) {}
+
+  GroupResult solve(const InitialPatch& initial) const {
+    if (initial.loops.size() == 1 || initial.origin == InitialPatch::Origin::evolved) return jointly(initial);
+    const InitialPatch known = with_outcomes(initial);
+    GroupResult result = failed_group(initial.loops, "");
+    for (const std::vector<int>& members : parts_of(known)) {
+      if (cancel_.cancelled()) return result;
+      const bool all = members.size() == known.loops.size();
+      put(part(all ? known : part_of(scan_.model, known, members, options_.filler)), members, result);
+    }
+    return result;
+  }
+
+ private:
+  InitialPatch with_outcomes(const InitialPatch& initial) const {
+    if (!initial.outcomes.empty()) return initial;
+    InitialPatch known = initial;
+    known.outcomes = make_initial_patch(scan_.model, initial.loops, options_.filler, cancel_).outcomes;
+    return known;
+  }
+
+  /// Loops that ask for one treatment, as far as the options leave that to the boundary data.
+  std::vector<std::vector<int>> parts_of(const InitialPatch& initial) const {
+    std::vector<int> all(initial.loops.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<std::vector<int>> parts{all};
+    if (options_.evolution && is_judged(*options_.evolution))
+      guarded(initial.loops, [&] {  // where that cannot be told, all loops stay together
+        parts = groups_alike(scan_.model, initial);
+        return GroupResult{};
+      });
+    return parts;
+  }
+
+  /// Jointly; where that spoils one of the loops, each by itself.
+  GroupResult part(const InitialPatch& initial) const {
+    GroupResult joint = jointly(initial);
+    const bool spoilt = std::any_of(joint.holes.begin(), joint.holes.end(), [&](const HoleResult& hole) {
+      return hole.status == PatchStatus::failed || hole.status == PatchStatus::doubtful ||
+             (options_.evolution && hole.status == PatchStatus::filled);
+    });
+    if (initial.loops.size() == 1 || !spoilt || cancel_.cancelled()) return joint;
+    GroupResult single = failed_group(initial.loops, "");
+    for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
+      put(guarded({initial.loops[k]}, [&] { return jointly(part_of(scan_.model, initial, {k}, options_.filler)); }),
+          {k}, single);
+    return single;
+  }
+
+  static void put(GroupResult from, const std::vector<int>& members, GroupResult& result) {
+    for (auto& patch : from.patches) result.patches.push_back(std::move(patch));
+    for (std::size_t k = 0; k < members.size(); ++k) result.holes[members[k]] = std::move(from.holes[k]);
+  }
+
+  GroupResult jointly(const InitialPatch& initial) const {
+    return guarded(initial.loops, [&] { return unguarded(initial); });
+  }
+
+  GroupResult unguarded(const InitialPatch& initial) const {
+    GroupResult result = failed_group(initial.loops, "");
+    for (std::size_t k = 0; k < initial.outcomes.size(); ++k) {
+      result.holes[k].message = initial.outcomes[k].message;
+      result.holes[k].seconds = initial.seconds;
+    }
+    if (!initial.patch || cancel_.cancelled()) return result;
+    PatchResult made = solved(initial);
+    if (cancel_.cancelled()) return result;
+    const bool valid = made.validity.intersections == 0;
+    if (!valid) made.status = PatchStatus::invalid;
+    const auto patch = std::make_shared<const PatchResult>(std::move(made));
+    result.patches.push_back(patch);
+    const std::vector<int> free = free_vertices_per_loop(patch->patch);
+    for (std::size_t p = 0; p < patch->patch.loops.size(); ++p) {
+      const auto hole = std::find_if(result.holes.begin(), result.holes.end(), [&](const HoleResult& h) {
+        return h.loop.number == patch->patch.loop_numbers[p];
+      });
+      hole->seconds = patch->seconds.total;
+      if (!valid) {
+        hole->message = why_left_open(scan_, hole->loop, patch->validity.intersections_of_loop[p]);
+        continue;
+      }
+      hole->status = patch->status;
+      // What the initial patch lacked is past once the flow has mended it.
+      if (patch->status != PatchStatus::filled || !patch->message.empty()) hole->message = patch->message;
+      hole->patch = patch;
+      hole->place = static_cast<int>(p);
+      hole->free_vertices = free[p];
+    }
+    return result;
+  }
+
+  PatchResult solved(const InitialPatch& initial) const {
+    const auto start = std::chrono::steady_clock::now();
+    const RimSurvey survey = initial.survey ? *initial.survey : survey_rim(*initial.patch);
+    const bool evolved = initial.origin == InitialPatch::Origin::evolved;
+    const std::vector<BoundaryLoop> loops = evolved ? std::vector<BoundaryLoop>() : initial.loops;
+    const PatchProblem problem{scan_, *initial.patch, loops, &survey};
+    PatchResult result;
+    RimRoughness roughness;
+    std::vector<SeamReport> before;
+    side_by_side(
+        [&] {
+          roughness = rim_roughness(*initial.patch, survey.fits);
+          if (options_.evolution) {
+            EvolutionOptions evolution = *options_.evolution;
+            evolution.roughness = roughness;
+            result = solve_patch(problem, evolution, on_step_, cancel_);
+          } else {
+            result = initial_result(problem, FlowKind::mmcvf);
+          }
+        },
+        [&] { before = seam_reports(*initial.patch); });
+    if (result.seams.empty()) result.seams = before;
+    result.seams_before = std::move(before);
+    result.neighborhood = rim_summaries(*initial.patch, roughness, survey.loops);
+    result.seconds.initial_patch = initial.seconds;
+    result.seconds.total = initial.seconds + seconds_since(start);
+    return result;
+  }
+
+  const ScanIndex& scan_;
+  const GroupOptions& options_;
+  const Evolution::OnStep& on_step_;
+  const CancelToken& cancel_;
+};
+
+}  // namespace
+
+HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why) {
+  HoleResult result;
+  result.loop = loop;
+  result.status = status;
+  result.message = why;
+  return result;
+}
+
+GroupResult solve_group(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
+                        const Evolution::OnStep& on_step, const CancelToken& cancel) {
+  return GroupSolver(scan, options, on_step, cancel).solve(initial);
+}
+
+}  // namespace loopmend

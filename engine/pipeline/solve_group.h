@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One group of holes from the initial patch to finished patches.
+#pragma once
+
+#include "pipeline/initial_patch.h"
+#include "pipeline/patch_result.h"
+#include "pipeline/validate.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// What became of one hole.
+struct HoleResult {
+  BoundaryLoop loop;
+  PatchStatus status = PatchStatus::skipped;  ///< of its patch, or why there is none
+  std::string message;                        ///< what is to be known of this hole; empty when all is well
+  std::shared_ptr<const PatchResult> patch;  ///< null where it was left open; shared by holes that were filled together
+  int place = 0;                             ///< of the hole among the patch's loops
+  int free_vertices = 0;                     ///< of the part of the patch that the hole bounds
+  double seconds = 0;                        ///< from the group's start to this result
+
+  /// The patch's, or an empty one where there is none.
+  const PatchResult& outcome() const {
+    static const PatchResult none;
+    return patch ? *patch : none;
+  }
+  /// The word of reports for what shaped the patch; empty where there is none.
+  std::string method() const { return method_name(outcome()); }
+  std::string reason() const { return outcome().reason; }
+  int steps() const { return outcome().steps; }
+  /// Zero where there is no patch, or where nobody measured.
+  SeamReport seam_before() const { return entry(&PatchResult::seams_before); }
+  SeamReport seam_after() const { return entry(&PatchResult::seams); }
+  Proportion proportion() const { return entry(&PatchResult::proportions); }
+  RimSummary neighborhood() const { return entry(&PatchResult::neighborhood); }
+
+ private:
+  template <class T>
+  T entry(std::vector<T> PatchResult::*list) const {
+    const std::vector<T>& all = outcome().*list;
+    return place < static_cast<int>(all.size()) ? all[place] : T{};
+  }
+};
+
+/// A hole that was left open.
+HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why);
+
+struct GroupResult {
+  std::vector<std::shared_ptr<const PatchResult>> patches;  ///< one that is `invalid` must not be pasted
+  std::vector<HoleResult> holes;                            ///< in the order of the group's loops
+};
+
+struct GroupOptions {
+  FillerOptions filler;
+  std::optional<EvolutionOptions> evolution = EvolutionOptions{};  ///< empty: leave the initial patch
+};
+
+/// Holes that ask for the same treatment of the boundary data are solved jointly; where that leaves one of them open, out of
+/// proportion or with the initial patch, each by itself. What goes wrong in one hole leaves the others alone.
+/// @param initial  with more than one loop and no outcomes, these are made again.
+/// @param on_step  every accepted step of every attempt; may be empty.
+/// @returns nothing of use when cancelled.
+GroupResult solve_group(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
+                        const Evolution::OnStep& on_step, const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/strategy.h"
+
+#include "pipeline/initial_patch.h"
+#include "pipeline/multi_start.h"
+#include "pipeline/rough_neighborhood.h"
+
+#include <algorithm>
+
+namespace loopmend {
+
+namespace {
+
+/// One problem with all that decides which attempts are made.
+struct Situation {
+  AttemptContext context;
+  EvolutionOptions options;  ///< as asked for
+  std::optional<JudgedNeighborhood> judged;
+  std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
+
+  const Patch& initial() const { return context.problem.initial; }
+  bool is_rough() const { return judged && judged->roughness.rough_share > 0; }
+};
+
+/// The initial patch of the same loops before it was relaxed. Empty if there is none.
+std::optional<Patch> triangulation_of(const PatchProblem& problem, const CancelToken& cancel) {
+  const Patch& initial = problem.initial;
+  std::vector<BoundaryLoop> closed;  // a joint patch leaves out those that have none
+  for (const BoundaryLoop& loop : problem.loops)
+    if (std::find(initial.loop_numbers.begin(), initial.loop_numbers.end(), loop.number) != initial.loop_numbers.end())
+      closed.push_back(loop);
+  if (closed.empty()) return std::nullopt;
+  std::optional<Patch> patch =
+      make_initial_patch(problem.scan.model, closed, {initial.grading.density, FillerShape::triangulated}, cancel)
+          .patch;
+  return patch && patch->loop_numbers == initial.loop_numbers && patch->free_count > 0 ? patch : std::nullopt;
+}
+
+bool flow_from_the_best_start(const Situation& s, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  if (const double noise_share = s.context.boundary.noise_share; noise_share > 0)
+    options.bending = (1 - noise_share) * s.judged->roughness.bending;
+  else if (s.judged)
+    options.roughness = s.judged->roughness;
+  result = best_of_starts(
+      s.initial(), options, s.context.cancel,
+      [&](const Patch& start, const EvolutionOptions& from) {
+        PatchResult run;
+        run.patch = s.initial();
+        run.status = run_once(s.context, start, from, run) ? run.status : PatchStatus::filled;
+        return run;
+      },
+      [](const PatchResult& run) { return rating_of(run, run.status != PatchStatus::filled); });
+  return result.status != PatchStatus::filled;
+}
+
+bool robust_from(const Patch& start, const Situation& s, PatchResult& result) {
+  return run_robustly(s.context, start, s.options, s.judged->roughness, result);
+}
+
+bool rollback_from(const Patch& start, const Situation& s, PatchResult& result) {
+  return run_with_rollback(s.context, start, s.options, s.judged->roughness, result);
+}
+
+/// With other options, between the neighborhood without its outliers.
+bool fall_back(const Situation& s, EvolutionOptions options, PatchResult& result) {
+  const AttemptContext context{s.context.problem, {0, s.context.boundary.calm}, s.context.on_step, s.context.cancel};
+  return run_once(context, s.initial(), options, result);
+}
+
+bool mixed_order(const Situation& s, double bending, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  options.bending = bending;
+  return fall_back(s, options, result);
+}
+
+bool robust_fairing(const Situation& s, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  options.boundary = BoundaryTrust::robust;
+  return fall_back(s, options, result);
+}
+
+bool tangent_fairing(const Situation& s, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  options.continuity = SeamContinuity::tangent;
+  return fall_back(s, options, result);
+}
+
+bool trusts_flow(const Situation& s) { return !s.is_rough(); }
+bool is_rough(const Situation& s) { return s.is_rough(); }
+bool has_triangulation(const Situation& s) { return s.triangulation.has_value(); }
+/// The flow for which there is anything else to fall back on.
+bool can_fall_back(const Situation& s) {
+  return s.options.flow == FlowKind::mmcvf && s.options.mode == EvolutionMode::steady && !s.options.bending;
+}
+bool rough_fallback(const Situation& s) { return s.is_rough() && can_fall_back(s); }
+bool flow_fallback(const Situation& s) { return !s.is_rough() && can_fall_back(s); }
+
+struct Attempt {
+  enum class Stage { asked_for, fallback } stage;
+  const char* name;
+  bool (*applies)(const Situation&);
+  bool (*run)(const Situation&, PatchResult&);  ///< true if the result may be kept
+};
+
+using Stage = Attempt::Stage;
+
+/// From top to bottom, the first that holds. The flow where the boundary data can be trusted; where they are rough, robust
+/// fairing, best from a start that was not relaxed, and rollback where that folds at a few places; then what bulges less.
+const Attempt attempts[] = {
+    {Stage::asked_for, "flow", trusts_flow, flow_from_the_best_start},
+    {Stage::asked_for, "robust from triangulation", has_triangulation,
+     [](const Situation& s, PatchResult& result) { return robust_from(*s.triangulation, s, result); }},
+    {Stage::asked_for, "robust from initial patch", is_rough,
+     [](const Situation& s, PatchResult& result) { return robust_from(s.initial(), s, result); }},
+    {Stage::asked_for, "rollback from triangulation", has_triangulation,
+     [](const Situation& s, PatchResult& result) { return rollback_from(*s.triangulation, s, result); }},
+    {Stage::asked_for, "rollback from initial patch", is_rough,
+     [](const Situation& s, PatchResult& result) { return rollback_from(s.initial(), s, result); }},
+    {Stage::fallback, "tangent fairing", rough_fallback, tangent_fairing},
+    {Stage::fallback, "robust fairing", rough_fallback, robust_fairing},
+    {Stage::fallback, "mixed order 300", rough_fallback,
+     [](const Situation& s, PatchResult& result) { return mixed_order(s, 300, result); }},
+    {Stage::fallback, "mixed order 60", rough_fallback,
+     [](const Situation& s, PatchResult& result) { return mixed_order(s, 60, result); }},
+    {Stage::fallback, "mixed order 60", flow_fallback,
+     [](const Situation& s, PatchResult& result) { return mixed_order(s, 60, result); }},
+    {Stage::fallback, "mixed order 300", flow_fallback,
+     [](const Situation& s, PatchResult& result) { return mixed_order(s, 300, result); }},
+    {Stage::fallback, "robust fairing", flow_fallback, robust_fairing},
+    {Stage::fallback, "tangent fairing", flow_fallback, tangent_fairing},
+};
+
+/// In place of a patch out of proportion, if it is in proportion and valid.
+const Attempt flatter[] = {
+    {Stage::fallback, "flatter: robust fairing", can_fall_back, robust_fairing},
+    {Stage::fallback, "flatter: tangent fairing", can_fall_back, tangent_fairing},
+};
+
+PatchResult first_that_holds(const Situation& s) {
+  PatchResult result;
+  std::vector<std::string> tried;
+  std::string reason = s.judged ? reason_for(s.judged->roughness) : "";
+  bool falls_back = false;
+  result.patch = s.initial();
+  for (const Attempt& attempt : attempts) {
+    if (!attempt.applies(s)) continue;
+    if (attempt.stage == Stage::fallback && !std::exchange(falls_back, true)) reason = result.message;
+    tried.emplace_back(attempt.name);
+    const bool holds = attempt.run(s, result);
+    if (s.context.cancel.cancelled()) result.status = PatchStatus::cancelled;
+    if (!holds && !s.context.cancel.cancelled()) continue;
+    result.reason = reason;
+    result.attempts = std::move(tried);
+    return result;
+  }
+  PatchResult kept = initial_result(s.context.problem, s.options.flow);
+  kept.message = result.message + ": the initial patch was kept";
+  kept.energy = {result.energy.initial, result.energy.initial};
+  kept.attempts = std::move(tried);
+  return kept;
+}
+
+/// A patch of less area may have more energy than the bubble that it replaces: at a tube's end on a crease 4 times as much.
+/// Where most of a sphere is missing it has some 200 times as much: there the bubble, though wrong, is nearer to the truth.
+constexpr double worth_its_area = 20;
+
+double total_energy(const PatchResult& result) {
+  double energy = 0;
+  for (const Proportion& part : result.proportions) energy += part.energy;
+  return energy;
+}
+
+/// @returns false if nothing flatter may be kept.
+bool replace_by_flatter(const Situation& s, PatchResult& result) {
+  for (const Attempt& attempt : flatter) {
+    PatchResult next;
+    result.attempts.emplace_back(attempt.name);
+    if (!attempt.applies(s) || !attempt.run(s, next)) continue;
+    next.proportions = proportions_of(next.patch, s.initial());
+    if (total_energy(next) > worth_its_area * total_energy(result)) continue;
+    if (out_of_proportion(next.proportions) || !next.validity.is_clean()) continue;
+    next.reason = "the patch of " + method_name(result.method, s.options.flow) +
+                  " was out of proportion: " + describe(*out_of_proportion(result.proportions));
+    next.attempts = std::move(result.attempts);
+    result = std::move(next);
+    return true;
+  }
+  return false;
+}
+
+PatchResult in_proportion(Situation& s, PatchResult result) {
+  result.proportions = proportions_of(result.patch, s.initial());
+  if (!out_of_proportion(result.proportions)) return result;
+  s.context.boundary = {};
+  if (is_judged(s.options) && replace_by_flatter(s, result)) return result;
+  result.status = PatchStatus::doubtful;
+  result.message = "the patch is out of proportion: " + describe(*out_of_proportion(result.proportions)) +
+                   (result.message.empty() ? "" : "; " + result.message);
+  return result;
+}
+
+}  // namespace
+
+PatchResult initial_result(const PatchProblem& problem, FlowKind flow) {
+  PatchResult result;
+  result.status = PatchStatus::filled;
+  result.flow = flow;
+  result.patch = problem.initial;
+  result.validity = validate(problem.scan, problem.initial);
+  return result;
+}
+
+PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+                        const CancelToken& cancel) {
+  if (problem.initial.free_count == 0) {
+    PatchResult result = initial_result(problem, options.flow);
+    result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    return result;
+  }
+  Situation situation{{problem, {}, on_step, cancel}, options, judge_neighborhood(problem, options), std::nullopt};
+  if (situation.judged) {
+    situation.options.roughness.reset();  // of the initial patch as it is: runs with other boundary data have another
+    situation.context.boundary.noise_share = situation.judged->roughness.noise_share;
+    if (situation.judged->calm) situation.context.boundary.calm = &*situation.judged->calm;
+  }
+  if (situation.is_rough()) situation.triangulation = triangulation_of(problem, cancel);
+  PatchResult result = first_that_holds(situation);
+  result.flow = options.flow;
+  if (result.status == PatchStatus::cancelled || result.status == PatchStatus::filled) return result;
+  result = in_proportion(situation, std::move(result));
+  result.flow = options.flow;
+  if (cancel.cancelled()) result.status = PatchStatus::cancelled;
+  return result;
+}
+
+}  // namespace loopmend

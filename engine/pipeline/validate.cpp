@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/validate.h"
+
+#include "mesh/mesh_arrays.h"
+#include "mesh/quality.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace loopmend {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// For each triangle of the patch, how many others it cuts, of the patch or of the model.
+std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& patch) {
+  const int rim = static_cast<int>(patch.rim.size());
+  Points points;
+  Eigen::AlignedBox3d box;
+  for (int v : patch.rim) points.push_back(scan.points[v]);
+  points.insert(points.end(), patch.points.begin(), patch.points.end());
+  for (const Vec3& p : points) box.extend(p);
+  Triangles triangles = patch.triangles;
+  std::unordered_map<int, int> local;
+  for (int i = 0; i < rim; ++i) local.emplace(patch.rim[i], i);
+  for (int f : scan.index.near(box.min(), box.max())) {
+    Triangle t = scan.triangles[f];
+    for (int& v : t) {
+      const auto [entry, added] = local.emplace(v, static_cast<int>(points.size()));
+      if (added) points.push_back(scan.points[v]);
+      v = entry->second;
+    }
+    triangles.push_back(t);
+  }
+  const int own = static_cast<int>(patch.triangles.size());
+  std::vector<int> count(own, 0);
+  for (const auto& [f, g] : self_intersections(points, triangles, own)) {
+    ++count[f];
+    if (g < own) ++count[g];
+  }
+  return count;
+}
+
+Kernel::Point_3 exact(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+}  // namespace
+
+ScanIndex::ScanIndex(const SurfaceModel& surface)
+    : model(surface),
+      points(points_of(surface.mesh)),
+      triangles(triangles_of(surface.mesh)),
+      index(points, triangles) {}
+
+std::vector<int> loop_of_triangles(const Patch& patch) {
+  std::vector<int> part(patch.vertex_count());
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&](int v) {
+    while (part[v] != v) v = part[v] = part[part[v]];
+    return v;
+  };
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    for (int k = 1; k < 3; ++k) part[root(patch.triangles[f][k])] = root(patch.triangles[f][0]);
+  std::unordered_map<int, int> loop_at;
+  for (std::size_t l = 0; l < patch.loops.size(); ++l) loop_at[root(patch.loops[l].front())] = static_cast<int>(l);
+  std::vector<int> loop(patch.patch_triangles);
+  for (int f = 0; f < patch.patch_triangles; ++f) loop[f] = loop_at.at(root(patch.triangles[f][0]));
+  return loop;
+}
+
+Validity validate(const ScanIndex& scan, const Patch& patch) {
+  Validity validity;
+  const auto folds = folded_pairs(patch.positions, patch.triangles, patch.patch_triangles);
+  validity.folds = static_cast<int>(folds.size());
+  validity.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
+  validity.intersections_of_loop.assign(patch.loops.size(), 0);
+  const std::vector<int> loop = loop_of_triangles(patch), count = intersections_of(scan, patch_geometry(patch));
+  std::vector<char> spoiled(patch.triangles.size(), 0);
+  for (const auto& [f, g] : folds) spoiled[f] = spoiled[g] = 1;
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    validity.intersections_of_loop[loop[f]] += count[f];
+    validity.intersections += count[f];
+    if (spoiled[f] || count[f] > 0) validity.spoiled.push_back(f);
+  }
+  return validity;
+}
+
+int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop) {
+  int count = 0;
+  for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+    const int a = loop.vertices[k], b = loop.vertices[(k + 1) % loop.vertices.size()];
+    const Vec3 &p = scan.points[a], &q = scan.points[b];
+    const Kernel::Segment_3 edge(exact(p), exact(q));
+    const std::vector<int> near = scan.index.near(p.cwiseMin(q), p.cwiseMax(q));
+    count += std::any_of(near.begin(), near.end(), [&](int f) {
+      const Triangle& t = scan.triangles[f];
+      const bool beside = std::any_of(t.begin(), t.end(), [&](int v) { return v == a || v == b; });
+      return !beside && CGAL::do_intersect(edge, Kernel::Triangle_3(exact(scan.points[t[0]]), exact(scan.points[t[1]]),
+                                                                    exact(scan.points[t[2]])));
+    });
+  }
+  return count;
+}
+
+}  // namespace loopmend

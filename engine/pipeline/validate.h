@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is a patch fit to be pasted? Folds, and intersections with itself or with any part of the model.
+#pragma once
+
+#include "mesh/boundary_loops.h"
+#include "mesh/patch.h"
+#include "mesh/self_intersections.h"
+#include "mesh/surface_model.h"
+#include "mesh/validity.h"
+
+#include <vector>
+
+namespace loopmend {
+
+/// What all workers read: the model as it was, and an index of its triangles.
+struct ScanIndex {
+  /// Takes a second for a million triangles. @param surface  must outlive the index.
+  explicit ScanIndex(const SurfaceModel& surface);
+  const SurfaceModel& model;
+  Points points;        ///< of the view
+  Triangles triangles;  ///< of the view
+  TriangleIndex index;
+};
+
+/// For each triangle of the patch, how many others of patch and model it intersects, summed; everything that Validity tells.
+Validity validate(const ScanIndex& scan, const Patch& patch);
+
+/// Edges of a loop that run through other triangles of the model: every patch must intersect the surface there.
+int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop);
+
+/// Which part of a patch each of its loops bounds: for each of its triangles an index into patch.loops.
+std::vector<int> loop_of_triangles(const Patch& patch);
+
+}  // namespace loopmend

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/strategy.h"
+#include "mesh/mesh_arrays.h"
+#include "rim/white_noise.h"
+#include "samples/random.h"
+#include "support/patches.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace loopmend {
+namespace {
+
+PatchResult solved(const ScanIndex& scan, const Patch& initial, const std::vector<BoundaryLoop>& loops) {
+  return solve_patch({scan, initial, loops}, {}, nullptr, {});
+}
+
+/// A sphere with relief of scans and white noise, without its cap: the same triangles and the same hole, whatever the relief.
+SurfaceModel rough_open_sphere(double relief, double noise) {
+  TriangleSoup soup = trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.85; }));
+  Random random(7);
+  for (Vec3& p : soup.points)
+    p *= 1 + noise * random.bell() +
+         relief * (0.01 * std::sin(17 * p.x()) * std::sin(19 * p.y()) + 0.004 * std::sin(43 * p.x() + 7 * p.z()) +
+                   0.002 * std::cos(71 * p.y() - 23 * p.x()));
+  return make_surface_model(soup);
+}
+
+/// What becomes of one filler when its surroundings change: the triangles stay, the free vertices are carried along. The
+/// filler that belongs to each rim would have triangles of its own, which change one by one as the rim does; on a rough
+/// rim another triangulation alone moves the patch by up to 5 % of an edge, whatever the kinds do.
+struct Family {
+  std::function<SurfaceModel(double)> surface;  ///< t = 0..1
+  Patch filler;                                 ///< of t = 0
+
+  explicit Family(std::function<SurfaceModel(double)> of)
+      : surface(std::move(of)),
+        filler(test::start_of(surface(0))) {}
+
+  struct Member {
+    Patch patch;
+    RimRoughness rim;
+  };
+
+  Member at(double t) const {
+    const SurfaceModel model = surface(t);
+    Patch moved = filler;
+    for (int i = moved.free_count; i < moved.vertex_count(); ++i)
+      moved.positions[i] = moved.to_frame(model.mesh.point(TriMesh::VertexHandle(moved.view_vertex[i])));
+    const Patch start = with_noise_again(filler, moved);
+    PatchResult evolved = solved(ScanIndex(model), start, {});
+    EXPECT_THAT(evolved.status, testing::AnyOf(PatchStatus::converged, PatchStatus::faired)) << evolved.message;
+    EXPECT_EQ(evolved.patch.free_count, filler.free_count) << "remeshed at t = " << t;
+    return {std::move(evolved.patch), rim_roughness(start)};
+  }
+};
+
+/// The way of the vertex that moves farthest, mesh units.
+double change(const Family::Member& a, const Family::Member& b) {
+  double most = 0;
+  for (int i = 0; i < std::min(a.patch.free_count, b.patch.free_count); ++i)
+    most = std::max(most, a.patch.scale * (a.patch.positions[i] - b.patch.positions[i]).norm());
+  return most;
+}
+
+constexpr double edge = 0.038;  // mean, of the icosphere
+/// Measured: 0.003 of an edge from smooth to rough and from rough to noisy, less from smooth to noisy.
+constexpr double tolerance = 0.005 * edge;
+
+/// Where the patch changes most, and where the kind changes, the interval is halved again and again: a jump stays.
+/// @returns what is left of the change over 1/4000 of the family or less.
+double steepest(const Family& family, int intervals, Surroundings first, Surroundings last) {
+  std::vector<Family::Member> members;
+  for (int k = 0; k <= intervals; ++k) members.push_back(family.at(static_cast<double>(k) / intervals));
+  EXPECT_EQ(members.front().rim.kind, first);
+  EXPECT_EQ(members.back().rim.kind, last);
+  EXPECT_GT(change(members.front(), members.back()), 3 * tolerance);  // measured: 7 times and more
+  double most = 0, left = 0;
+  for (int k = 0; k < intervals; ++k) most = std::max(most, change(members[k], members[k + 1]));
+  for (int k = 0; k < intervals; ++k) {
+    Family::Member a = members[k], b = members[k + 1];
+    if (change(a, b) < most && a.rim.kind == b.rim.kind) continue;
+    double from = static_cast<double>(k) / intervals, to = static_cast<double>(k + 1) / intervals;
+    while (to - from > 1.0 / 4000) {
+      const double middle = (from + to) / 2;
+      Family::Member m = family.at(middle);
+      if (change(a, m) > change(m, b)) {
+        b = std::move(m);
+        to = middle;
+      } else {
+        a = std::move(m);
+        from = middle;
+      }
+    }
+    left = std::max(left, change(a, b));
+  }
+  return left;
+}
+
+TEST(PassageOfKinds, FromSmoothToRoughWithoutAJump) {
+  EXPECT_LT(
+      steepest(Family([](double t) { return rough_open_sphere(t, 0); }), 8, Surroundings::smooth, Surroundings::rough),
+      tolerance);
+}
+
+TEST(PassageOfKinds, FromSmoothToNoisyWithoutAJump) {
+  EXPECT_LT(steepest(Family([](double t) { return rough_open_sphere(0, 0.01 * edge * t); }), 8, Surroundings::smooth,
+                     Surroundings::noisy),
+            tolerance);
+}
+
+TEST(PassageOfKinds, FromRoughToNoisyWithoutAJump) {
+  EXPECT_LT(steepest(Family([](double t) { return rough_open_sphere(0.3, 0.05 * edge * t); }), 8, Surroundings::rough,
+                     Surroundings::noisy),
+            tolerance);
+}
+
+/// Almost two thirds of a cylinder's circumference are missing, over a short length: the triangulation joins the two arcs
+/// along the generators, and the minimal surface sinks in between.
+struct Gutter {
+  SurfaceModel model;
+  BoundaryLoop hole;
+
+  explicit Gutter(double relief) {
+    TriangleSoup soup = trim_rims(cut(make_cylinder(4, 100), [](const Vec3& p) {
+      return std::abs(p.z() - 2) < 0.5 && std::abs(std::atan2(p.y(), p.x())) < 2;
+    }));
+    for (Vec3& p : soup.points) {
+      const double way =
+          1 + relief * (0.01 * std::sin(17 * p.x()) * std::sin(19 * p.y()) + 0.004 * std::sin(43 * p.x() + 7 * p.z()) +
+                        0.002 * std::cos(71 * p.y() - 23 * p.x()));
+      p.x() *= way;
+      p.y() *= way;
+    }
+    model = make_surface_model(soup);
+    for (const BoundaryLoop& loop : find_boundary_loops(model))
+      if (loop.center.x() > 0.2) hole = loop;
+  }
+  Patch start(FillerShape shape) const { return *make_initial_patch(model, {hole}, {1, shape}, {}).patch; }
+  /// rms over the free vertices, of the radius.
+  static double off(const Patch& patch) {
+    double sum = 0;
+    for (int i = 0; i < patch.free_count; ++i) {
+      const Vec3 p = patch.to_mesh(patch.positions[i]);
+      sum += std::pow(std::hypot(p.x(), p.y()) - 1, 2);
+    }
+    return std::sqrt(sum / patch.free_count);
+  }
+};
+
+TEST(RoughStart, TheTriangulationLiesNearerToABulgeThanTheMinimalSurface) {
+  const Gutter gutter(0);  // measured: 0.0006 and 0.097
+  EXPECT_LT(Gutter::off(gutter.start(FillerShape::triangulated)), 0.002);
+  EXPECT_GT(Gutter::off(gutter.start(FillerShape::minimal)), 0.05);
+}
+
+TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
+  const Gutter gutter(1);
+  const Patch filler = gutter.start(FillerShape::minimal), triangulated = gutter.start(FillerShape::triangulated);
+  const RimRoughness rim = rim_roughness(filler);
+  ASSERT_EQ(rim.rough_share, 1);
+  const ScanIndex site(gutter.model);
+  const PatchResult evolved = solved(site, filler, {gutter.hole});
+  EXPECT_EQ(evolved.status, PatchStatus::faired) << evolved.message;
+  EXPECT_EQ(evolved.validity.intersections + evolved.validity.folds, 0);
+  EvolutionOptions robust;
+  robust.boundary = BoundaryTrust::robust;
+  robust.roughness = rim;
+  Evolution expected(triangulated, robust);
+  expected.run(nullptr, {});
+  EXPECT_EQ(evolved.patch.positions, expected.patch().positions);
+}
+
+TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
+  const Gutter gutter(1);
+  const Patch filler = gutter.start(FillerShape::minimal);
+  BoundaryLoop other = gutter.hole;
+  other.number += 1;
+  const ScanIndex site(gutter.model);
+  EXPECT_EQ(solved(site, filler, {other}).patch.positions,
+            solved(site, filler, {}).patch.positions);
+}
+
+TEST(RoughStart, SmoothSurroundingsGiveTheSameBitsWithAndWithoutLoops) {
+  const Gutter gutter(0);
+  const Patch filler = gutter.start(FillerShape::minimal);
+  ASSERT_EQ(rim_roughness(filler).rough_share, 0);
+  const ScanIndex site(gutter.model);
+  EXPECT_EQ(solved(site, filler, {gutter.hole}).patch.positions,
+            solved(site, filler, {}).patch.positions);
+}
+
+/// A sheet of its own stands across the top of where the patch would run.
+TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
+  const SurfaceModel open = rough_open_sphere(1, 0);
+  const BoundaryLoop hole = find_boundary_loops(open).at(0);
+  const Patch filler = *make_initial_patch(open, {hole}, {}, {}).patch;
+  ASSERT_EQ(rim_roughness(filler).rough_share, 1);
+  const PatchResult free = solved(ScanIndex(open), filler, {});
+  ASSERT_EQ(free.validity.intersections, 0);
+  double top = 0;
+  for (int i = 0; i < free.patch.free_count; ++i) top = std::max(top, free.patch.to_mesh(free.patch.positions[i]).z());
+
+  TriangleSoup soup;
+  soup.points = points_of(open.mesh);
+  soup.triangles = triangles_of(open.mesh);
+  const int first = static_cast<int>(soup.points.size());
+  for (const Vec3& corner : {Vec3(-edge, 0, top + edge), Vec3(edge, 0, top + edge), Vec3(0, 0, top - edge / 2)})
+    soup.points.push_back(corner);
+  soup.triangles.push_back({first, first + 1, first + 2});
+  const SurfaceModel barred = make_surface_model(soup);
+  const ScanIndex site(barred);
+  ASSERT_EQ(validate(site, filler).intersections, 0);
+  ASSERT_GT(validate(site, free.patch).intersections, 0);
+
+  const PatchResult evolved = solved(site, filler, {});
+  EXPECT_EQ(evolved.status, PatchStatus::faired);
+  EXPECT_EQ(evolved.validity.intersections + evolved.validity.folds, 0);
+  EXPECT_NE(evolved.message.find("goes back"), std::string::npos) << evolved.message;
+  ASSERT_EQ(evolved.patch.free_count, free.patch.free_count);
+  int same = 0;
+  for (int i = 0; i < filler.free_count; ++i) same += evolved.patch.positions[i] == free.patch.positions[i];
+  EXPECT_GT(same, filler.free_count / 2);
+  EXPECT_LT(same, filler.free_count);
+}
+
+}  // namespace
+}  // namespace loopmend
