@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real window, driven by mouse and keyboard under a virtual screen.
 #include "driver.h"
+#include "test_main.h"
 
 #include "core/error.h"
 #include "io/read_mesh.h"
@@ -347,14 +348,6 @@ void WindowTest::dragon_does_not_freeze_the_window() {
   QVERIFY2(worst < 3000, "the window froze");
 }
 
-int main(int argc, char** argv) {
-  const QTemporaryDir home;
-  use_own_home(home.path());
-  prepare_application();
-  QApplication application(argc, argv);
-  settle_application();
-  WindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<WindowTest>(); }
 
 #include "window_test.moc"
