@@ -70,6 +70,7 @@ class WindowTest : public QObject {
  private Q_SLOTS:
   void init();
   void draws_something_real();
+  void counts_in_english();
   void whole_story_on_the_sample();
   void whole_story_on_the_bunny();
   void rows_and_loops_light_up_together();
@@ -91,6 +92,20 @@ class WindowTest : public QObject {
 void WindowTest::init() {
   QVERIFY(folder_.isValid());
   if (sample_.isEmpty()) sample_ = write_sample(folder_);
+}
+
+/// The English translation holds the plurals alone; all other words are those of the sources.
+void WindowTest::counts_in_english() {
+  Shown shown;
+  const auto summary = [&] { return part<QLabel>(shown.window, "holesSummary")->text(); };
+  QCOMPARE(summary(), QStringLiteral("No scan is open"));
+  const QTemporaryDir folder;
+  for (int across : {1, 2}) {
+    shown.window.open(write_sheet_with_holes(folder.filePath(QStringLiteral("%1.ply").arg(across)), across));
+    QVERIFY(wait_idle(shown.window));
+    QTRY_COMPARE(summary(), across == 1 ? QStringLiteral("1 hole, 1 open; 1 left out")
+                                        : QStringLiteral("4 holes, 4 open; 1 left out"));
+  }
 }
 
 void WindowTest::draws_something_real() {
