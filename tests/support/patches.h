@@ -4,6 +4,7 @@
 
 #include "evolution/fill_loops.h"
 #include "samples/analytic_surfaces.h"
+#include "surfaces/roughen.h"
 
 #include <Eigen/Geometry>
 
