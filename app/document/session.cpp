@@ -87,7 +87,7 @@ class Reader {
   template <class T>
   std::vector<T> array() {
     const auto count = number<quint64>();
-    if (count * sizeof(T) > static_cast<quint64>(in_.device()->bytesAvailable())) fail("the file ends too early");
+    if (count > static_cast<quint64>(in_.device()->bytesAvailable()) / sizeof(T)) fail("the file ends too early");
     std::vector<T> values(static_cast<std::size_t>(count));
     in_.readRawData(reinterpret_cast<char*>(values.data()), static_cast<int>(count * sizeof(T)));
     check();
@@ -96,7 +96,7 @@ class Reader {
   /// A count of things that take at least `bytes_each`.
   int count(quint64 bytes_each) {
     const auto n = number<quint64>();
-    if (n * bytes_each > static_cast<quint64>(in_.device()->bytesAvailable())) fail("the file ends too early");
+    if (n > static_cast<quint64>(in_.device()->bytesAvailable()) / bytes_each) fail("the file ends too early");
     return static_cast<int>(n);
   }
   bool at_end() const { return in_.atEnd(); }

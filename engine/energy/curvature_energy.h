@@ -28,8 +28,8 @@ CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weight
 /// E alone, for the curvatures given (#V), without the matrix.
 double energy_value(const Patch& patch, const EnergyWeights& weights, const Eigen::VectorXd& H);
 
-/// B = ∂H/∂s, #V by n, for displacements s along the normals of the free vertices (NUMERICS §4, exact for frozen fit
-/// coordinates): B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩ − ⟨2H_i w^∇_ij − w^◇_ij, n_j⟩.
+/// B = ∂H/∂s, #V by n, for displacements s along the normals of the free vertices (exact for frozen fit
+/// coordinates; docs/dev/numerics.md, "Gauss-Newton step"): B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩ − ⟨2H_i w^∇_ij − w^◇_ij, n_j⟩.
 RowSparseMatrix curvature_jacobian(const OperatorSet& ops, int free_count);
 
 /// ∂(Hᵀ Q H)/∂s at fixed H: how the energy changes with the metric alone. n.

@@ -24,7 +24,7 @@ constexpr double steady_sigma = 1e4;  ///< a step that jumps to the steady state
 constexpr int most_fairings = 6;      ///< linear steps before the first Gauss-Newton step
 constexpr int steps_with_mesh_care = 15;
 constexpr double fair_angle = 25;        ///< degrees: triangles no worse than this are left as they are
-constexpr double flow_tolerance = 1.05;  ///< NUMERICS §10: the semi-implicit fixed point is not the discrete minimum
+constexpr double flow_tolerance = 1.05;  ///< docs/dev/numerics.md, "Semi-implicit step"
 /// Of the linear system of a semi-implicit step. Such a step is off by a tenth of itself, being of first order in time.
 constexpr double flow_step_tolerance = 1e-4;
 constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below

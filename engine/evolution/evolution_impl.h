@@ -59,7 +59,7 @@ struct Evolution::Impl {
   std::vector<StepRecord> history;
   double initial_energy = 0;
 
-  Eigen::AlignedBox3d room;  ///< no vertex may leave it: inflating a patch lowers the energy (NUMERICS §9.2)
+  Eigen::AlignedBox3d room;  ///< no vertex may leave it (docs/dev/numerics.md, "Bubbles")
   int start_folds = 0;
   int allowed_folds = 0;                      ///< in between; whoever takes the result looks at what is left
   double start_edge_length = 0;               ///< mean, of the patch

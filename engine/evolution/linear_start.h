@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The start of the way to the steady state: linear third-order fairing, which large openings need (NUMERICS §7, §10).
+// The start of the way to the steady state: linear third-order fairing, which large openings need
+// (docs/dev/numerics.md, "Starts").
 #pragma once
 
 #include "core/cancel.h"

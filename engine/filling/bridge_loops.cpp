@@ -19,7 +19,7 @@ namespace loopmend {
 namespace {
 
 constexpr int remesh_rounds = 5;
-constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart (FILLING.md)
+constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart
 constexpr int fairing_rounds = 4;
 constexpr double most_vertices = 2e6;
 

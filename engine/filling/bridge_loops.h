@@ -15,7 +15,7 @@ namespace loopmend {
 /// One patch with all loops, in two shapes.
 struct Bridge {
   Patch membrane;  ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
-  Patch start;     ///< where the flow begins: minimal surfaces between tubes pinch (NUMERICS §7)
+  Patch start;     ///< where the flow begins: minimal surfaces between tubes pinch (docs/dev/numerics.md, "Starts")
   Validity quality;  ///< of the start
 };
 

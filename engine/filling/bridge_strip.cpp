@@ -26,7 +26,7 @@ StripPath best_path(const Points& a, const Points& b, int start) {
   StripPath path;
   path.along_a.assign(at(m, n) + 1, 0);
   std::vector<double> above(n + 1, none), here(n + 1, none);
-  const double band = std::max(0.3, 2.0 / std::min(m, n));  // FILLING.md
+  const double band = std::max(0.3, 2.0 / std::min(m, n));  // docs/dev/filling.md, "Bridges between loops"
   for (int i = 0; i <= m; ++i) {
     std::fill(here.begin(), here.end(), none);
     for (int j = 0; j <= n; ++j) {

@@ -21,8 +21,8 @@ struct BridgeEnd {
 /// @param center  where the loops meet, roughly: the mean of their centres.
 int turning_sense(const BridgeEnd& end, const Vec3& center);
 
-/// Two or more loops around a common middle, by the convex hull of circles on a sphere that stand for them (FILLING.md,
-/// "Bridges between loops"). @returns triangles over the loops' vertices, numbered through in the order of `ends`; empty
+/// Two or more loops around a common middle, by the convex hull of circles on a sphere that stand for them
+/// (docs/dev/filling.md, "Bridges between loops"). @returns triangles over the loops' vertices, numbered through in the order of `ends`; empty
 /// when the loops cannot be seen so.
 Triangles bridge_by_hull(const std::vector<BridgeEnd>& ends);
 

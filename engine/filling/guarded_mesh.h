@@ -15,8 +15,8 @@ namespace loopmend {
 using RimNormals = std::map<std::pair<int, int>, Vec3>;
 
 /// A guarded operation is undone, or not done, when it takes the worst dihedral of the edges it touches beyond 80° and
-/// beyond what it was (FILLING.md). Vertices 0..locked−1 are the rim: they never move, and no edge between two of them
-/// is ever made.
+/// beyond what it was (docs/dev/filling.md, "Guarded operations"). Vertices 0..locked−1 are the rim: they never move, and no
+/// edge between two of them is ever made.
 class GuardedMesh {
  public:
   /// Target edge length at a place.

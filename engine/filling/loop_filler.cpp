@@ -19,7 +19,7 @@ namespace loopmend {
 namespace {
 
 constexpr int longest_for_cubic_first = 100;
-constexpr int longest_for_cubic = 350;  // FILLING.md, step 1
+constexpr int longest_for_cubic = 350;  // docs/dev/filling.md, "Triangulation"
 constexpr int longest_for_all_methods = 5000;
 constexpr std::size_t from_coarse_to_fine = 200;  // vertices
 constexpr int beyond_the_cache = 5000;            // free vertices on the last coarse level
@@ -201,8 +201,8 @@ void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& b
   keep_if_no_worse([](GuardedMesh& m) { m.smooth_tangentially(); });
 }
 
-/// Refinement, remeshing and relaxation (FILLING.md, steps 3 to 5). A phase that makes the patch worse is tried again in
-/// its first round only, then left out or, if it is the remeshing, taken apart.
+/// Refinement, remeshing and relaxation (docs/dev/filling.md, "Remeshing and relaxation"). A phase that makes the patch
+/// worse is tried again in its first round only, then left out or, if it is the remeshing, taken apart.
 Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, FillerShape shape, bool large,
                  const CancelToken& cancel) {
   const auto rounds = [&](int count, bool (*round)(GuardedMesh&)) {

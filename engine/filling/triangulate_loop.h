@@ -8,7 +8,7 @@
 
 namespace loopmend {
 
-/// Measured in FILLING.md: cubic search is right more often, Delaunay-guided search scales.
+/// Cubic search is right more often, Delaunay-guided search scales (docs/dev/filling.md, "Triangulation").
 enum class TriangulationMethod {
   cubic,          ///< the least folded of all triangulations by dynamic programming, O(n³): up to a few hundred edges
   delaunay,       ///< guided by a 3D Delaunay triangulation, with the cubic search where that fails

@@ -13,9 +13,8 @@ namespace loopmend {
 /// frame. The flow's linear part is ½M⁻¹K.
 SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
 
-/// λ₁ > 0, smallest eigenvalue of the flow's linear part on the patch with clamped boundary (NUMERICS §4): of ½M⁻¹K with
-/// K as above. Patch frame, 1/time. A step of
-/// τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found.
+/// λ₁ > 0, smallest eigenvalue of the flow's linear part on the patch with clamped boundary
+/// (docs/dev/numerics.md, "Time step"): of ½M⁻¹K with K as above. Patch frame, 1/time. A step of τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found.
 double slowest_decay_rate(FlowKind flow, const Patch& patch);
 
 /// The same of a flat disc that has the patch's area or, if that makes a smaller one, as much area for its rim. For MMCVF on

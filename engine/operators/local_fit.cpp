@@ -12,7 +12,8 @@ namespace loopmend {
 
 namespace {
 
-/// Smallest ratio of singular values of the weighted design matrix that a stencil may have (NUMERICS §2).
+/// Smallest ratio of singular values of the weighted design matrix that a stencil may have
+/// (docs/dev/numerics.md, "Operators from local fits").
 double least_condition(int rings) { return rings == 1 ? 1e-2 : rings == 2 ? 1e-4 : 1e-8; }
 
 constexpr double least_cubic_condition = 1e-3;
@@ -173,7 +174,8 @@ bool differentiate(const Points& points, int centre, const std::vector<int>& nei
   return true;
 }
 
-/// Curvatures, and where P is given weights, from the derivatives (NUMERICS §2, paper §2).
+/// Curvatures, and where P is given weights, from the derivatives (paper §2;
+/// docs/dev/numerics.md, "Operators from local fits").
 void curvatures_and_weights(const SurfaceDerivatives& r, const Vec3& reference_normal,
                             const std::vector<DerivativeWeights>* P, LocalFit& fit) {
   const Vec3 ru = r.col(0), rv = r.col(1), ruu = r.col(2), ruv = r.col(3), rvv = r.col(4);

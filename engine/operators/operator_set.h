@@ -48,7 +48,8 @@ OperatorSet compute_operators(const Points& points, const Triangles& triangles, 
 OperatorSet compute_curvatures(const Points& points, const Triangles& triangles, const Topology& topology,
                                Stencil stencil, const std::vector<char>& wanted, const KnownFits& known = {});
 
-/// Clamp for cotangent weights where a matrix must stay well-conditioned on slivers (NUMERICS §10).
+/// Clamp for cotangent weights where a matrix must stay well-conditioned on slivers
+/// (docs/dev/numerics.md, "Linear solvers").
 struct CotanClamp {
   double low, high;  ///< of the half sum of the two cotangents at an edge
 };

@@ -23,7 +23,7 @@ struct CubicFit {
 
 enum class Outliers {
   count,         ///< least squares
-  weighted_down  ///< Huber's weights at 1.5 × 1.4826 × median |residual|, four rounds (NUMERICS §12.4)
+  weighted_down  ///< Huber's weights at 1.5 × 1.4826 × median |residual|, four rounds
 };
 
 enum class FitCentre {

@@ -16,7 +16,7 @@ namespace loopmend {
 namespace {
 
 constexpr int narrowest = 3, widest = 5;
-constexpr double white_growth = 1.5;  ///< NUMERICS §12.4
+constexpr double white_growth = 1.5;  ///< docs/dev/numerics.md, "Rough boundaries"
 
 /// Curvature of the graph z(u, v) at the origin, and its uncertainty to first order, the slopes taken as exact: H hardly
 /// depends on them, since the plane of the graph is nearly tangential.

@@ -141,7 +141,7 @@ double correlation_at(const Patch& patch, const SurroundingFits& fits, double di
   return square > 0 ? std::clamp(product / square, 0.01, 1.0) : 1.0;
 }
 
-/// αR² from a = (R / correlation length)², NUMERICS §12.4.
+/// αR² from a = (R / correlation length)², docs/dev/numerics.md, "Rough boundaries".
 double bending_for(double a) {
   if (a <= 0.01) return 0;
   if (a <= 0.1) return (a - 0.01) / 0.9;

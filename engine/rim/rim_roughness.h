@@ -18,7 +18,8 @@ enum class Surroundings {
 
 const char* to_string(Surroundings surroundings);
 
-/// Sixth order takes the curvature at the rim literally; where that is roughness, the patch blows up (NUMERICS §12).
+/// Sixth order takes the curvature at the rim literally; where that is roughness, the patch blows up
+/// (docs/dev/numerics.md, "Rough boundaries").
 /// The kinds run into one another: the two shares say how far, continuously in the surroundings, and the patch follows
 /// them without a jump. Smooth surroundings have both at 0 exactly.
 struct RimRoughness {

@@ -14,7 +14,8 @@ extern "C" void openblas_set_num_threads(int threads);
 
 namespace loopmend {
 
-/// OpenBLAS threads spin-wait and lose tenfold on a busy machine (NUMERICS §5); loops run in parallel instead.
+/// OpenBLAS threads spin-wait and lose tenfold on a busy machine (docs/dev/numerics.md, "Linear solvers"); loops run in
+/// parallel instead.
 inline void use_one_blas_thread() {
   static const bool done = (openblas_set_num_threads(1), true);
   static_cast<void>(done);

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Keeps the translations in step with the sources.
 
-Run it after strings have changed: it calls lupdate, fills loopmend_de.ts from german.json, writes the English plurals,
-and tells which strings have no German words yet.
+Run it after strings have changed: it calls lupdate, fills loopmend_de.ts from german.json and loopmend_en.ts, which has
+plural forms only (all else is English in the sources), from english_plurals.json. Tells which strings have no words yet.
 """
 import json
 import subprocess
@@ -16,6 +16,7 @@ app = here.parent.parent / "app"
 
 
 def fill(path, words, plurals):
+    """Writes the words into the file. Returns the strings that have none."""
     tree = ET.parse(path)
     missing = []
     for message in tree.getroot().iter("message"):
@@ -25,13 +26,13 @@ def fill(path, words, plurals):
         for child in list(target):
             target.remove(child)
         if message.get("numerus"):
+            found = source in plurals
             for form in plurals.get(source, [source, source]):
                 ET.SubElement(target, "numerusform").text = form
-        elif words is None:
-            target.text = source
-        elif source in words:
-            target.text = words[source]
         else:
+            found = source in words
+            target.text = words.get(source)
+        if not found:
             target.set("type", "unfinished")
             missing.append(source)
     ET.indent(tree, "    ")
@@ -42,18 +43,22 @@ def fill(path, words, plurals):
     return missing
 
 
+def update(language, words, plurals, options):
+    file = here / f"loopmend_{language}.ts"
+    subprocess.run(["lupdate", "-silent", "-no-obsolete", "-locations", "none", *options, str(app), "-ts", str(file)],
+                   check=True, stderr=subprocess.DEVNULL)
+    missing = fill(file, words, plurals)
+    for source in missing:
+        print(f"no words in {language} for:", repr(source))
+    return not missing
+
+
 def main():
-    files = [here / "loopmend_en.ts", here / "loopmend_de.ts"]
-    for file in files:
-        subprocess.run(["lupdate", "-silent", "-no-obsolete", "-locations", "none", str(app), "-ts", str(file)],
-                       check=True, stderr=subprocess.DEVNULL)
     german = json.loads((here / "german.json").read_text(encoding="utf-8"))
     english = json.loads((here / "english_plurals.json").read_text(encoding="utf-8"))
-    fill(files[0], None, english)
-    missing = fill(files[1], german["words"], german["plurals"])
-    for source in missing:
-        print("no German for:", repr(source))
-    return 1 if missing else 0
+    complete = update("en", {}, english, ["-pluralonly"])
+    complete = update("de", german["words"], german["plurals"], []) and complete
+    return 0 if complete else 1
 
 
 if __name__ == "__main__":

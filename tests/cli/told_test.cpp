@@ -4,6 +4,7 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "mesh/boundary_loops.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gmock/gmock.h>
@@ -179,6 +180,34 @@ TEST_F(Told, NothingButCutSeamsIsNoSilentZero) {
   EXPECT_EQ(fill().code, 0);
   // And who leaves that hole by name has asked for it.
   EXPECT_EQ(fill("--max-edges 3").code, 0);
+}
+
+TEST_F(Told, WhatTheSmallScansOfOurOwnAre) {
+  const auto filled = [&](const std::string& name, const std::string& options = "") {
+    return loopmend_program("fill '" LOOPMEND_TEST_DATA "/" + name + "' -o " + path("out.ply") + options);
+  };
+  const auto loops_left = [&] {
+    return find_boundary_loops(make_surface_model(read_mesh(work / "out.ply").soup)).size();
+  };
+  const Outcome ring = filled("ring.obj");
+  EXPECT_EQ(ring.code, 0);
+  EXPECT_THAT(ring.out, AllOf(HasSubstr("1 filled, 0 failed"), HasSubstr("outer rim of an open sheet: left open")));
+  EXPECT_EQ(loops_left(), 1u);
+
+  const Outcome touching = filled("touching_holes.obj");
+  EXPECT_EQ(touching.code, 1);
+  EXPECT_THAT(touching.out, AllOf(HasSubstr("touches another loop, or itself"), HasSubstr("0 filled, 1 failed")));
+
+  const Outcome crack = filled("crack.obj");
+  EXPECT_EQ(crack.code, 1);
+  EXPECT_THAT(crack.out, HasSubstr("crack: nothing is missing, its sides are only not joined (--weld joins them)"));
+  EXPECT_EQ(filled("crack.obj", "--weld").code, 0);
+  EXPECT_EQ(loops_left(), 1u);
+
+  const Outcome tube = filled("tube_end.obj");
+  EXPECT_EQ(tube.code, 0);
+  EXPECT_THAT(tube.out, HasSubstr("2 filled, 0 failed"));
+  EXPECT_EQ(loops_left(), 0u);
 }
 
 TEST_F(Told, TheSharedScansThatAreCutOrSplit) {

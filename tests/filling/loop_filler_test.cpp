@@ -5,6 +5,7 @@
 #include "filling/guarded_mesh.h"
 #include "mesh/quality.h"
 #include "support/patches.h"
+#include "surfaces/roughen.h"
 
 #include <gtest/gtest.h>
 

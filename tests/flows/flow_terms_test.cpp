@@ -100,7 +100,8 @@ Eigen::RowVectorXd papers_row(const FlowState& s, int i) {
   return row;
 }
 
-/// The paper's unknowns are the r_j^{k+1} in R³; its 3n × 3n system gives the same step as ours for s (NUMERICS §3).
+/// The paper's unknowns are the r_j^{k+1} in R³; its 3n × 3n system gives the same step as ours for s
+/// (docs/dev/numerics.md, "Semi-implicit step").
 TEST(FlowTerms, ReducedStepEqualsThePapersThreeByThreeBlocks) {
   const EvolutionState state = disturbed_state();
   const int n = state.patch.free_count;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The comparison of flows, driven by mouse and keyboard, with `loopmend compare` as its witness.
 #include "driver.h"
+#include "test_main.h"
 
 #include "compare/compare_desk.h"
 #include "compare/flow_canvas.h"
@@ -359,14 +360,6 @@ void CompareTest::says_why_it_cannot() {
   QVERIFY(part<QLabel>(shown.window, "bannerText")->text().contains(QStringLiteral("no hole")));
 }
 
-int main(int argc, char** argv) {
-  const QTemporaryDir home;
-  use_own_home(home.path());
-  prepare_application();
-  QApplication application(argc, argv);
-  settle_application();
-  CompareTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<CompareTest>(); }
 
 #include "compare_test.moc"

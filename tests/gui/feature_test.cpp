@@ -2,13 +2,13 @@
 // What a person meets beside the stories: looks, probes, pictures, filters, help, words on every control; and how long
 // the window stands still.
 #include "driver.h"
+#include "test_main.h"
 
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
 #include "document/targets.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -332,14 +332,6 @@ void FeatureTest::memory_is_given_back() {
   QVERIFY2(4 * after < full + 3 * before, "three quarters of the memory should be back");
 }
 
-int main(int argc, char** argv) {
-  const QTemporaryDir home;
-  use_own_home(home.path());
-  prepare_application();
-  QApplication application(argc, argv);
-  settle_application();
-  FeatureTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<FeatureTest>(); }
 
 #include "feature_test.moc"

@@ -2,6 +2,7 @@
 // What outlasts the moment: preferences, recent files, saving before the window closes, how a session was looked at; and
 // what becomes of a fill where the flow must give way.
 #include "driver.h"
+#include "test_main.h"
 
 #include "dialogs/help_window.h"
 #include "document/preferences.h"
@@ -411,14 +412,6 @@ void KeepingTest::what_will_not_be_saved_is_told_on_opening() {
   QVERIFY(told().endsWith(QStringLiteral("Will not be saved: normals (2), texture coordinates (1), materials (1).")));
 }
 
-int main(int argc, char** argv) {
-  const QTemporaryDir home;
-  use_own_home(home.path());
-  prepare_application();
-  QApplication application(argc, argv);
-  settle_application();
-  KeepingTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<KeepingTest>(); }
 
 #include "keeping_test.moc"

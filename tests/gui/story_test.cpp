@@ -2,6 +2,7 @@
 // Whole stories, told to the real window by mouse and keyboard: fill one hole by eye; fill all small holes of a scan;
 // crash and recover; the same by a script; another day; several scans.
 #include "driver.h"
+#include "test_main.h"
 
 #include "document/targets.h"
 #include "io/read_mesh.h"
@@ -25,8 +26,6 @@
 #include <QTest>
 
 #include <csignal>
-#include <cstdio>
-#include <cstring>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -39,22 +38,6 @@ int filled(const Document& document) {
   int count = 0;
   for (int loop = 0; loop < document.loop_count(); ++loop) count += document.patch_of(loop) != nullptr;
   return count;
-}
-
-/// The program that will be killed: fills one hole, waits for its own autosave, tells, and hangs around.
-int be_a_victim(const QString& scan) {
-  Shown shown({scan});
-  MainWindow& window = shown.window;
-  window.autosave().set_delay(0);
-  window.selection().select({first_hole(window.document())});
-  bool written = false;
-  QObject::connect(&window.autosave(), &Autosave::written, [&] { written = true; });
-  press(window, "fill");
-  if (!wait_idle(window) || !wait_until([&] { return written; }, 30)) return 1;
-  std::puts("saved");
-  std::fflush(stdout);
-  settle(60000);
-  return 1;
 }
 
 }  // namespace
@@ -377,16 +360,6 @@ void StoryTest::several_scans_are_one_scene() {
   QCOMPARE(filled(document), 2);
 }
 
-int main(int argc, char** argv) {
-  const bool victim = argc > 2 && std::strcmp(argv[1], "--victim") == 0;
-  const QTemporaryDir home;
-  if (!victim) use_own_home(home.path());  // the victim has been given its home by the test
-  prepare_application();
-  QApplication application(argc, argv);
-  settle_application();
-  if (victim) return be_a_victim(QString::fromLocal8Bit(argv[2]));
-  StoryTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<StoryTest>(); }
 
 #include "story_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Region, points and blend by mouse and keyboard, with the command line as their witness.
 #include "driver.h"
+#include "test_main.h"
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
@@ -414,14 +415,6 @@ void ToolsTest::cancel_comes_back_at_once() {
   QVERIFY(window.tools().shut_down(std::chrono::seconds(60)));
 }
 
-int main(int argc, char** argv) {
-  const QTemporaryDir home;
-  use_own_home(home.path());
-  prepare_application();
-  QApplication application(argc, argv);
-  settle_application();
-  ToolsTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<ToolsTest>(); }
 
 #include "tools_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real window, driven by mouse and keyboard under a virtual screen.
 #include "driver.h"
+#include "test_main.h"
 
 #include "core/error.h"
 #include "io/read_mesh.h"
@@ -69,6 +70,7 @@ class WindowTest : public QObject {
  private Q_SLOTS:
   void init();
   void draws_something_real();
+  void counts_in_english();
   void whole_story_on_the_sample();
   void whole_story_on_the_bunny();
   void rows_and_loops_light_up_together();
@@ -90,6 +92,20 @@ class WindowTest : public QObject {
 void WindowTest::init() {
   QVERIFY(folder_.isValid());
   if (sample_.isEmpty()) sample_ = write_sample(folder_);
+}
+
+/// The English translation holds the plurals alone; all other words are those of the sources.
+void WindowTest::counts_in_english() {
+  Shown shown;
+  const auto summary = [&] { return part<QLabel>(shown.window, "holesSummary")->text(); };
+  QCOMPARE(summary(), QStringLiteral("No scan is open"));
+  const QTemporaryDir folder;
+  for (int across : {1, 2}) {
+    shown.window.open(write_sheet_with_holes(folder.filePath(QStringLiteral("%1.ply").arg(across)), across));
+    QVERIFY(wait_idle(shown.window));
+    QTRY_COMPARE(summary(), across == 1 ? QStringLiteral("1 hole, 1 open; 1 left out")
+                                        : QStringLiteral("4 holes, 4 open; 1 left out"));
+  }
 }
 
 void WindowTest::draws_something_real() {
@@ -347,14 +363,6 @@ void WindowTest::dragon_does_not_freeze_the_window() {
   QVERIFY2(worst < 3000, "the window froze");
 }
 
-int main(int argc, char** argv) {
-  const QTemporaryDir home;
-  use_own_home(home.path());
-  prepare_application();
-  QApplication application(argc, argv);
-  settle_application();
-  WindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<WindowTest>(); }
 
 #include "window_test.moc"

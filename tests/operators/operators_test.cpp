@@ -4,6 +4,7 @@
 #include "core/threads.h"
 #include "known_surfaces.h"
 #include "samples/analytic_surfaces.h"
+#include "surfaces/roughen.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

@@ -246,14 +246,19 @@ TEST(FillLoops, PatchesJoinTheLoopsOwnVertices) {
 }
 
 struct Scan {
+  const char* folder;
   const char* file;
   int loops;
 };
+constexpr const char* own_data = LOOPMEND_TEST_DATA;
+constexpr const char* shared_data = LOOPMEND_SHARED_DIR "/data";
 
 class FillsRealScans : public testing::TestWithParam<Scan> {};
 INSTANTIATE_TEST_SUITE_P(Data, FillsRealScans,
-                         testing::Values(Scan{"bunny.ply", 5}, Scan{"head_holes.ply", 5}, Scan{"demosthenes.obj", 1},
-                                         Scan{"plane_holes.obj", 27}),
+                         testing::Values(Scan{own_data, "ball.obj", 3}, Scan{shared_data, "bunny.ply", 5},
+                                         Scan{shared_data, "head_holes.ply", 5},
+                                         Scan{shared_data, "demosthenes.obj", 1},
+                                         Scan{shared_data, "plane_holes.obj", 27}),
                          [](const auto& scan) {
                            const std::string name = scan.param.file;
                            return name.substr(0, name.find('.'));
@@ -286,7 +291,7 @@ std::vector<Triangles> patch_of_each_loop(const SurfaceModel& model, const std::
 
 // What the status says is not asked: linear fairings reach their end whatever comes of them.
 TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
-  const std::filesystem::path path = std::filesystem::path(LOOPMEND_SHARED_DIR) / "data" / GetParam().file;
+  const std::filesystem::path path = std::filesystem::path(GetParam().folder) / GetParam().file;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
   const SurfaceModel open = make_surface_model(read_mesh(path).soup);
   const std::vector<BoundaryLoop> loops = find_boundary_loops(open);

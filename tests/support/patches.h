@@ -4,6 +4,7 @@
 
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
+#include "surfaces/roughen.h"
 
 #include <Eigen/Geometry>
 

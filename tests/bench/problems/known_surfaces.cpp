@@ -3,6 +3,7 @@
 
 #include "profile_curve.h"
 #include "samples/analytic_surfaces.h"
+#include "surfaces/roughen.h"
 
 #include <Eigen/Dense>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samples/analytic_surfaces.h"
+#include "surfaces/roughen.h"
 
 #include "core/error.h"
 #include "mesh/tri_mesh.h"

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/session.h"
+
+#include "core/error.h"
+#include "document/sheet.h"
+#include "filling/loop_filler.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <cstring>
+
+namespace loopmend::test {
+namespace {
+
+/// The square hole, filled, with a word or a number of its own in every field that a session keeps.
+PatchStatePtr whole_state(const OpenedScan& scan) {
+  const BoundaryLoop& loop = scan.loops[square];
+  auto state = std::make_shared<PatchState>();
+  state->patch = make_patch(*scan.model, {loop}, {*fill_loop(*scan.model, loop, {}, {}).filler});
+  state->status = PatchStatus::doubtful;
+  state->message = "a message with an umlaut: \xc3\xa4";
+  RunRecipe run;
+  run.flow = FlowKind::wf;
+  run.mode = EvolutionMode::steady;
+  run.sigma = 0.1;
+  run.boundary = BoundaryTrust::robust;
+  run.continuity = SeamContinuity::tangent;
+  run.steps = 3;
+  run.end = RunRecipe::End::after_steps;
+  state->recipe = {1.25, {run, RunRecipe{}}};
+  state->patch.grading.density = 1.25;
+  state->flow = FlowKind::sdf;
+  state->steps = 4;
+  state->last_step.step = 5;
+  state->last_step.energy = 1.0 / 3;
+  state->last_step.sigma = 6;
+  state->last_step.tau = 7e-9;
+  state->last_step.max_move = 8;
+  state->energy.initial = 9;
+  state->seconds.total = 10;
+  SeamReport seam;
+  seam.g1_rms_deg = 11;
+  seam.g1_max_deg = 12;
+  seam.h_jump_rms = 13;
+  seam.h_jump_max = 14;
+  seam.h_jump_rms_times_diameter = 15;
+  state->seams = {seam};
+  seam.g1_rms_deg = 16;
+  state->seams_before = {seam};
+  return state;
+}
+
+SessionView some_view() {
+  SessionView view;
+  view.from = {Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3::UnitX()};
+  view.look.shading = Shading::isophotes;
+  view.look.edges = Edges::shown;
+  view.look.seams = Seams::hidden;
+  view.look.map = ColorMap::grey;
+  view.look.H = {ColorRange::Rule::own, 60, 0.25};
+  view.look.K.percent = 75;
+  view.look.stripes = 12;
+  return view;
+}
+
+void expect_same(const SeamReport& a, const SeamReport& b) {
+  EXPECT_EQ(a.g1_rms_deg, b.g1_rms_deg);
+  EXPECT_EQ(a.g1_max_deg, b.g1_max_deg);
+  EXPECT_EQ(a.h_jump_rms, b.h_jump_rms);
+  EXPECT_EQ(a.h_jump_max, b.h_jump_max);
+  EXPECT_EQ(a.h_jump_rms_times_diameter, b.h_jump_rms_times_diameter);
+}
+
+void expect_same(const PatchState& a, const PatchState& b) {
+  EXPECT_EQ(a.patch.free_count, b.patch.free_count);
+  EXPECT_EQ(a.patch.positions, b.patch.positions);
+  EXPECT_EQ(a.patch.triangles, b.patch.triangles);
+  EXPECT_EQ(a.patch.patch_triangles, b.patch.patch_triangles);
+  EXPECT_EQ(a.patch.ring, b.patch.ring);
+  EXPECT_EQ(a.patch.view_vertex, b.patch.view_vertex);
+  EXPECT_EQ(a.patch.loops, b.patch.loops);
+  EXPECT_EQ(a.patch.loop_numbers, b.patch.loop_numbers);
+  EXPECT_EQ(a.patch.center, b.patch.center);
+  EXPECT_EQ(a.patch.scale, b.patch.scale);
+  EXPECT_EQ(a.patch.grading.density, b.patch.grading.density);
+  EXPECT_EQ(a.stage, b.stage);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.recipe.density, b.recipe.density);
+  ASSERT_EQ(a.recipe.runs.size(), b.recipe.runs.size());
+  for (std::size_t i = 0; i < a.recipe.runs.size(); ++i) {
+    const RunRecipe &x = a.recipe.runs[i], &y = b.recipe.runs[i];
+    EXPECT_EQ(x.flow, y.flow);
+    EXPECT_EQ(x.mode, y.mode);
+    EXPECT_EQ(x.sigma, y.sigma);
+    EXPECT_EQ(x.boundary, y.boundary);
+    EXPECT_EQ(x.continuity, y.continuity);
+    EXPECT_EQ(x.steps, y.steps);
+    EXPECT_EQ(x.end, y.end);
+  }
+  EXPECT_EQ(a.flow, b.flow);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.last_step.step, b.last_step.step);
+  EXPECT_EQ(a.last_step.energy, b.last_step.energy);
+  EXPECT_EQ(a.last_step.sigma, b.last_step.sigma);
+  EXPECT_EQ(a.last_step.tau, b.last_step.tau);
+  EXPECT_EQ(a.last_step.max_move, b.last_step.max_move);
+  EXPECT_EQ(a.initial_energy, b.initial_energy);
+  EXPECT_EQ(a.seconds, b.seconds);
+  ASSERT_EQ(a.seam.size(), b.seam.size());
+  ASSERT_EQ(a.seam_before.size(), b.seam_before.size());
+  for (std::size_t i = 0; i < a.seam.size(); ++i) {
+    expect_same(a.seam[i], b.seam[i]);
+    expect_same(a.seam_before[i], b.seam_before[i]);
+  }
+}
+
+struct SessionTest : testing::Test {
+  QString path(const char* name) const { return folder.filePath(QLatin1String(name)); }
+  static QByteArray bytes_of(const QString& file) {
+    QFile in(file);
+    EXPECT_TRUE(in.open(QIODevice::ReadOnly));
+    return in.readAll();
+  }
+  Session read(const QByteArray& bytes) const {
+    QFile out(path("read.loopmend"));
+    EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(bytes);
+    out.close();
+    return session_from_file(path("read.loopmend"));
+  }
+  /// A scan in a file, a surface that was made, and a patch in each.
+  Session whole_session() {
+    document.add_scan(scan_from(path("scan.ply")));
+    document.add_scan(scan_from({}, ScanOrigin::made));
+    add_patch(document, {square}, whole_state(*document.scan(0)), Acceptance::accepted);
+    add_patch(document, {3 + square}, whole_state(*document.scan(1)));
+    return session_of(document, some_view);
+  }
+  QTemporaryDir folder;
+  Document document;
+};
+
+TEST_F(SessionTest, ComesBackWithEveryFieldAsItWas) {
+  const Session out = whole_session();
+  write_session(out, path("all.loopmend"));
+  const Session in = session_from_file(path("all.loopmend"));
+  ASSERT_EQ(in.scans.size(), 2u);
+  EXPECT_EQ(in.scans[0].path, path("scan.ply"));
+  EXPECT_EQ(in.scans[0].fingerprint, document.scan(0)->fingerprint);
+  EXPECT_EQ(in.scans[0].made, nullptr);
+  EXPECT_EQ(in.scans[1].path, QString());
+  EXPECT_EQ(in.scans[1].name, QStringLiteral("sheet"));
+  ASSERT_NE(in.scans[1].made, nullptr);
+  EXPECT_EQ(in.scans[1].made->points, document.scan(1)->model->soup.points);
+  EXPECT_EQ(in.scans[1].made->triangles, document.scan(1)->model->soup.triangles);
+  ASSERT_EQ(in.patches.size(), 2u);
+  for (int i : {0, 1}) {
+    EXPECT_EQ(in.patches[i].scan, i);
+    EXPECT_EQ(in.patches[i].loop_numbers, std::vector<int>{2});
+    EXPECT_EQ(in.patches[i].acceptance, i == 0 ? Acceptance::accepted : Acceptance::pending);
+    expect_same(*in.patches[i].state, *out.patches[i].state);
+  }
+  ASSERT_TRUE(in.view);
+  const SessionView view = some_view();
+  EXPECT_EQ(in.view->from.focus, view.from.focus);
+  EXPECT_EQ(in.view->from.eye, view.from.eye);
+  EXPECT_EQ(in.view->from.up, view.from.up);
+  EXPECT_EQ(in.view->look.shading, view.look.shading);
+  EXPECT_EQ(in.view->look.edges, view.look.edges);
+  EXPECT_EQ(in.view->look.seams, view.look.seams);
+  EXPECT_EQ(in.view->look.map, view.look.map);
+  EXPECT_EQ(in.view->look.H.rule, view.look.H.rule);
+  EXPECT_EQ(in.view->look.H.half_width, view.look.H.half_width);
+  EXPECT_EQ(in.view->look.K.percent, view.look.K.percent);
+  EXPECT_EQ(in.view->look.stripes, view.look.stripes);
+}
+
+TEST_F(SessionTest, IndicesSkipAScanThatWasTakenAway) {
+  document.add_scan(scan_from(path("gone.ply")));
+  document.add_scan(scan_from(path("stays.ply")));
+  document.take_scan(0);
+  add_patch(document, {3 + square}, whole_state(*document.scan(1)));
+  const Session session = session_of(document, {});
+  ASSERT_EQ(session.scans.size(), 1u);
+  EXPECT_EQ(session.scans[0].path, path("stays.ply"));
+  EXPECT_EQ(session.patches[0].scan, 0);
+  EXPECT_FALSE(read(to_bytes(session, folder.path())).view);
+}
+
+TEST_F(SessionTest, FindsItsScanWhereBothHaveMoved) {
+  QDir dir(folder.path());
+  ASSERT_TRUE(dir.mkpath(QStringLiteral("old/scans")) && dir.mkpath(QStringLiteral("new/scans")));
+  QFile scan(path("old/scans/a.ply"));
+  ASSERT_TRUE(scan.open(QIODevice::WriteOnly));
+  scan.close();
+  document.add_scan(scan_from(scan.fileName()));
+  write_session(session_of(document, {}), path("old/s.loopmend"));
+  ASSERT_TRUE(QFile::rename(path("old/scans/a.ply"), path("new/scans/a.ply")));
+  ASSERT_TRUE(QFile::rename(path("old/s.loopmend"), path("new/s.loopmend")));
+  EXPECT_EQ(session_from_file(path("new/s.loopmend")).scans[0].path, path("new/scans/a.ply"));
+  // Where it is nowhere, the message can name the place where it was.
+  ASSERT_TRUE(QFile::remove(path("new/scans/a.ply")));
+  EXPECT_EQ(session_from_file(path("new/s.loopmend")).scans[0].path, path("old/scans/a.ply"));
+}
+
+TEST_F(SessionTest, EveryFileThatEndsTooEarlyIsRefused) {
+  const QByteArray bytes = to_bytes(whole_session(), folder.path());
+  EXPECT_EQ(read(bytes).patches.size(), 2u);
+  for (int size = 0; size < bytes.size(); size += size < 200 ? 1 : 37)
+    EXPECT_THROW(read(bytes.left(size)), ReadError) << size;
+  EXPECT_THROW(read(bytes.left(bytes.size() - 1)), ReadError);
+  EXPECT_THROW(read(bytes + '\0'), ReadError) << "one byte too many";
+}
+
+/// A count that is so large that its bytes overflow 64 bits.
+TEST_F(SessionTest, AbsurdCountsAreRefused) {
+  const QByteArray bytes = to_bytes(whole_session(), folder.path());
+  const auto points = static_cast<quint64>(document.scan(1)->model->soup.points.size());
+  const QByteArray count(reinterpret_cast<const char*>(&points), sizeof points);
+  const int at = bytes.indexOf(count);
+  ASSERT_GT(at, 0);
+  for (const quint64 absurd : {points + (quint64{1} << 32U), quint64{1} << 61U, ~quint64{0}}) {
+    QByteArray broken = bytes;
+    std::memcpy(broken.data() + at, &absurd, sizeof absurd);
+    EXPECT_THROW(read(broken), ReadError) << absurd;
+  }
+}
+
+TEST_F(SessionTest, OtherFilesAndVersionsAreRefused) {
+  QByteArray bytes = to_bytes(whole_session(), folder.path());
+  EXPECT_THROW(read("ply\nformat ascii 1.0\n"), ReadError);
+  EXPECT_THROW(session_from_file(path("absent.loopmend")), ReadError);
+  bytes[static_cast<int>(std::strlen("Loopmend session\n"))] = 99;
+  EXPECT_THROW(read(bytes), ReadError);
+}
+
+TEST_F(SessionTest, AreToldByTheirEnding) {
+  EXPECT_TRUE(is_session_path(QStringLiteral("/a/b.loopmend")));
+  EXPECT_TRUE(is_session_path(QStringLiteral("B.LOOPMEND")));
+  EXPECT_FALSE(is_session_path(QStringLiteral("loopmend")));
+  EXPECT_FALSE(is_session_path(QStringLiteral("a.loopmend.ply")));
+}
+
+}  // namespace
+}  // namespace loopmend::test
