@@ -105,7 +105,7 @@ bool evolve_once(const Run& run, const Patch& start, const EvolutionOptions& opt
   Patch patch = run.result_from(evolution.patch());
   PatchVerdict verdict;
   std::vector<SeamReport> seams;
-  side_by_side([&] { verdict = judge(site, patch); }, [&] { seams = seam_reports(patch); });
+  parallel_invoke([&] { verdict = judge(site, patch); }, [&] { seams = seam_reports(patch); });
   const bool clean = verdict.folds == 0 && verdict.total() == 0;
   if (!clean && !no_worse(verdict, judge(site, filler))) {
     result.message = "the flow would have folded the patch or cut the surface";

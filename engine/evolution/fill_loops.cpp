@@ -2,45 +2,21 @@
 #include "evolution/fill_loops.h"
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "evolution/solve_group.h"
 #include "mesh/self_intersections.h"
 
 #include <Eigen/Geometry>
 
-#include <omp.h>
-
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <mutex>
 #include <numeric>
-#include <system_error>
-#include <thread>
 #include <unordered_map>
 
 namespace loopmend {
 
 namespace {
-
-/// Runs job(k) for k = 0..count−1 on several threads, in order of k. The job must not throw.
-void run_parallel(int count, int threads, const std::function<void(int)>& job) {
-  std::atomic<int> next{0};
-  // Where loops run side by side, each keeps to one thread of its own.
-  const int inner = std::max(1, threads / std::max(1, count));
-  const auto work = [&] {
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(inner);
-    for (int k = next++; k < count; k = next++) job(k);
-    omp_set_num_threads(before);
-  };
-  std::vector<std::jthread> workers;
-  try {
-    for (int t = 1; t < std::min(threads, count); ++t) workers.emplace_back(work);
-  } catch (const std::system_error&) {
-    // No further thread is to be had: those that are there do all the work.
-  }
-  work();
-}
 
 /// Wrong options are the caller's fault, not the loops'.
 void check(const FillOptions& options) {
@@ -223,8 +199,7 @@ std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<Bounda
   std::mutex progress_mutex;
   FillProgress state;
   state.loops_total = static_cast<int>(loops.size());
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-  run_parallel(static_cast<int>(groups.size()), threads, [&](int g) {
+  const auto solve = [&](int g) {
     if (cancel.cancelled()) return;
     std::vector<BoundaryLoop> group;
     for (int k : groups[g]) group.push_back(loops[k]);
@@ -233,7 +208,8 @@ std::vector<LoopResult> fill_loops(SurfaceModel& model, const std::vector<Bounda
     state.loops_done += static_cast<int>(group.size());
     state.loop_number = group.front().number;
     if (progress) progress(state);
-  });
+  };
+  with_thread_budget(options.threads, [&] { parallel_for(0, static_cast<int>(groups.size()), 1, solve); });
   if (cancel.cancelled()) return {};
 
   std::vector<LoopResult> results(loops.size());

@@ -73,10 +73,10 @@ SurveyedStart surveyed_start(const FillSite& site, const std::vector<BoundaryLoo
     if (known.empty()) return start_patch(site.model, group, options, cancel);
     return {joined_patch(site.model, group, known, options.density), known};
   };
-  side_by_side([&] { result.start = start(); },
-               [&] {
-                 if (surveyable) result.survey = survey_rim(without_fillers(site.model, group));
-               });
+  parallel_invoke([&] { result.start = start(); },
+                  [&] {
+                    if (surveyable) result.survey = survey_rim(without_fillers(site.model, group));
+                  });
   const std::optional<Patch>& patch = result.start.patch;
   if (patch && (!surveyable || patch->loops.size() < group.size())) result.survey = survey_rim(*patch);
   return result;
@@ -114,7 +114,7 @@ GroupOutcome solve_jointly(const FillSite& site, const std::vector<BoundaryLoop>
   Evolved evolved;
   RimRoughness roughness;
   std::vector<SeamReport> before;
-  side_by_side(
+  parallel_invoke(
       [&] {
         roughness = rim_roughness(*first.patch, survey.fits);
         evolved = evolved_or_kept(site, *first.patch, group, options.evolution, roughness, survey, cancel);
