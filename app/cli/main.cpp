@@ -9,13 +9,12 @@
 #include "paper/paper_commands.h"
 
 #include "core/memory.h"
+#include "core/threads.h"
 #include "core/version.h"
 
 #include <CLI/CLI.hpp>
 
-#include <omp.h>
 #include <algorithm>
-
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -207,11 +206,12 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
   fill.fill.threads = affordable_threads(fill.fill.threads);
-  if (fill.fill.threads > 0) omp_set_num_threads(std::min(fill.fill.threads, omp_get_max_threads()));
-  if (const auto code = paper.run(app, quoted_command_line(argc, argv))) return *code;
-  take_words(words, fill);
   fill.command_line = quoted_command_line(argc, argv);
-  return run_fill(fill);
+  return with_thread_budget(fill.fill.threads, [&] {
+    if (const auto code = paper.run(app, fill.command_line)) return *code;
+    take_words(words, fill);
+    return run_fill(fill);
+  });
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/evolve_patches.h"
 
-#include "jobs/in_parallel.h"
+#include "core/threads.h"
 #include "jobs/state_making.h"
 #include "jobs/steady_run.h"
 
 #include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <thread>
 
 namespace loopmend {
 namespace {
@@ -119,11 +118,13 @@ class Drive {
 
   EvolveResult go() {
     if (task_.pace == Pace::steady) {
-      in_parallel(task_.items.size(), [this](std::size_t k) { settle(task_.items[k]); });
+      parallel_for(0, static_cast<int>(task_.items.size()), 1,
+                   [this](int k) { settle(task_.items[static_cast<std::size_t>(k)]); });
     } else {
       // Each takes every so-manieth: no patch waits for another one's end.
-      const std::size_t strands = std::max(1u, std::thread::hardware_concurrency());
-      in_parallel(strands, [&](std::size_t first) { step_on(first, strands); });
+      const int strands = thread_budget();
+      parallel_for(0, strands, 1,
+                   [&](int first) { step_on(static_cast<std::size_t>(first), static_cast<std::size_t>(strands)); });
     }
     return std::move(result_);
   }

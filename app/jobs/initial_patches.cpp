@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/initial_patches.h"
 
+#include "core/threads.h"
 #include "document/timeline.h"
 #include "filling/bridge_loops.h"
-#include "jobs/in_parallel.h"
 #include "jobs/state_making.h"
 
 #include <algorithm>
@@ -134,15 +134,16 @@ FillResult make_initial_patches(const std::vector<FillTask>& tasks, const std::f
   }
   std::mutex mutex;
   int done = 0;
-  in_parallel(groups.size(), [&](std::size_t g) {
+  parallel_for(0, static_cast<int>(groups.size()), 1, [&](int k) {
+    const Group& group = groups[static_cast<std::size_t>(k)];
     if (cancel.cancelled()) return;
     FillResult one;
-    groups[g].start == PatchRecipe::Start::bridge ? bridge(groups[g], cancel, one) : fill(groups[g], cancel, one);
+    group.start == PatchRecipe::Start::bridge ? bridge(group, cancel, one) : fill(group, cancel, one);
     const std::lock_guard lock(mutex);
     std::move(one.patches.begin(), one.patches.end(), std::back_inserter(result.patches));
     result.failures.merge(one.failures);
     result.remarks.merge(one.remarks);
-    done += static_cast<int>(groups[g].loops.size());
+    done += static_cast<int>(group.loops.size());
     progress(done);
   });
   std::sort(result.patches.begin(), result.patches.end(),

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace loopmend {
 
@@ -45,9 +44,8 @@ void TaskRunner::start(std::function<void()> work) {
   auto done = std::make_shared<std::atomic<bool>>(false);
   std::thread thread([work = std::move(work), done, yielding = yielding_] {
     yield_to_window(yielding);
-    std::optional<ThreadAllowance> alone;  // among many, a second thread for each only makes the window wait
-    if (yielding == Yielding::as_it_can) alone.emplace(1);
-    work();
+    // Among many, a second thread for each only makes the window wait.
+    with_thread_budget(yielding == Yielding::as_it_can ? 1 : 0, work);
     done->store(true);
   });
   workers_.push_back({std::move(thread), std::move(done)});

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/curvature_field.h"
 
+#include "core/threads.h"
 #include "mesh/mesh_arrays.h"
 #include "operators/local_fit.h"
 
-#include <omp.h>
-
 #include <limits>
+#include <utility>
 
 namespace loopmend {
 
 namespace {
 
-CurvatureField field_of(const Points& points, const Triangles& triangles, int threads) {
+constexpr int vertices_at_a_time = 1024;  ///< by a thread
+
+CurvatureField field_of(const Points& points, const Triangles& triangles) {
   const int n = static_cast<int>(points.size());
   const Topology topology(n, triangles);
   CurvatureField field;
@@ -20,33 +22,27 @@ CurvatureField field_of(const Points& points, const Triangles& triangles, int th
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   field.H.assign(n, nan);
   field.K.assign(n, nan);
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_num_procs())
-  {
-    FitScratch scratch(n);
-    LocalFit fit;
-#pragma omp for schedule(dynamic, 1024)
-    for (int i = 0; i < n; ++i) {
-      if (topology.valence(i) == 0) continue;
-      const Vec3 reference = field.normals[i];
-      if (reference.isZero()) continue;
-      fit_curvatures(points, topology, i, reference, Stencil::two_ring, scratch, fit);
-      if (!fit.valid) continue;
-      field.H[i] = fit.H;
-      field.K[i] = fit.K;
-      field.normals[i] = fit.normal;
-    }
-  }
+  const auto make_scratch = [n] { return std::pair(FitScratch(n), LocalFit()); };
+  parallel_for(0, n, vertices_at_a_time, make_scratch, [&](int i, auto& scratch) {
+    auto& [work, fit] = scratch;
+    if (topology.valence(i) == 0) return;
+    const Vec3 reference = field.normals[i];
+    if (reference.isZero()) return;
+    fit_curvatures(points, topology, i, reference, Stencil::two_ring, work, fit);
+    if (!fit.valid) return;
+    field.H[i] = fit.H;
+    field.K[i] = fit.K;
+    field.normals[i] = fit.normal;
+  });
   return field;
 }
 
 }  // namespace
 
-CurvatureField curvature_field(const TriMesh& mesh, int threads) {
-  return field_of(points_of(mesh), triangles_of(mesh), threads);
-}
+CurvatureField curvature_field(const TriMesh& mesh) { return field_of(points_of(mesh), triangles_of(mesh)); }
 
 CurvatureField curvature_field(const Patch& patch) {
-  CurvatureField field = field_of(patch.positions, patch.triangles, 1);
+  CurvatureField field = field_of(patch.positions, patch.triangles);
   for (double& H : field.H) H /= patch.scale;
   for (double& K : field.K) K /= patch.scale * patch.scale;
   return field;

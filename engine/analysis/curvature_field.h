@@ -16,8 +16,8 @@ struct CurvatureField {
   Points normals;         ///< #V, unit
 };
 
-/// Over the vertices of a halfedge mesh. @param threads 0: as many as there are cores.
-CurvatureField curvature_field(const TriMesh& mesh, int threads = 0);
+/// Over the vertices of a halfedge mesh.
+CurvatureField curvature_field(const TriMesh& mesh);
 
 /// Over the vertices of a patch and its surroundings.
 CurvatureField curvature_field(const Patch& patch);

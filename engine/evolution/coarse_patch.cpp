@@ -9,7 +9,6 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace loopmend {
@@ -27,7 +26,7 @@ constexpr int free_per_rim_edge = 10;
 constexpr int fewest_free = 1200;
 constexpr int coarsening_rounds = 4;
 constexpr int forms_for_a_point = 9;
-constexpr int run_length = 64;  ///< vertices that a thread takes at a time
+constexpr int vertices_at_a_time = 64;  ///< by a thread
 
 TreePoint place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -117,11 +116,8 @@ Patch refined(const EvolutionState& coarse, const Grading& grading) {
   }
   Patch result = with_interior(start, mesh);
   const SurfaceOfForms surface(coarse);
-  std::atomic<int> next{0};
-  share_work(result.free_count, [&] {
-    for (int begin = next.fetch_add(run_length); begin < result.free_count; begin = next.fetch_add(run_length))
-      for (int i = begin; i < std::min(begin + run_length, result.free_count); ++i)
-        for (int pass = 0; pass < 2; ++pass) result.positions[i] = surface.projected(result.positions[i]);
+  parallel_for(0, result.free_count, vertices_at_a_time, [&](int i) {
+    for (int pass = 0; pass < 2; ++pass) result.positions[i] = surface.projected(result.positions[i]);
   });
   return result;
 }

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <system_error>
 
 namespace loopmend {
 
@@ -149,7 +148,6 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
   decay_rate = 0;
-  coming_decay_rate = {};
   linear_part = {};
   damping_unit = 0;
   mu = 0;
@@ -170,26 +168,25 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   stop(PatchStatus::ready, "");
 }
 
-/// On another core, if nothing is known that it comes from at once.
+/// Beside the beginning of a step, if nothing is known that it comes from at once. Not beyond the step: the patch is read.
 void Evolution::Impl::look_for_decay_rate() {
-  if (decay_rate > 0 || coming_decay_rate.valid() || linear_part.factors) return;
-  try {
-    coming_decay_rate = std::async(
-        std::launch::async, [flow = options.flow, patch = state.patch] { return slowest_decay_rate(flow, patch); });
-  } catch (const std::system_error&) {
-    // No further thread is to be had: decay() finds it here.
-  }
+  if (decay_rate > 0 || linear_part.factors) return;
+  decay_search =
+      std::make_unique<SideWork>([this] { coming_decay_rate = slowest_decay_rate(options.flow, state.patch); });
 }
 
 /// The slowest decay rate, found when it is first asked for.
 double Evolution::Impl::decay() {
   if (decay_rate > 0) return decay_rate;
-  if (coming_decay_rate.valid())
-    decay_rate = coming_decay_rate.get();
-  else if (const LinearPart known = std::exchange(linear_part, {}); known.factors)
+  if (decay_search) {
+    decay_search->finish();
+    decay_search.reset();
+    decay_rate = coming_decay_rate;
+  } else if (const LinearPart known = std::exchange(linear_part, {}); known.factors) {
     decay_rate = slowest_decay_rate(*known.factors, known.mass);
-  else
+  } else {
     decay_rate = slowest_decay_rate(options.flow, state.patch);
+  }
   if (!(decay_rate > 0)) decay_rate = 1;
   return decay_rate;
 }
@@ -300,6 +297,7 @@ void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   if (!can_be_fitted()) return stop(PatchStatus::stalled, no_fits_words);
   Stopwatch watch;
   look_for_decay_rate();
+  const std::shared_ptr<void> at_the_end(nullptr, [this](void*) { decay_search.reset(); });
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   add_weights(state, objective, stencil);
   const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));

@@ -3,6 +3,7 @@
 // evolution_newton.cpp. For these alone.
 #pragma once
 
+#include "core/threads.h"
 #include "energy/curvature_energy.h"
 #include "evolution/evolution.h"
 #include "evolution/linear_start.h"
@@ -16,7 +17,6 @@
 #include <Eigen/Geometry>
 
 #include <deque>
-#include <future>
 #include <utility>
 
 namespace loopmend {
@@ -71,8 +71,9 @@ struct Evolution::Impl {
   Eigen::VectorXd rim_data_trust;    ///< data_trust of the surroundings, while blends are to come
   int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
   double decay_rate = 0;  ///< patch frame; 0 until it is first asked for
-  std::future<double> coming_decay_rate;  ///< of the present flow and patch, while another thread looks for it
-  LinearPart linear_part;                 ///< of about the present shape, until the decay rate is known
+  std::unique_ptr<SideWork> decay_search;  ///< during a semi-implicit step that began without the decay rate
+  double coming_decay_rate = 0;            ///< what the search finds
+  LinearPart linear_part;                  ///< of about the present shape, until the decay rate is known
   double damping_unit = 0;         ///< of mu: the decay rate, or about that; 0 before the first Gauss-Newton step
   double sigma = 0;                ///< of the next semi-implicit step; falls on rejection, recovers
   double mu = 0;                   ///< of the next Gauss-Newton step

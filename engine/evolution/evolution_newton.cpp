@@ -50,7 +50,7 @@ bool Evolution::Impl::go_over_to_cubic_fits() {
   if (cubic_start)
     fit_here();
   else
-    side_by_side(fit_here, [&] { cubic_start = state_of_start_by_cubic_fits(); });
+    parallel_invoke(fit_here, [&] { cubic_start = state_of_start_by_cubic_fits(); });
   if (!(cubic.measure < cubic_start->measure)) {
     if (!(cubic_start->measure < smooth_start * start_measure) || cubic_start->folds > start_folds) {
       smooth_surroundings = false;
@@ -188,12 +188,17 @@ void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   Stopwatch watch;
   if (damping_unit == 0 && state.patch.free_count > largest_for_exact_unit)
     damping_unit = rough_decay_rate(options.flow, state.patch);
-  if (damping_unit == 0) look_for_decay_rate();
-  add_weights(state, objective, stencil);
-  GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+  GaussNewtonSystem system;
+  parallel_invoke(
+      [&] {
+        add_weights(state, objective, stencil);
+        system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
+      },
+      [&] {
+        if (damping_unit == 0) damping_unit = decay();
+      });
   if (state.patch.free_count > largest_kept)
     drop_weights(state);  // else the next state takes from them what has not changed
-  if (damping_unit == 0) damping_unit = decay();
   if (!(mu > 0)) mu = damping_unit / (2 * first_gauss_newton_sigma);
   SparseMatrix curvature;
   if (state.patch.free_count > largest_kept && state.patch.free_count <= largest_factored) {

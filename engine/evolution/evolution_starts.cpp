@@ -51,8 +51,8 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
     faired.assemble_seconds += watch.lap();
   };
   // Fairings leave the other core half idle, and what comes after them will need the start by cubic fits.
-  if (smooth_surroundings && !cubic_start && ThreadAllowance::now() > 1)
-    side_by_side(fair, [&] { cubic_start = state_of_start_by_cubic_fits(); });
+  if (smooth_surroundings && !cubic_start && thread_budget() > 1)
+    parallel_invoke(fair, [&] { cubic_start = state_of_start_by_cubic_fits(); });
   else
     fair();
   const bool good = acceptable(next, state.measure);

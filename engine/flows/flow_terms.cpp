@@ -7,6 +7,8 @@ namespace loopmend {
 
 namespace {
 
+constexpr int vertices_at_a_time = 1024;  ///< by a thread: of so little work for each
+
 /// What the terms add up to: V and the parts of J, see FlowSystem.
 struct TermSum {
   Eigen::VectorXd velocity;  ///< n
@@ -88,9 +90,9 @@ TermSum add_terms(FlowKind flow, const FlowState& state) {
   sum.D.assign(state.ops.offset[state.n], 0);
   sum.b = flow == FlowKind::mmcvf ? 1 : 0;
   const std::vector<Term> terms = terms_of(flow);
-#pragma omp parallel for if (state.n > least_for_threads)
-  for (int i = 0; i < state.n; ++i)
+  parallel_for(0, state.n, vertices_at_a_time, [&](int i) {
     for (Term term : terms) term(state, i, sum);
+  });
   return sum;
 }
 
@@ -118,11 +120,10 @@ FlowState::FlowState(const OperatorSet& operators, int free_count)
       lap_H(matrix_of(ops, ops.laplacian, ops.H.size()) * ops.H),
       grad_H(free_count),
       dia_H(free_count) {
-#pragma omp parallel for if (n > least_for_threads)
-  for (int i = 0; i < n; ++i) {
+  parallel_for(0, n, vertices_at_a_time, [&](int i) {
     grad_H[i] = ops.apply_gradient(i, ops.H);
     dia_H[i] = ops.apply_diamond(i, ops.H);
-  }
+  });
 }
 
 FlowSystem::FlowSystem(FlowKind flow, const FlowState& state) : ops_(state.ops), B_(state.ops.index.size()) {
@@ -132,10 +133,10 @@ FlowSystem::FlowSystem(FlowKind flow, const FlowState& state) : ops_(state.ops),
   D_ = std::move(sum.D);
   b_ = sum.b;
   const int vertices = static_cast<int>(ops_.H.size());
-#pragma omp parallel for if (vertices > least_for_threads)
-  for (int i = 0; i < vertices; ++i)
+  parallel_for(0, vertices, vertices_at_a_time, [&](int i) {
     for (int e = ops_.offset[i]; e < ops_.offset[i + 1]; ++e)
       B_[e] = 0.5 * ops_.laplacian[e] * ops_.normal[i].dot(ops_.normal[ops_.index[e]]);
+  });
 }
 
 Eigen::VectorXd FlowSystem::times_jacobian(const Eigen::VectorXd& s) const {

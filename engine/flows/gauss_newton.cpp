@@ -19,8 +19,8 @@ Eigen::VectorXd GaussNewtonSystem::curvature_times(const Eigen::VectorXd& x) con
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights) {
   CurvatureEnergy energy;
   GaussNewtonSystem system;
-  side_by_side([&] { energy = curvature_energy(patch, weights); },
-               [&] { system.B = curvature_jacobian(ops, patch.free_count); });
+  parallel_invoke([&] { energy = curvature_energy(patch, weights); },
+                  [&] { system.B = curvature_jacobian(ops, patch.free_count); });
   const Eigen::VectorXd QH = energy.Q * ops.H;
   system.energy = ops.H.dot(QH);
   system.half_gradient = system.B.transpose() * QH + 0.5 * metric_gradient(patch, ops, weights, energy.faces);

@@ -4,7 +4,6 @@
 #include "core/threads.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <utility>
@@ -12,6 +11,8 @@
 namespace loopmend {
 
 namespace {
+
+constexpr int run_length = 128;  ///< columns that a thread takes at a time
 
 /// A sparse vector that is being summed up; its entries in the order in which they came.
 class Product {
@@ -118,25 +119,25 @@ SparseMatrix joined(const std::vector<Columns>& runs, Eigen::Index n) {
 SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q) {
   const SparseMatrix B_by_columns = B;
   const int n = static_cast<int>(B.cols());
-  const int run_length = n > least_for_threads ? 256 : 64;
-  const int run_count = (n + run_length - 1) / run_length;
-  std::vector<Columns> runs(run_count);
-  std::atomic<int> next{0};
-  share_work(static_cast<int>(B.rows()), [&] {
-    Product product(B.rows());
-    Column column(n);
-    std::vector<int> from(B.outerIndexPtr(), B.outerIndexPtr() + B.rows());
-    for (int run = next++; run < run_count; run = next++) {
-      const int begin = run * run_length, end = std::min(n, begin + run_length);
-      for (int j = begin; j < end; ++j) {
-        multiply(B, B_by_columns, Q, j, from, product, column);
-        const std::size_t before = runs[run].index.size();
-        column.drain([&](int i, double value) {
-          runs[run].index.push_back(i);
-          runs[run].value.push_back(value);
-        });
-        runs[run].length.push_back(static_cast<int>(runs[run].index.size() - before));
-      }
+  struct Scratch {
+    Product product;
+    Column column;
+    std::vector<int> from;
+  };
+  const auto make_scratch = [&] {
+    return Scratch{Product(B.rows()), Column(n), {B.outerIndexPtr(), B.outerIndexPtr() + B.rows()}};
+  };
+  std::vector<Columns> runs((n + run_length - 1) / run_length);
+  parallel_for(0, static_cast<int>(runs.size()), 1, make_scratch, [&](int run, Scratch& scratch) {
+    Columns& columns = runs[run];
+    for (int j = run * run_length; j < std::min(n, (run + 1) * run_length); ++j) {
+      multiply(B, B_by_columns, Q, j, scratch.from, scratch.product, scratch.column);
+      const std::size_t before = columns.index.size();
+      scratch.column.drain([&](int i, double value) {
+        columns.index.push_back(i);
+        columns.value.push_back(value);
+      });
+      columns.length.push_back(static_cast<int>(columns.index.size() - before));
     }
   });
   return joined(runs, n);

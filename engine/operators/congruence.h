@@ -6,7 +6,7 @@
 
 namespace loopmend {
 
-/// Lower triangle of Bᵀ Q B; in parallel (OpenMP), with the same bits for any number of threads.
+/// Lower triangle of Bᵀ Q B; in parallel, with the same bits for any number of threads.
 /// @param B  m by n, inner indices in order.
 /// @param Q  m by m, symmetric.
 SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q);

@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace loopmend {
 
@@ -27,6 +27,8 @@ Vec3 OperatorSet::apply_gradient(int i, const Eigen::VectorXd& f) const {
 Vec3 OperatorSet::apply_diamond(int i, const Eigen::VectorXd& f) const { return diamond(i, apply_gradient(i, f)); }
 
 namespace {
+
+constexpr int run_length = 64;  ///< vertices that a thread takes at a time
 
 template <class T>
 void append_all(std::vector<T>& to, const std::vector<T>& from) {
@@ -104,18 +106,14 @@ bool recall(const KnownFits& known, int i, LocalFit& fit) {
 /// fit(i, scratch, result) at all wanted vertices; keep(run, i, result) where that is valid. Runs are numbered in order, and
 /// none is worked on by two threads: whoever joins them in order has the same bits for any number of threads.
 template <class Fit, class Keep>
-void fit_in_runs(const std::vector<char>& wanted, int run_length, const Fit& fit, const Keep& keep) {
-  const int n = static_cast<int>(wanted.size()), run_count = (n + run_length - 1) / run_length;
-  std::atomic<int> next{0};
-  share_work(n, [&] {
-    FitScratch scratch(n);
-    LocalFit result;
-    for (int run = next++; run < run_count; run = next++)
-      for (int i = run * run_length; i < std::min(n, (run + 1) * run_length); ++i) {
-        if (!wanted[i]) continue;
-        fit(i, scratch, result);
-        if (result.valid) keep(run, i, result);
-      }
+void fit_in_runs(const std::vector<char>& wanted, const Fit& fit, const Keep& keep) {
+  const int n = static_cast<int>(wanted.size());
+  const auto make_scratch = [n] { return std::pair(FitScratch(n), LocalFit()); };
+  parallel_for(0, n, run_length, make_scratch, [&](int i, auto& scratch) {
+    auto& [work, result] = scratch;
+    if (!wanted[i]) return;
+    fit(i, work, result);
+    if (result.valid) keep(i / run_length, i, result);
   });
 }
 
@@ -134,13 +132,13 @@ OperatorSet without_fits(const Points& points) {
 
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
                               Stencil stencil, const std::vector<char>& wanted, const KnownFits& known) {
-  const int n = static_cast<int>(points.size()), run_length = n > least_for_threads ? 256 : 32;
+  const int n = static_cast<int>(points.size());
   OperatorSet set = without_fits(points);
   std::vector<Rows> runs((n + run_length - 1) / run_length);
   for (std::size_t run = 0; run < runs.size(); ++run)
     runs[run].length.assign(std::min<std::size_t>(run_length, n - run * run_length), 0);
   fit_in_runs(
-      wanted, run_length,
+      wanted,
       [&](int i, FitScratch& scratch, LocalFit& fit) {
         if (recall(known, i, fit)) return;
         set.normal[i] = angle_weighted_normal(points, triangles, topology, i);
@@ -158,7 +156,7 @@ OperatorSet compute_curvatures(const Points& points, const Triangles& triangles,
                                Stencil stencil, const std::vector<char>& wanted, const KnownFits& known) {
   OperatorSet set = without_fits(points);
   fit_in_runs(
-      wanted, wanted.size() > least_for_threads ? 256 : 32,
+      wanted,
       [&](int i, FitScratch& scratch, LocalFit& fit) {
         if (recall(known, i, fit)) return;
         set.normal[i] = angle_weighted_normal(points, triangles, topology, i);

@@ -40,7 +40,7 @@ struct KnownFits {
   int moved = 0;                     ///< the first so many vertices may have moved; all others are where they were
 };
 
-/// Fits every vertex i with wanted[i] != 0; in parallel (OpenMP), with the same bits for any number of threads.
+/// Fits every vertex i with wanted[i] != 0; in parallel, with the same bits for any number of threads.
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
                               Stencil stencil, const std::vector<char>& wanted, const KnownFits& known = {});
 

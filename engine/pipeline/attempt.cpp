@@ -53,7 +53,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   Patch patch = with_scan_data(problem, context.boundary, evolution.patch());
   Validity validity;
   std::vector<SeamReport> seams;
-  side_by_side([&] { validity = validate(problem.scan, patch); }, [&] { seams = seam_reports(patch); });
+  parallel_invoke([&] { validity = validate(problem.scan, patch); }, [&] { seams = seam_reports(patch); });
   if (!validity.is_clean() && !no_worse(validity, validate(problem.scan, problem.initial))) {
     result.message = "the flow would have folded the patch or cut the surface";
     return false;

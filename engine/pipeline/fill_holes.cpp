@@ -2,44 +2,20 @@
 #include "pipeline/fill_holes.h"
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "mesh/pieces.h"
 #include "pipeline/blend.h"
 #include "pipeline/paste.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <mutex>
 #include <numeric>
 #include <set>
-#include <system_error>
-#include <thread>
 
 namespace loopmend {
 
 namespace {
-
-/// Runs job(k) for k = 0..count−1 on several threads, in order of k. The job must not throw.
-void run_parallel(int count, int threads, const std::function<void(int)>& job) {
-  std::atomic<int> next{0};
-  // Where loops run side by side, each keeps to one thread of its own.
-  const int inner = std::max(1, threads / std::max(1, count));
-  const auto work = [&] {
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(inner);
-    for (int k = next++; k < count; k = next++) job(k);
-    omp_set_num_threads(before);
-  };
-  std::vector<std::jthread> workers;
-  try {
-    for (int t = 1; t < std::min(threads, count); ++t) workers.emplace_back(work);
-  } catch (const std::system_error&) {
-    // No further thread is to be had: those that are there do all the work.
-  }
-  work();
-}
 
 using Group = std::vector<int>;  // indices into the loops that are asked for
 
@@ -87,8 +63,7 @@ std::vector<HoleResult> fill_groups(SurfaceModel& model, const std::vector<Bound
   std::mutex progress_mutex;
   FillProgress state;
   state.loops_total = static_cast<int>(loops.size());
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-  run_parallel(static_cast<int>(groups.size()), threads, [&](int g) {
+  const auto solve = [&](int g) {
     if (cancel.cancelled()) return;
     std::vector<BoundaryLoop> group;
     for (int k : groups[g]) group.push_back(loops[k]);
@@ -106,7 +81,8 @@ std::vector<HoleResult> fill_groups(SurfaceModel& model, const std::vector<Bound
     state.loops_done += static_cast<int>(group.size());
     state.loop_number = group.front().number;
     if (progress) progress(state);
-  });
+  };
+  with_thread_budget(options.threads, [&] { parallel_for(0, static_cast<int>(groups.size()), 1, solve); });
   return cancel.cancelled() ? std::vector<HoleResult>() : pasted(model, loops.size(), groups, solved);
 }
 

@@ -140,7 +140,7 @@ InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<Bo
     make();
     return initial;
   }
-  side_by_side(make, [&] { survey = survey_rim(without_patches(model, group)); });
+  parallel_invoke(make, [&] { survey = survey_rim(without_patches(model, group)); });
   if (initial.patch) initial.survey = std::move(survey);
   return initial;
 }

@@ -164,7 +164,7 @@ class GroupSolver {
     PatchResult result;
     RimRoughness roughness;
     std::vector<SeamReport> before;
-    side_by_side(
+    parallel_invoke(
         [&] {
           roughness = rim_roughness(*initial.patch, survey.fits);
           if (options_.evolution) {

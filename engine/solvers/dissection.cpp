@@ -12,9 +12,8 @@ namespace loopmend {
 
 namespace {
 
-constexpr int smallest_dissected = 200;     ///< rows of wide stencils: fewer fill up in any order
-constexpr int least_ordered_by_two = 2000;  ///< rows: below, it takes no longer than to start a thread
-constexpr int most_parts = 1 << 24;         ///< ends a dissection that only ever splits off a few rows
+constexpr int smallest_dissected = 200;  ///< rows of wide stencils: fewer fill up in any order
+constexpr int most_parts = 1 << 24;      ///< ends a dissection that only ever splits off a few rows
 
 class Dissector {
  public:
@@ -28,16 +27,8 @@ class Dissector {
   }
 
   Dissection halves() {
-    const int rows = static_cast<int>(order_.size());
-    const Cut cut = split(0, rows, 1);
-    const auto lower = [&] { dissect(0, cut.lower, 2); };
-    const auto upper = [&] { dissect(cut.lower, cut.lower + cut.upper, 3); };
-    if (rows < least_ordered_by_two) {
-      lower();
-      upper();
-    } else {
-      side_by_side(lower, upper);
-    }
+    const Cut cut = split(0, static_cast<int>(order_.size()), 1);
+    parallel_invoke([&] { dissect(0, cut.lower, 2); }, [&] { dissect(cut.lower, cut.lower + cut.upper, 3); });
     return {std::move(order_), cut.lower, cut.upper};
   }
 

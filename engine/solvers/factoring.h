@@ -4,13 +4,16 @@
 
 #include <Eigen/SparseCore>
 
-#include <omp.h>
-
 #include <algorithm>
 #include <new>
 #include <vector>
 
-extern "C" void openblas_set_num_threads(int threads);
+// Of OpenBLAS; and of the OpenMP that CHOLMOD runs on.
+extern "C" {
+void openblas_set_num_threads(int threads);
+int omp_get_max_active_levels();
+void omp_set_max_active_levels(int levels);
+}
 
 namespace loopmend {
 

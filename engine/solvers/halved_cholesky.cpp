@@ -25,8 +25,6 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr double least_for_threads_in_solve = 3e5;  ///< entries of the factors: below, starting a thread takes longer
-
 class Common : public cholmod_common {
  public:
   Common() {
@@ -78,8 +76,6 @@ class Half {
     check_memory(common_->status);
     return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
-
-  double entries() const { return static_cast<double>(factor_->xsize); }
 
   /// S Sᵀ, where S is what of L belongs to the border; the border in reverse order, upper triangle.
   Eigen::MatrixXd left_for_border() const {
@@ -226,7 +222,7 @@ class HalvedCholesky : public SpdSolver {
     const auto begin = dissection.order.begin(), middle = begin + dissection.first, end = middle + dissection.second;
     border_.assign(end, dissection.order.end());
     rows_ = {std::vector<int>(begin, middle), std::vector<int>(middle, end)};
-    for_halves(1, [&](int k) {
+    for_halves([&](int k) {
       std::vector<int> rows = rows_[k];
       rows.insert(rows.end(), border_.begin(), border_.end());
       halves_[k].analyze(A, rows, static_cast<int>(border_.size()));
@@ -236,7 +232,7 @@ class HalvedCholesky : public SpdSolver {
   bool factorize(const SparseMatrix& A) override {
     std::array<bool, 2> good{};
     std::array<Eigen::MatrixXd, 2> left;
-    for_halves(1, [&](int k) {
+    for_halves([&](int k) {
       good[k] = halves_[k].factorize(A);
       if (good[k]) left[k] = halves_[k].left_for_border();
     });
@@ -248,9 +244,8 @@ class HalvedCholesky : public SpdSolver {
   }
 
   bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override {
-    const double worth = (halves_[0].entries() + halves_[1].entries()) / least_for_threads_in_solve;
     std::array<Eigen::MatrixXd, 2> y, share;
-    for_halves(worth, [&](int k) {
+    for_halves([&](int k) {
       y[k] = b(rows_[k], Eigen::all);
       share[k] = halves_[k].forward(y[k]);
     });
@@ -260,7 +255,7 @@ class HalvedCholesky : public SpdSolver {
       border_factor_.triangularView<Eigen::Upper>().solveInPlace(x_border.col(c));
     }
     x_border = x_border.colwise().reverse().eval();
-    for_halves(worth, [&](int k) { halves_[k].backward(x_border, y[k]); });
+    for_halves([&](int k) { halves_[k].backward(x_border, y[k]); });
     Eigen::MatrixXd solution(b.rows(), b.cols());
     for (int k : {0, 1}) solution(rows_[k], Eigen::all) = y[k].topRows(rows_[k].size());
     solution(border_, Eigen::all) = x_border;
@@ -270,15 +265,9 @@ class HalvedCholesky : public SpdSolver {
   }
 
  private:
-  /// work(0) and work(1); by two threads if it is worth it, that is at least 1.
   template <class Work>
-  static void for_halves(double worth, const Work& work) {
-    if (worth < 1) {
-      work(0);
-      work(1);
-    } else {
-      side_by_side([&] { work(0); }, [&] { work(1); });
-    }
+  static void for_halves(const Work& work) {
+    parallel_invoke([&] { work(0); }, [&] { work(1); });
   }
 
   /// C, from the upper triangle of the border in reverse order.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend-stress: hundreds of random hole problems, default settings; which share is filled validly, and why not.
+#include "core/threads.h"
 #include "filling_result.h"
 #include "io/write_mesh.h"
 #include "isolated_runs.h"
@@ -244,7 +245,10 @@ int run_all(const Arguments& arguments) {
   std::vector<Outcome> outcomes;
   run_isolated(
       arguments.count, {arguments.jobs, arguments.time_limit},
-      [&](int k, const Say& say) { run_seed(arguments.seed + static_cast<std::uint64_t>(k), arguments, say); },
+      [&](int k, const Say& say) {
+        with_thread_budget(arguments.jobs > 1 ? 1 : 0,
+                           [&] { run_seed(arguments.seed + static_cast<std::uint64_t>(k), arguments, say); });
+      },
       [&](int k, const IsolatedResult& result) {
         outcomes.push_back(outcome_of(arguments.seed + static_cast<std::uint64_t>(k), result));
         print(outcomes.back());

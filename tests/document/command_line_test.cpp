@@ -102,7 +102,7 @@ TEST(CommandLine, SaysWhatItDoesNotRepeat) {
   EXPECT_TRUE(line.text.endsWith(QStringLiteral("--sigma 1 --steps 5"))) << "the last run";
 
   auto cutting = std::make_shared<PatchState>(*made_by(1, {}));
-  cutting->stage = PatchStatus::invalid;
+  cutting->status = PatchStatus::invalid;
   const int bad = add_patch(document, {diamond}, cutting);
   EXPECT_EQ(command_line(document, {bad}).remarks.size(), 1);
 

@@ -36,7 +36,7 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   state->flow = FlowKind::sdf;
   state->steps = 4;
   state->last_step.step = 5;
-  state->last_step.energy = 1.0 / 3;
+  state->energy.final = 1.0 / 3;
   state->last_step.sigma = 6;
   state->last_step.tau = 7e-9;
   state->last_step.max_move = 8;

@@ -80,8 +80,7 @@ TEST(CoarsePatch, RefinedLiesOnTheSurfaceOfItsFormsWithTheDensityOfTheRim) {
 TEST(CoarsePatch, IsRefinedTheSameByAnyNumberOfThreads) {
   const EvolutionState coarse = make_state(coarsened(large_patch()), {}, Stencil::two_ring_cubic);
   const auto refined_by = [&](int threads) {
-    const ThreadAllowance allowance(threads);
-    return refined(coarse, large_patch().grading).positions;
+    return with_thread_budget(threads, [&] { return refined(coarse, large_patch().grading).positions; });
   };
   EXPECT_EQ(refined_by(1), refined_by(2));
 }

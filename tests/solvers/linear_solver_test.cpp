@@ -103,10 +103,11 @@ TEST(SpdSolver, GivesTheSameBitsForAnyNumberOfThreads) {
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(A.rows(), 3);
   std::vector<Eigen::MatrixXd> solutions;
   for (int threads : {1, 2, 5}) {
-    const ThreadAllowance allowance(threads);
-    const auto solver = make_spd_solver();
-    ASSERT_TRUE(solver->factorize(A));
-    ASSERT_TRUE(solver->solve(b, solutions.emplace_back()));
+    with_thread_budget(threads, [&] {
+      const auto solver = make_spd_solver();
+      ASSERT_TRUE(solver->factorize(A));
+      ASSERT_TRUE(solver->solve(b, solutions.emplace_back()));
+    });
   }
   EXPECT_LT((A * solutions[0] - b).norm(), 1e-9 * b.norm());
   EXPECT_EQ(solutions[0], solutions[1]);
@@ -233,10 +234,11 @@ TEST(SpdSolver, StartsNoThreadsThatTheCallerDoesNotHave) {
   int before = 0, after = 0;
   // In a thread of its own, which has no team from earlier on.
   std::thread([&] {
-    const ThreadAllowance one(1);
-    before = threads_of_this_process();
-    EXPECT_TRUE(make_spd_solver()->factorize(A));
-    after = threads_of_this_process();
+    with_thread_budget(1, [&] {
+      before = threads_of_this_process();
+      EXPECT_TRUE(make_spd_solver()->factorize(A));
+      after = threads_of_this_process();
+    });
   }).join();
   EXPECT_EQ(before, after);
 }
