@@ -104,7 +104,7 @@ void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.flow, b.flow);
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.last_step.step, b.last_step.step);
-  EXPECT_EQ(a.last_step.energy, b.last_step.energy);
+  EXPECT_EQ(a.energy.final, b.energy.final);
   EXPECT_EQ(a.last_step.sigma, b.last_step.sigma);
   EXPECT_EQ(a.last_step.tau, b.last_step.tau);
   EXPECT_EQ(a.last_step.max_move, b.last_step.max_move);
