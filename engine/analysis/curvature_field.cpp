@@ -2,7 +2,8 @@
 #include "analysis/curvature_field.h"
 
 #include "mesh/mesh_arrays.h"
-#include "operators/local_fit.h"
+#include "operators/polynomial_fit.h"
+#include "operators/vertex_normals.h"
 
 #include <omp.h>
 
@@ -23,14 +24,11 @@ CurvatureField field_of(const Points& points, const Triangles& triangles, int th
 #pragma omp parallel num_threads(threads > 0 ? threads : omp_get_num_procs())
   {
     FitScratch scratch(n);
-    LocalFit fit;
+    PolynomialFit fit;
 #pragma omp for schedule(dynamic, 1024)
     for (int i = 0; i < n; ++i) {
-      if (topology.valence(i) == 0) continue;
       const Vec3 reference = field.normals[i];
-      if (reference.isZero()) continue;
-      fit_curvatures(points, topology, i, reference, Stencil::two_ring, scratch, fit);
-      if (!fit.valid) continue;
+      if (!fit_polynomial(points, topology, i, reference, FitOptions{}, scratch, fit)) continue;
       field.H[i] = fit.H;
       field.K[i] = fit.K;
       field.normals[i] = fit.normal;
