@@ -3,7 +3,8 @@
 
 #include "core/threads.h"
 #include "mesh/mesh_arrays.h"
-#include "operators/local_fit.h"
+#include "operators/polynomial_fit.h"
+#include "operators/vertex_normals.h"
 
 #include <limits>
 #include <utility>
@@ -22,14 +23,11 @@ CurvatureField field_of(const Points& points, const Triangles& triangles) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   field.H.assign(n, nan);
   field.K.assign(n, nan);
-  const auto make_scratch = [n] { return std::pair(FitScratch(n), LocalFit()); };
+  const auto make_scratch = [n] { return std::pair(FitScratch(n), PolynomialFit()); };
   parallel_for(0, n, vertices_at_a_time, make_scratch, [&](int i, auto& scratch) {
     auto& [work, fit] = scratch;
-    if (topology.valence(i) == 0) return;
     const Vec3 reference = field.normals[i];
-    if (reference.isZero()) return;
-    fit_curvatures(points, topology, i, reference, Stencil::two_ring, work, fit);
-    if (!fit.valid) return;
+    if (!fit_polynomial(points, topology, i, reference, FitOptions{}, work, fit)) return;
     field.H[i] = fit.H;
     field.K[i] = fit.K;
     field.normals[i] = fit.normal;

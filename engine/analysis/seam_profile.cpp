@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/seam_profile.h"
 
-#include "analysis/one_sided_fit.h"
+#include "analysis/seam_sides.h"
 #include "core/error.h"
-#include "operators/local_fit.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -28,17 +26,15 @@ class Side {
         triangles_(triangles),
         topology_(patch.vertex_count(), triangles),
         normals_(angle_weighted_normals(patch.positions, triangles)),
-        mark_(patch.vertex_count(), 0) {
+        scratch_(patch.vertex_count()) {
     for (std::size_t f = 0; f < triangles.size(); ++f)
       for (int k = 0; k < 3; ++k) face_[{triangles[f][k], triangles[f][(k + 1) % 3]}] = static_cast<int>(f);
   }
 
   double H(int v) {
     const auto [entry, added] = known_.try_emplace(v, std::numeric_limits<double>::quiet_NaN());
-    if (added) {
-      const auto fit = one_sided_fit(patch_.positions, topology_, v, normals_[v], mark_);
-      if (fit) entry->second = fit->H / patch_.scale;
-    }
+    if (added && fit_polynomial(patch_.positions, topology_, v, normals_[v], one_sided_fit(), scratch_, fit_))
+      entry->second = fit_.H / patch_.scale;
     return entry->second;
   }
 
@@ -82,17 +78,11 @@ class Side {
   Triangles triangles_;
   Topology topology_;
   Points normals_;
-  std::vector<char> mark_;
+  FitScratch scratch_;
+  PolynomialFit fit_;
   std::map<std::pair<int, int>, int> face_;
   std::map<int, double> known_;
 };
-
-Triangles own_triangles(const Patch& patch) {
-  return {patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles};
-}
-Triangles triangles_around(const Patch& patch) {
-  return {patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()};
-}
 
 const std::vector<int>& loop_of(const Patch& patch, int loop) {
   if (loop < 0 || loop >= static_cast<int>(patch.loops.size()))
@@ -100,27 +90,14 @@ const std::vector<int>& loop_of(const Patch& patch, int loop) {
   return patch.loops[loop];
 }
 
-/// H at vertex i from a quadratic height field over three rings of one side, all weights one; NaN where it is too small.
-double quadratic_H(const Points& points, const Topology& side, int i, const Vec3& normal, std::vector<char>& mark) {
-  std::vector<int> near;
-  side.k_ring(i, 3, near, mark);
-  const auto count = static_cast<Eigen::Index>(near.size());
-  if (count < 6 || normal.isZero()) return std::numeric_limits<double>::quiet_NaN();
-  const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
-  double mean = 0;
-  for (int j : near) mean += (points[j] - points[i]).norm() / static_cast<double>(count);
-  Eigen::MatrixXd A(count, 5);
-  Eigen::VectorXd height(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Vec3 d = (points[near[static_cast<std::size_t>(k)]] - points[i]) / mean;
-    const double u = d.dot(e1), v = d.dot(e2);
-    A.row(k) << u, v, u * u / 2, u * v, v * v / 2;
-    height[k] = d.dot(normal);
-  }
-  const Eigen::VectorXd c = A.colPivHouseholderQr().solve(height);
-  const double w2 = 1 + c[0] * c[0] + c[1] * c[1];
-  return ((1 + c[1] * c[1]) * c[2] - 2 * c[0] * c[1] * c[3] + (1 + c[0] * c[0]) * c[4]) / (2 * w2 * std::sqrt(w2)) /
-         mean;
+/// A quadratic height field over three rings, all weights one.
+constexpr FitOptions wide_fit() {
+  FitOptions options;
+  options.rings = options.most_rings = 3;
+  options.spare = 1;
+  options.coordinates = Coordinates::projected;
+  options.weighting = Weighting::equal;
+  return options;
 }
 
 }  // namespace
@@ -142,27 +119,23 @@ std::vector<ProfilePoint> seam_profile(const Patch& patch, int loop, int edge, d
 }
 
 std::vector<double> seam_jumps(const Patch& patch, int loop) {
-  const std::vector<int>& rim = loop_of(patch, loop);
-  Side inside(patch, own_triangles(patch)), outside(patch, triangles_around(patch));
+  SeamSides sides(patch);
   std::vector<double> jumps;
-  for (int v : rim) jumps.push_back(std::abs(inside.H(v) - outside.H(v)));
+  for (int v : loop_of(patch, loop))
+    jumps.push_back(sides.fit(v, one_sided_fit()) ? std::abs(sides.in.H - sides.out.H) / patch.scale
+                                                  : std::numeric_limits<double>::quiet_NaN());
   return jumps;
 }
 
 double wide_curvature_jump(const Patch& patch) {
-  const Topology inside(patch.vertex_count(), own_triangles(patch)),
-      outside(patch.vertex_count(), triangles_around(patch));
-  const Points normals = angle_weighted_normals(patch.positions, patch.triangles);
-  std::vector<char> mark(patch.vertex_count(), 0);
+  SeamSides sides(patch);
   double sum = 0, count = 0;
   for (const auto& loop : patch.loops)
-    for (int v : loop) {
-      const double jump = quadratic_H(patch.positions, inside, v, normals[v], mark) -
-                          quadratic_H(patch.positions, outside, v, normals[v], mark);
-      if (!std::isfinite(jump)) continue;
-      sum += jump * jump;
-      ++count;
-    }
+    for (int v : loop)
+      if (sides.fit(v, wide_fit())) {
+        sum += (sides.in.H - sides.out.H) * (sides.in.H - sides.out.H);
+        ++count;
+      }
   return count > 0 ? std::sqrt(sum / count) / patch.scale : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/seam_report.h"
 
-#include "analysis/one_sided_fit.h"
+#include "analysis/seam_sides.h"
 #include "core/error.h"
-#include "operators/local_fit.h"
 
 #include <Eigen/Geometry>
 
@@ -16,20 +15,6 @@ namespace loopmend {
 
 namespace {
 
-/// The two sides of a patch's seams, each by itself.
-struct Sides {
-  explicit Sides(const Patch& p)
-      : patch(p),
-        inside(p.vertex_count(), Triangles(p.triangles.begin(), p.triangles.begin() + p.patch_triangles)),
-        outside(p.vertex_count(), Triangles(p.triangles.begin() + p.patch_triangles, p.triangles.end())),
-        normals(angle_weighted_normals(p.positions, p.triangles)),
-        mark(p.vertex_count(), 0) {}
-  const Patch& patch;
-  Topology inside, outside;
-  Points normals;
-  std::vector<char> mark;
-};
-
 double diameter(const Points& points, const std::vector<int>& vertices) {
   double diameter2 = 0;
   for (int v : vertices)
@@ -37,18 +22,16 @@ double diameter(const Points& points, const std::vector<int>& vertices) {
   return std::sqrt(diameter2);
 }
 
-SeamReport report_of(Sides& sides, const std::vector<int>& loop) {
-  const Patch& patch = sides.patch;
+SeamReport report_of(const Patch& patch, SeamSides& sides, const std::vector<int>& loop) {
   SeamReport report;
   double angle2 = 0, jump2 = 0;
   int count = 0;
   for (int v : loop) {
-    const auto in = one_sided_fit(patch.positions, sides.inside, v, sides.normals[v], sides.mark);
-    const auto out = one_sided_fit(patch.positions, sides.outside, v, sides.normals[v], sides.mark);
-    if (!in || !out) continue;
+    if (!sides.fit(v, one_sided_fit())) continue;
     const double angle =
-        std::atan2(in->normal.cross(out->normal).norm(), in->normal.dot(out->normal)) * 180 / std::numbers::pi;
-    const double jump = std::abs(in->H - out->H) / patch.scale;
+        std::atan2(sides.in.normal.cross(sides.out.normal).norm(), sides.in.normal.dot(sides.out.normal)) * 180 /
+        std::numbers::pi;
+    const double jump = std::abs(sides.in.H - sides.out.H) / patch.scale;
     angle2 += angle * angle;
     jump2 += jump * jump;
     report.g1_max_deg = std::max(report.g1_max_deg, angle);
@@ -69,17 +52,17 @@ SeamReport report_of(Sides& sides, const std::vector<int>& loop) {
 }  // namespace
 
 std::vector<SeamReport> seam_reports(const Patch& patch) {
-  Sides sides(patch);
+  SeamSides sides(patch);
   std::vector<SeamReport> reports;
-  for (const auto& loop : patch.loops) reports.push_back(report_of(sides, loop));
+  for (const auto& loop : patch.loops) reports.push_back(report_of(patch, sides, loop));
   return reports;
 }
 
 SeamReport seam_report(const Patch& patch, int loop) {
   if (loop < 0 || loop >= static_cast<int>(patch.loops.size()))
     throw InvalidArgument("the patch has no loop " + std::to_string(loop));
-  Sides sides(patch);
-  return report_of(sides, patch.loops[loop]);
+  SeamSides sides(patch);
+  return report_of(patch, sides, patch.loops[loop]);
 }
 
 }  // namespace loopmend

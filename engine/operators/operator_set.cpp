@@ -2,6 +2,7 @@
 #include "operators/operator_set.h"
 
 #include "core/threads.h"
+#include "operators/vertex_normals.h"
 
 #include <Eigen/Geometry>
 
@@ -44,16 +45,16 @@ struct Rows {
   std::vector<double> gauss;
 
   /// @param place  of vertex i in the run.
-  void append(int i, int place, const LocalFit& fit) {
+  void append(int i, int place, const PolynomialFit& fit) {
     index.push_back(i);
     laplacian.push_back(-std::accumulate(fit.laplacian.begin(), fit.laplacian.end(), 0.0));
     gradient.push_back(-std::accumulate(fit.gradient.begin(), fit.gradient.end(), Vec3(Vec3::Zero())));
     gauss.push_back(-std::accumulate(fit.gauss.begin(), fit.gauss.end(), 0.0));
-    append_all(index, fit.neighbors);
+    append_all(index, fit.samples);
     append_all(laplacian, fit.laplacian);
     append_all(gradient, fit.gradient);
     append_all(gauss, fit.gauss);
-    length[place] = static_cast<int>(fit.neighbors.size()) + 1;
+    length[place] = static_cast<int>(fit.samples.size()) + 1;
   }
 };
 
@@ -77,7 +78,7 @@ void join(std::vector<Rows>& runs, OperatorSet& set) {
 }
 
 /// Curvatures and normals of a fit.
-void take(const LocalFit& fit, int i, OperatorSet& set) {
+void take(const PolynomialFit& fit, int i, OperatorSet& set) {
   set.valid[i] = 1;
   set.H[i] = fit.H;
   set.K[i] = fit.K;
@@ -86,12 +87,12 @@ void take(const LocalFit& fit, int i, OperatorSet& set) {
 }
 
 /// Takes the fit at vertex i from what is known, if it has not changed.
-bool recall(const KnownFits& known, int i, LocalFit& fit) {
+bool recall(const KnownFits& known, int i, PolynomialFit& fit) {
   if (!known.set || known.set->offset.empty() || i < known.moved || !known.set->valid[i]) return false;
   const OperatorSet& set = *known.set;
   const int begin = set.offset[i] + 1, end = set.offset[i + 1];
-  fit.neighbors.assign(set.index.begin() + begin, set.index.begin() + end);
-  if (*std::min_element(fit.neighbors.begin(), fit.neighbors.end()) < known.moved) return false;
+  fit.samples.assign(set.index.begin() + begin, set.index.begin() + end);
+  if (*std::min_element(fit.samples.begin(), fit.samples.end()) < known.moved) return false;
   fit.laplacian.assign(set.laplacian.begin() + begin, set.laplacian.begin() + end);
   fit.gradient.assign(set.gradient.begin() + begin, set.gradient.begin() + end);
   fit.gauss.assign(set.gauss.begin() + begin, set.gauss.begin() + end);
@@ -103,28 +104,35 @@ bool recall(const KnownFits& known, int i, LocalFit& fit) {
   return true;
 }
 
-/// fit(i, scratch, result) at all wanted vertices; keep(run, i, result) where that is valid. Runs are numbered in order, and
-/// none is worked on by two threads: whoever joins them in order has the same bits for any number of threads.
-template <class Fit, class Keep>
-void fit_in_runs(const std::vector<char>& wanted, const Fit& fit, const Keep& keep) {
-  const int n = static_cast<int>(wanted.size());
-  const auto make_scratch = [n] { return std::pair(FitScratch(n), LocalFit()); };
-  parallel_for(0, n, run_length, make_scratch, [&](int i, auto& scratch) {
-    auto& [work, result] = scratch;
-    if (!wanted[i]) return;
-    fit(i, work, result);
-    if (result.valid) keep(i / run_length, i, result);
-  });
-}
-
-OperatorSet without_fits(const Points& points) {
+/// Runs of vertices are numbered in order, and none is worked on by two threads: joined in order, they have the same bits for
+/// any number of threads.
+OperatorSet compute(const Points& points, const Triangles& triangles, const Topology& topology, Stencil stencil,
+                    FitOutput output, const std::vector<char>& wanted, const KnownFits& known) {
+  FitOptions options;
+  options.degree = stencil == Stencil::two_ring_cubic ? 3 : 2;
+  options.output = output;
+  const int n = static_cast<int>(points.size());
   OperatorSet set;
-  const auto n = static_cast<Eigen::Index>(points.size());
-  set.normal.assign(points.size(), Vec3::Zero());
+  set.normal.assign(n, Vec3::Zero());
   set.H.setZero(n);
   set.K.setZero(n);
-  set.valid.assign(points.size(), 0);
-  set.second_form.assign(points.size(), Eigen::Matrix3d::Zero());
+  set.valid.assign(n, 0);
+  set.second_form.assign(n, Eigen::Matrix3d::Zero());
+  std::vector<Rows> runs((n + run_length - 1) / run_length);
+  for (int run = 0; run < static_cast<int>(runs.size()); ++run)
+    runs[run].length.assign(std::min(run_length, n - run * run_length), 0);
+  const auto make_scratch = [n] { return std::pair(FitScratch(n), PolynomialFit()); };
+  parallel_for(0, n, run_length, make_scratch, [&](int i, auto& scratch) {
+    auto& [work, fit] = scratch;
+    if (!wanted[i]) return;
+    if (!recall(known, i, fit)) {
+      set.normal[i] = angle_weighted_normal(points, triangles, topology, i);
+      if (!fit_polynomial(points, topology, i, set.normal[i], options, work, fit)) return;
+    }
+    take(fit, i, set);
+    if (output == FitOutput::operator_weights) runs[i / run_length].append(i, i % run_length, fit);
+  });
+  if (output == FitOutput::operator_weights) join(runs, set);
   return set;
 }
 
@@ -132,38 +140,12 @@ OperatorSet without_fits(const Points& points) {
 
 OperatorSet compute_operators(const Points& points, const Triangles& triangles, const Topology& topology,
                               Stencil stencil, const std::vector<char>& wanted, const KnownFits& known) {
-  const int n = static_cast<int>(points.size());
-  OperatorSet set = without_fits(points);
-  std::vector<Rows> runs((n + run_length - 1) / run_length);
-  for (std::size_t run = 0; run < runs.size(); ++run)
-    runs[run].length.assign(std::min<std::size_t>(run_length, n - run * run_length), 0);
-  fit_in_runs(
-      wanted,
-      [&](int i, FitScratch& scratch, LocalFit& fit) {
-        if (recall(known, i, fit)) return;
-        set.normal[i] = angle_weighted_normal(points, triangles, topology, i);
-        fit_quadratic(points, topology, i, set.normal[i], stencil, scratch, fit);
-      },
-      [&](int run, int i, const LocalFit& fit) {
-        take(fit, i, set);
-        runs[run].append(i, i - run * run_length, fit);
-      });
-  join(runs, set);
-  return set;
+  return compute(points, triangles, topology, stencil, FitOutput::operator_weights, wanted, known);
 }
 
 OperatorSet compute_curvatures(const Points& points, const Triangles& triangles, const Topology& topology,
                                Stencil stencil, const std::vector<char>& wanted, const KnownFits& known) {
-  OperatorSet set = without_fits(points);
-  fit_in_runs(
-      wanted,
-      [&](int i, FitScratch& scratch, LocalFit& fit) {
-        if (recall(known, i, fit)) return;
-        set.normal[i] = angle_weighted_normal(points, triangles, topology, i);
-        fit_curvatures(points, topology, i, set.normal[i], stencil, scratch, fit);
-      },
-      [&](int, int i, const LocalFit& fit) { take(fit, i, set); });
-  return set;
+  return compute(points, triangles, topology, stencil, FitOutput::curvatures, wanted, known);
 }
 
 std::array<double, 3> half_cotangents(const Points& points, const Triangle& t) {

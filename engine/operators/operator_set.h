@@ -2,7 +2,7 @@
 // The operators ∇, ◇, Δ and the curvatures H, K at many vertices at once, in flat arrays, and their sparse assembly.
 #pragma once
 
-#include "operators/local_fit.h"
+#include "operators/polynomial_fit.h"
 
 #include <Eigen/SparseCore>
 
@@ -13,6 +13,12 @@ namespace loopmend {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using RowSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
+/// Over which neighbours the operators are fitted.
+enum class Stencil {
+  two_ring,  ///< a quadratic over N_2(i), weighted by 1/d²: less sensitive to bad triangles and to noise than N_1(i)
+  two_ring_cubic  ///< a cubic where N_2(i) determines it
+};
+
 /// Row i holds the weights of vertex i; entry `offset[i]` is the centre, the others its neighbours. Rows of vertices that
 /// were not asked for, or whose fit failed, are empty.
 struct OperatorSet {
@@ -20,9 +26,9 @@ struct OperatorSet {
   std::vector<int> index;   ///< vertex of each entry
   std::vector<double> laplacian;
   Points gradient;
-  std::vector<double> gauss;  ///< times n_i: see LocalFit
+  std::vector<double> gauss;  ///< times n_i: see PolynomialFit
   Points normal;              ///< #V, unit: of the fit, or angle-weighted where it failed; 0 where it was not wanted
-  std::vector<Eigen::Matrix3d> second_form;  ///< #V, see LocalFit
+  std::vector<Eigen::Matrix3d> second_form;  ///< #V, see PolynomialFit
   Eigen::VectorXd H, K;                      ///< #V, 0 in empty rows
   std::vector<char> valid;                   ///< #V
 

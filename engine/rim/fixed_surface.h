@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mesh/patch.h"
-#include "operators/local_fit.h"
 #include "operators/topology.h"
+#include "operators/vertex_normals.h"
 
 namespace loopmend {
 

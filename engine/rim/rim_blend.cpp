@@ -3,9 +3,9 @@
 
 #include "energy/curvature_energy.h"
 #include "filling/fairing.h"
-#include "operators/local_fit.h"
 #include "operators/operator_set.h"
 #include "operators/topology.h"
+#include "operators/vertex_normals.h"
 #include "rim/rim_fits.h"
 
 #include <algorithm>
@@ -81,13 +81,12 @@ std::vector<double> lengths_along_rim(const Patch& patch) {
 
 Eigen::VectorXd data_trust(const Patch& patch, double radius) {
   Eigen::VectorXd all = Eigen::VectorXd::Ones(patch.vertex_count());
-  for (std::size_t l = 0; l < patch.loops.size(); ++l) {
-    const std::vector<RimFit> fits = rim_fits(patch, static_cast<int>(l));
-    for (std::size_t k = 0; k < fits.size(); ++k) {
-      const double doubt = fits[k].H_sigma * radius / known_well_enough;
-      if (fits[k].valid) all[patch.loops[l][k]] = 1 / (1 + doubt * doubt);
+  const std::vector<std::vector<RimFit>> fits = rim_fits(patch, FixedSurface(patch));
+  for (std::size_t l = 0; l < fits.size(); ++l)
+    for (std::size_t k = 0; k < fits[l].size(); ++k) {
+      const double doubt = fits[l][k].H_sigma * radius / known_well_enough;
+      if (fits[l][k].valid) all[patch.loops[l][k]] = 1 / (1 + doubt * doubt);
     }
-  }
   const Topology topology(patch.vertex_count(), patch.triangles);
   for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
     if (patch.ring[i] != 2) continue;

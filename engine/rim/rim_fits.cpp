@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/rim_fits.h"
 
-#include "rim/cubic_fit.h"
-#include "rim/quantile.h"
-
-#include <Eigen/Geometry>
+#include "core/quantile.h"
+#include "operators/polynomial_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,70 +16,29 @@ namespace {
 constexpr int narrowest = 3, widest = 5;
 constexpr double white_growth = 1.5;  ///< docs/dev/numerics.md, "Rough boundaries"
 
-/// Curvature of the graph z(u, v) at the origin, and its uncertainty to first order, the slopes taken as exact: H hardly
-/// depends on them, since the plane of the graph is nearly tangential.
-RimFit at_origin(const CubicFit& cubic) {
-  const auto& c = cubic.coefficients;
-  const Eigen::Matrix<double, 10, 10> covariance = cubic.covariance();
-  const double g = std::sqrt(1 + c[1] * c[1] + c[2] * c[2]);
-  RimFit fit;
-  fit.valid = true;
-  fit.normal = (cubic.normal - c[1] * cubic.e1 - c[2] * cubic.e2) / g;
-  fit.normal_sigma = std::sqrt(covariance(1, 1) + covariance(2, 2)) / (g * g);
-  Eigen::Matrix<double, 10, 1> slope = Eigen::Matrix<double, 10, 1>::Zero();  // ∂H/∂c
-  slope[3] = (1 + c[2] * c[2]) / (g * g * g);
-  slope[4] = -c[1] * c[2] / (g * g * g);
-  slope[5] = (1 + c[1] * c[1]) / (g * g * g);
-  fit.H = slope.dot(c);
-  fit.H_sigma = std::sqrt(slope.dot(covariance * slope));
-  Eigen::Matrix<double, 10, 1> along_u = Eigen::Matrix<double, 10, 1>::Zero(), along_v = along_u;
-  along_u[6] = along_v[9] = 3;
-  along_u[8] = along_v[7] = 1;
-  fit.gradient = std::hypot(along_u.dot(c), along_v.dot(c));
-  fit.gradient_sigma = std::sqrt(along_u.dot(covariance * along_u) + along_v.dot(covariance * along_v));
-  return fit;
-}
-
-double median_residual(const std::vector<std::optional<CubicFit>>& fits) {
-  std::vector<double> residuals;
-  for (const auto& fit : fits)
-    if (fit) residuals.push_back(fit->residual);
-  return median(std::move(residuals));
-}
-
-/// Of the surroundings, loop by loop.
-class Around {
- public:
-  Around(const Patch& patch, const FixedSurface& surface)
-      : points_(patch.positions),
-        surface_(surface),
-        mark_(patch.vertex_count(), 0) {}
-
-  /// At the given fixed vertices, all of one width.
-  std::vector<RimFit> fits_at(const std::vector<int>& vertices) {
-    std::vector<std::optional<CubicFit>> chosen;
-    double smallest = 0;
-    for (int rings = narrowest; rings <= widest; ++rings) {
-      std::vector<std::optional<CubicFit>> fits;
-      for (int v : vertices)
-        fits.push_back(surface_.normals[v].isZero() ? std::nullopt
-                                                    : fit_cubic(points_, surface_.topology, v, surface_.normals[v],
-                                                                rings, Outliers::weighted_down, mark_));
-      const double residual = median_residual(fits);
-      if (rings > narrowest && residual > white_growth * smallest) break;
-      smallest = rings > narrowest ? std::min(smallest, residual) : residual;
-      chosen = std::move(fits);
+/// At the given fixed vertices, all of one width.
+std::vector<RimFit> fits_at(const std::vector<int>& vertices, const Patch& patch, const FixedSurface& surface) {
+  FitScratch scratch(patch.vertex_count());
+  PolynomialFit fit;
+  std::vector<RimFit> chosen;
+  double smallest = 0;
+  for (int rings = narrowest; rings <= widest; ++rings) {
+    const FitOptions options = cubic_height_field(rings, Outliers::weighted_down, FitOutput::uncertainty);
+    std::vector<RimFit> fits(vertices.size());
+    std::vector<double> residuals;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const int v = vertices[k];
+      if (!fit_polynomial(patch.positions, surface.topology, v, surface.normals[v], options, scratch, fit)) continue;
+      fits[k] = {true, fit.normal, fit.normal_sigma, fit.H, fit.H_sigma, fit.H_slope, fit.H_slope_sigma};
+      residuals.push_back(fit.residual);
     }
-    std::vector<RimFit> result;
-    for (const auto& fit : chosen) result.push_back(fit ? at_origin(*fit) : RimFit{});
-    return result;
+    const double residual = median(std::move(residuals));
+    if (rings > narrowest && residual > white_growth * smallest) break;
+    smallest = rings > narrowest ? std::min(smallest, residual) : residual;
+    chosen = std::move(fits);
   }
-
- private:
-  const Points& points_;
-  const FixedSurface& surface_;
-  std::vector<char> mark_;
-};
+  return chosen;
+}
 
 RimSummary summary_of(const Patch& patch, const std::vector<int>& rim, const std::vector<RimFit>& fits,
                       const RimRoughness& roughness) {
@@ -113,15 +70,9 @@ RimSummary summary_of(const Patch& patch, const std::vector<int>& rim, const std
 
 }  // namespace
 
-std::vector<RimFit> rim_fits(const Patch& patch, int loop) {
-  const FixedSurface surface(patch);
-  return Around(patch, surface).fits_at(patch.loops[loop]);
-}
-
 std::vector<std::vector<RimFit>> rim_fits(const Patch& patch, const FixedSurface& surface) {
-  Around around(patch, surface);
   std::vector<std::vector<RimFit>> fits;
-  for (const std::vector<int>& rim : patch.loops) fits.push_back(around.fits_at(rim));
+  for (const std::vector<int>& rim : patch.loops) fits.push_back(fits_at(rim, patch, surface));
   return fits;
 }
 
@@ -130,8 +81,7 @@ std::vector<float> curvature_uncertainty(const Patch& patch) {
   std::vector<int> near;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (patch.ring[i] <= farthest) near.push_back(i);
-  const FixedSurface surface(patch);
-  const std::vector<RimFit> fits = Around(patch, surface).fits_at(near);
+  const std::vector<RimFit> fits = fits_at(near, patch, FixedSurface(patch));
   std::vector<float> sigma(patch.vertex_count() - patch.free_count, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t k = 0; k < fits.size(); ++k)
     if (fits[k].valid) sigma[near[k] - patch.free_count] = static_cast<float>(fits[k].H_sigma / patch.scale);

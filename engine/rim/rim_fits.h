@@ -19,10 +19,8 @@ struct RimFit {
   double gradient_sigma = 0;
 };
 
-/// Robust cubic fits at the vertices of a loop (Patch::loops), in loop order. Their width, 3 to 5 rings, is the largest
-/// that leaves over no more than white noise does: at most 1.5 times the smallest residual of the narrower ones.
-std::vector<RimFit> rim_fits(const Patch& patch, int loop);
-/// The same for all loops.
+/// Robust cubic fits at the vertices of each loop, in the order of Patch::loops. The width of a loop's, 3 to 5 rings, is the
+/// largest that leaves over no more than white noise does: at most 1.5 times the smallest residual of the narrower ones.
 std::vector<std::vector<RimFit>> rim_fits(const Patch& patch, const FixedSurface& surface);
 
 /// Standard deviation of H, 1/length in mesh units, at each fixed vertex of rings 1 to 4, from the same fits; NaN farther out

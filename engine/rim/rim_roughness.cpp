@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/rim_roughness.h"
 
+#include "core/quantile.h"
 #include "energy/curvature_energy.h"
 #include "mesh/quality.h"
-#include "operators/local_fit.h"
-#include "rim/cubic_fit.h"
+#include "operators/polynomial_fit.h"
 #include "rim/fixed_surface.h"
-#include "rim/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,31 +16,31 @@ namespace {
 
 /// H from narrow and from wide fits.
 void fit_around(const Patch& patch, const FixedSurface& around, SurroundingFits& fits) {
-  const auto& [triangles, topology, normals] = around;
   FitScratch scratch(patch.vertex_count());
-  LocalFit fit;
+  PolynomialFit narrow, wide;
+  FitOptions four_rings;
+  four_rings.rings = four_rings.most_rings = 4;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
-    if (normals[i].isZero()) continue;
-    fit_curvatures(patch.positions, topology, i, normals[i], Stencil::two_ring, scratch, fit);
-    if (!fit.valid) continue;
-    const double narrow = fit.H;
-    fit_curvatures(patch.positions, topology, i, normals[i], Stencil::four_ring, scratch, fit);
-    if (!fit.valid) continue;
+    if (!fit_polynomial(patch.positions, around.topology, i, around.normals[i], FitOptions{}, scratch, narrow) ||
+        !fit_polynomial(patch.positions, around.topology, i, around.normals[i], four_rings, scratch, wide))
+      continue;
     fits.vertices.push_back(i - patch.free_count);
-    fits.H2.push_back(narrow);
-    fits.H4.push_back(fit.H);
+    fits.H2.push_back(narrow.H);
+    fits.H4.push_back(wide.H);
   }
 }
 
 /// Of cubic fits at the four rings next to the patch; negative where there is no fit.
 std::vector<double> residuals_of(const Patch& patch, const FixedSurface& around, int rings) {
   constexpr int fitted_rings = 4;
-  std::vector<char> mark(patch.vertex_count(), 0);
+  FitScratch scratch(patch.vertex_count());
+  PolynomialFit fit;
+  const FitOptions options = cubic_height_field(rings, Outliers::count, FitOutput::uncertainty);
   std::vector<double> residuals;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
     if (patch.ring[i] > fitted_rings || around.normals[i].isZero()) continue;
-    const auto fit = fit_cubic(patch.positions, around.topology, i, around.normals[i], rings, Outliers::count, mark);
-    residuals.push_back(fit ? fit->residual : -1);
+    const bool found = fit_polynomial(patch.positions, around.topology, i, around.normals[i], options, scratch, fit);
+    residuals.push_back(found ? fit.residual : -1);
   }
   return residuals;
 }

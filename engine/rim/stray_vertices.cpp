@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/stray_vertices.h"
 
+#include "core/quantile.h"
 #include "mesh/quality.h"
-#include "operators/local_fit.h"
-#include "rim/cubic_fit.h"
-#include "rim/quantile.h"
+#include "operators/polynomial_fit.h"
 
 #include <algorithm>
 #include <array>
@@ -39,20 +38,21 @@ class Surround {
       : points(patch.positions),
         around_(around),
         normals_(around.normals),
-        mark_(patch.vertex_count(), 0) {}
+        scratch_(patch.vertex_count()) {}
 
   void take_normals() { normals_ = angle_weighted_normals(points, around_.triangles); }
 
   /// From the vertex onto the fit of its neighbours; 0 where there is none.
   Vec3 way_to_neighbours(int i, Outliers outliers) {
+    FitOptions options = cubic_height_field(fit_rings, outliers, FitOutput::curvatures);
+    options.centre = Centre::left_out;
     const Vec3 normal = median_normal(normals_, near(i, fit_rings));
-    if (normal.isZero()) return Vec3::Zero();
-    const auto fit = fit_cubic(points, around_.topology, i, normal, fit_rings, outliers, mark_, FitCentre::left_out);
-    return fit ? Vec3(fit->coefficients[0] * fit->normal) : Vec3::Zero();
+    const bool found = fit_polynomial(points, around_.topology, i, normal, options, scratch_, fit_);
+    return found ? Vec3(fit_.derivatives.col(0)) : Vec3::Zero();
   }
 
   const std::vector<int>& near(int i, int rings) {
-    around_.topology.k_ring(i, rings, near_, mark_);
+    around_.topology.k_ring(i, rings, near_, scratch_.mark);
     return near_;
   }
 
@@ -61,7 +61,8 @@ class Surround {
  private:
   const FixedSurface& around_;
   Points normals_;
-  std::vector<char> mark_;
+  FitScratch scratch_;
+  PolynomialFit fit_;
   std::vector<int> near_;
 };
 

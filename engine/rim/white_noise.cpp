@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/white_noise.h"
 
+#include "core/quantile.h"
 #include "filling/fairing.h"
 #include "operators/operator_set.h"
-#include "rim/cubic_fit.h"
-#include "rim/quantile.h"
+#include "operators/polynomial_fit.h"
+#include "operators/vertex_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,19 +86,19 @@ Patch without_noise(const Patch& patch, const SurfaceModel& model, double share)
   const WideSurroundings wide = wide_surroundings(patch, model);
   const Topology topology(static_cast<int>(wide.points.size()), wide.triangles);
   const Points normals = angle_weighted_normals(wide.points, wide.triangles);
-  std::vector<char> mark(wide.points.size(), 0);
+  FitScratch scratch(static_cast<int>(wide.points.size()));
+  PolynomialFit fit;
   Points best;
   double least = 0, weight = 1;  // of this width against the narrower ones
   for (int rings = least_rings; rings <= most_rings; rings += 2) {
+    const FitOptions options = cubic_height_field(rings, Outliers::weighted_down, FitOutput::uncertainty);
     Points places;
     std::vector<double> residuals;
     for (int v : wide.place) {
       places.push_back(wide.points[v]);
-      if (normals[v].isZero()) continue;
-      const auto fit = fit_cubic(wide.points, topology, v, normals[v], rings, Outliers::weighted_down, mark);
-      if (!fit) continue;
-      places.back() += share * fit->coefficients[0] * fit->normal;
-      residuals.push_back(fit->residual);
+      if (!fit_polynomial(wide.points, topology, v, normals[v], options, scratch, fit)) continue;
+      places.back() += share * fit.derivatives.col(0);
+      residuals.push_back(fit.residual);
     }
     if (residuals.empty()) return patch;
     const double left = median(std::move(residuals));

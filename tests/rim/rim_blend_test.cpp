@@ -6,7 +6,7 @@
 #include "evolution/evolution.h"
 #include "evolution/mesh_care.h"
 #include "mesh/quality.h"
-#include "operators/local_fit.h"
+#include "operators/vertex_normals.h"
 #include "rim/rim_roughness.h"
 #include "samples/random.h"
 #include "support/patches.h"

@@ -11,7 +11,7 @@ namespace {
 
 TEST(RimFits, OfASphereAreExactAndSaySo) {
   const Patch patch = test::start_of(test::open_sphere(5, 0.8));
-  const std::vector<RimFit> fits = rim_fits(patch, 0);
+  const std::vector<RimFit> fits = rim_fits(patch, FixedSurface(patch))[0];
   ASSERT_EQ(fits.size(), patch.loops[0].size());
   ASSERT_GT(fits.size(), 60u);
   for (const RimFit& fit : fits) {
@@ -33,7 +33,7 @@ TEST(RimFits, UncertaintyIsThatOfTheErrors) {
     for (Vec3& p : soup.points) p *= 1 + sigma * random.bell();
     const Patch patch =
         test::start_of(make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.6; }))));
-    const std::vector<RimFit> fits = rim_fits(patch, 0);
+    const std::vector<RimFit> fits = rim_fits(patch, FixedSurface(patch))[0];
     for (std::size_t k = 0; k < fits.size(); ++k) {
       if (!fits[k].valid) continue;
       ++count;

@@ -4,7 +4,6 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
-#include "operators/local_fit.h"
 #include "operators/topology.h"
 #include "samples/analytic_surfaces.h"
 #include "truth_mesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Order statistics of the residuals that the rim is judged by. For the .cpp files of this folder alone.
+// Order statistics.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/one_sided_fit.h"
+#include "analysis/seam_sides.h"
 
 #include "known_surfaces.h"
-#include "operators/local_fit.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -34,15 +33,16 @@ SeenJump seen_jump(const TriangleSoup& mesh, const std::function<bool(const Vec3
   const int count = static_cast<int>(mesh.points.size());
   const Topology here(count, in), there(count, out);
   const Points normals = angle_weighted_normals(mesh.points, mesh.triangles);
-  std::vector<char> mark(mesh.points.size(), 0);
+  FitScratch scratch(count);
+  PolynomialFit a, b;
   SeenJump seen;
   for (int v = 0; v < count; ++v) {
     if (sides[v] != 3) continue;
-    const auto a = one_sided_fit(mesh.points, here, v, normals[v], mark);
-    const auto b = one_sided_fit(mesh.points, there, v, normals[v], mark);
-    EXPECT_TRUE(a && b);
-    if (!a || !b) continue;
-    const double jump = std::abs(a->H - b->H);
+    const bool both = fit_polynomial(mesh.points, here, v, normals[v], one_sided_fit(), scratch, a) &&
+                      fit_polynomial(mesh.points, there, v, normals[v], one_sided_fit(), scratch, b);
+    EXPECT_TRUE(both);
+    if (!both) continue;
+    const double jump = std::abs(a.H - b.H);
     seen.mean += jump;
     seen.rms_off += (jump - truth) * (jump - truth);
     ++seen.vertices;
