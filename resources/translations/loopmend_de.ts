@@ -930,6 +930,26 @@
             <source>Show the patch with its edges before it is made; for up to 200 holes at once</source>
             <translation>Den Flicken mit seinen Kanten zeigen, bevor er gemacht wird; für bis zu 200 Löcher auf einmal</translation>
         </message>
+        <message>
+            <source>&amp;Join islands</source>
+            <translation>&amp;Inseln anschließen</translation>
+        </message>
+        <message>
+            <source>Join islands</source>
+            <translation>Inseln anschließen</translation>
+        </message>
+        <message>
+            <source>Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them</source>
+            <translation>Flächenstücke, die in einem Loch liegen, an den Flicken anschließen; sonst überdeckt er sie</translation>
+        </message>
+        <message>
+            <source>&amp;Trim</source>
+            <translation>&amp;Beschneiden</translation>
+        </message>
+        <message>
+            <source>Remove dangling, folded and needle-like triangles at the boundaries of these holes, up to three rings of them, before they are filled; Ctrl+Z brings them back</source>
+            <translation>Hängende, gefaltete und nadelförmige Dreiecke an den Rändern dieser Löcher entfernen, bis zu drei Ringe davon, bevor sie gefüllt werden; Strg+Z holt sie zurück</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowBox</name>
@@ -3191,6 +3211,22 @@
         <message>
             <source> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</source>
             <translation> STL rundet: Ecken wurden um bis zu %1 verschoben; PLY behält jede Stelle.</translation>
+        </message>
+        <message>
+            <source>Trimming %1</source>
+            <translation>%1: Rand beschneiden</translation>
+        </message>
+        <message>
+            <source>Trim the boundaries of %1</source>
+            <translation>Ränder von %1 beschneiden</translation>
+        </message>
+        <message>
+            <source>%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.</source>
+            <translation>%1: %2 schlechte Dreiecke wurden an den Rändern entfernt; Strg+Z holt sie zurück.</translation>
+        </message>
+        <message>
+            <source>There are no bad triangles at these boundaries.</source>
+            <translation>An diesen Rändern gibt es keine schlechten Dreiecke.</translation>
         </message>
     </context>
     <context>
