@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/rim_blend.h"
 
+#include "core/quantile.h"
 #include "energy/curvature_energy.h"
 #include "filling/fairing.h"
 #include "operators/operator_set.h"
@@ -51,31 +52,7 @@ SparseMatrix trusted_stiffness(const Patch& patch, const Eigen::VectorXd& trust)
   return C;
 }
 
-/// Half the way that the values go in steps as wide as their weights; 0 where there are none.
-double weighted_median(std::vector<std::pair<double, double>> values_and_weights) {
-  std::sort(values_and_weights.begin(), values_and_weights.end());
-  double half = 0, sum = 0;
-  for (const auto& [value, weight] : values_and_weights) half += weight / 2;
-  for (const auto& [value, weight] : values_and_weights)
-    if ((sum += weight) >= half) return value;
-  return 0;
-}
-
 bool has_data(const Patch& patch, int i) { return patch.ring[i] >= 1 && patch.ring[i] <= data_rings; }
-
-/// The edges of rings 1 and 2 that run along them, as lengths at their ends; 0 at all other vertices.
-std::vector<double> lengths_along_rim(const Patch& patch) {
-  std::vector<double> length(patch.vertex_count(), 0);
-  for (const Triangle& t : patch.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const int i = t[k], j = t[(k + 1) % 3];
-      if (!has_data(patch, i) || patch.ring[i] != patch.ring[j]) continue;
-      const double edge = (patch.positions[i] - patch.positions[j]).norm();
-      length[i] += edge;
-      length[j] += edge;
-    }
-  return length;
-}
 
 }  // namespace
 
@@ -107,15 +84,14 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
   const Eigen::VectorXd bend =
       (mass.cwiseInverse().asDiagonal() * Eigen::MatrixX3d(stiffness(patch) * x)).rowwise().norm();
-  const std::vector<double> length = lengths_along_rim(patch);
-  std::vector<std::pair<double, double>> rim;
+  std::vector<double> rim;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
-    if (has_data(patch, i)) rim.emplace_back(bend[i], length[i]);
+    if (has_data(patch, i)) rim.push_back(bend[i]);
   Eigen::VectorXd trust = Eigen::VectorXd::Ones(patch.vertex_count());
   trust.tail(data.size()) = data;
-  const double median = weighted_median(std::move(rim));
-  if (!(median > 0)) return trust;
-  const double limit = 1 / (1 / (trust_in_median * median) + radius / trust_in_radius);
+  const double usual = median(std::move(rim));
+  if (!(usual > 0)) return trust;
+  const double limit = 1 / (1 / (trust_in_median * usual) + radius / trust_in_radius);
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (has_data(patch, i) && bend[i] > limit) trust[i] = std::min(trust[i], (limit / bend[i]) * (limit / bend[i]));
   return trust;

@@ -22,8 +22,7 @@ Eigen::VectorXd data_trust(const Patch& patch, double radius);
 
 /// Trust in each vertex, 0..1, #V: 1 everywhere but on rings 1 and 2, where it is the lesser of the vertex's `data` and
 /// min(1, (T / |Δr|)²) with 1/T = 1/(8 m) + R/8, m the median of |Δr| along the two rings, R the patch's radius: what is
-/// bent much more than its neighbours, or than anything that could run through the hole, counts little. Each vertex has the
-/// weight of its edges along the rim, so that the part with the finest triangles does not decide for all others.
+/// bent much more than its neighbours, or than anything that could run through the hole, counts little.
 /// @param data  of data_trust.
 Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::VectorXd& data);
 

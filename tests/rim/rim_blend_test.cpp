@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -57,37 +56,6 @@ Eigen::VectorXd trust_of(const Patch& patch) {
 TEST(RimBlend, EvenRimIsTrusted) {
   const Patch patch = test::exact_sphere_patch(4, 0.8);
   EXPECT_GT(trust_of(patch).minCoeff(), 0.999);
-}
-
-/// A hole in the unit sphere within rings of vertices. A third of its boundary loop is fine, with scattered surroundings;
-/// the rest is smooth, with this many vertices. The free vertices lie on the sphere.
-Patch patch_with_fine_and_scattered_side(int smooth_vertices) {
-  constexpr int fine_vertices = 96, rings = 10;
-  constexpr double third = 2 * std::numbers::pi / 3;
-  std::vector<double> angle;
-  for (int k = 0; k < fine_vertices; ++k) angle.push_back(-third / 2 + third * k / fine_vertices);
-  for (int k = 0; k < smooth_vertices; ++k) angle.push_back(third / 2 + 2 * third * k / smooth_vertices);
-  const int n = static_cast<int>(angle.size());
-  TriangleSoup soup;
-  Random random(4);
-  for (int j = 0; j < rings; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double from_axis = std::acos(0.8) + 0.02 * j;
-      const bool scattered = i > 2 && i < fine_vertices - 3;
-      soup.points.push_back((1 + (scattered ? 0.004 * random.bell() : 0)) *
-                            Vec3(std::sin(from_axis) * std::cos(angle[i]), std::sin(from_axis) * std::sin(angle[i]),
-                                 std::cos(from_axis)));
-    }
-  for (int j = 0; j + 1 < rings; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = j * n + i, b = j * n + (i + 1) % n, c = a + n, d = b + n;
-      soup.triangles.insert(soup.triangles.end(), {{a, c, b}, {b, c, d}});
-    }
-  const SurfaceModel model = make_surface_model(soup);
-  Patch patch = *make_initial_patch(model, {find_boundary_loops(model).back()}, {}, {}).patch;
-  for (int i = 0; i < patch.free_count; ++i)
-    patch.positions[i] = patch.to_frame(patch.to_mesh(patch.positions[i]).normalized());
-  return patch;
 }
 
 /// One half of the surroundings is left as it is: there the curvature is known, and on the other it is not.
@@ -154,32 +122,6 @@ TEST(RimBlend, OneSpikeAtTheRimLosesItsTrustAndTheRestKeepsIt) {
   int doubted = 0;
   for (int i = 0; i < patch.vertex_count(); ++i) doubted += trust[i] < 0.5;
   EXPECT_LE(doubted, 9);  // the spike and what has an edge to it
-}
-
-/// How fine the smooth part of a rim is says nothing about the rest of it. The median over the vertices would trust the
-/// scattered part a quarter more where it has most of the vertices.
-TEST(RimBlend, TheFinestPartOfTheRimDoesNotDecideWhatIsUsual) {
-  std::vector<double> trust_in_scattered;
-  for (int smooth_vertices : {32, 192}) {  // 192: as fine as the scattered part
-    const Patch patch = patch_with_fine_and_scattered_side(smooth_vertices);
-    ASSERT_EQ(patch.loops[0].size(), static_cast<std::size_t>(96 + smooth_vertices));
-    const Eigen::VectorXd known = Eigen::VectorXd::Ones(patch.vertex_count() - patch.free_count);
-    const Eigen::VectorXd trust = rim_trust(patch, rim_roughness(patch).radius, known);
-    double scattered = 0, smooth = 0;
-    int of_scattered = 0, of_smooth = 0;
-    for (int v : patch.loops[0]) {
-      const Vec3 p = patch.to_mesh(patch.positions[v]);
-      const double angle = std::abs(std::atan2(p.y(), p.x()));
-      if (angle < 0.9) scattered += trust[v], ++of_scattered;
-      if (angle > 1.3) smooth += trust[v], ++of_smooth;
-    }
-    ASSERT_GT(of_scattered, 70);
-    ASSERT_GT(of_smooth, 20);
-    EXPECT_GT(smooth / of_smooth, 0.9);
-    trust_in_scattered.push_back(scattered / of_scattered);
-  }
-  EXPECT_LT(trust_in_scattered[1], 0.3);  // measured: 0.143 and 0.156
-  EXPECT_NEAR(trust_in_scattered[0] / trust_in_scattered[1], 1, 0.15);
 }
 
 /// Every so often an edge between two of the patch's triangles is turned to the other diagonal.
