@@ -138,11 +138,6 @@ void Evolution::Impl::blend_step() {
   const bool solved =
       first ? blend_once(patch, SeamContinuity::tangent, {}, R) : blend_once(patch, options.continuity, trust, R);
   if (!solved) return stop(PatchStatus::stalled, "stopped early: the patch is too degenerate to be faired");
-  // The first spreads the vertices over the new shape; those after it mend that, and spread them anew where that unfolds.
-  if (judged && !first) {
-    Patch mended = along_normals(before, patch);
-    if (folds_of(mended) <= folds_of(patch)) patch = std::move(mended);
-  }
   if (last) regain_area(patch, start, trust, R);
   StepRecord record;
   record.step = static_cast<int>(history.size()) + 1;

@@ -6,7 +6,6 @@
 #include "filling/fairing.h"
 #include "operators/operator_set.h"
 #include "operators/topology.h"
-#include "operators/vertex_normals.h"
 #include "rim/rim_fits.h"
 
 #include <algorithm>
@@ -95,14 +94,6 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (has_data(patch, i) && bend[i] > limit) trust[i] = std::min(trust[i], (limit / bend[i]) * (limit / bend[i]));
   return trust;
-}
-
-Patch along_normals(const Patch& from, const Patch& to) {
-  const Points normals = angle_weighted_normals(to.positions, to.triangles);
-  Patch result = from;
-  for (int i = 0; i < from.free_count; ++i)
-    result.positions[i] += normals[i].dot(to.positions[i] - from.positions[i]) * normals[i];
-  return result;
 }
 
 Patch with_lost_area(const Patch& patch, const Patch& wide, const Patch& start) {

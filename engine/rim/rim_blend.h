@@ -32,11 +32,6 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
 /// @param share  0..1. @param trust  #V, 0..1, as of rim_trust. @returns `literal` with its free vertices moved.
 Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust);
 
-/// `from`, its free vertices moved as far towards `to` as its normals go there: a fairing spreads the vertices as the metric
-/// of the shape before asks, and repeated, that squeezes triangles until the shape suffers.
-/// @param to  with the same triangles.
-Patch along_normals(const Patch& from, const Patch& to);
-
 /// `patch`, its free vertices moved towards `wide`, where the way from `start` lost area that this has: all the way where it
 /// and the start have at least 1 % more than the patch, less where one has less more, and not at all where one has no more.
 /// Fairings that each take the metric of the shape before lose area from one to the next where it bulges: Δ(Hn)·n =
