@@ -30,8 +30,6 @@ double way_of_centroid(const Patch& from, const Patch& to) {
   return (centroid(from) - centroid(to)).norm();
 }
 
-int folds_of(const Patch& patch) { return count_folds(patch.positions, patch.triangles, patch.patch_triangles); }
-
 }  // namespace
 
 /// A linear fairing instead of a Gauss-Newton step, while it pays: from its result large openings are reached too.
@@ -108,26 +106,12 @@ bool Evolution::Impl::coarse_step(const CancelToken& cancel) {
   return true;
 }
 
-namespace {
-
-/// What the fairings before have lost of the start's area comes back, unless that leaves more folds.
-void regain_area(Patch& patch, const Patch& start, const Eigen::VectorXd& trust, double R) {
-  if (patch.free_count != start.free_count) return;
-  Patch wide = start;
-  if (!blend_once(wide, SeamContinuity::curvature, trust, R) || folds_of(wide) > folds_of(patch)) return;
-  wide = with_lost_area(patch, wide, start);
-  if (folds_of(wide) <= folds_of(patch)) patch = std::move(wide);
-}
-
-}  // namespace
-
 /// One linear fairing of those that are the whole way. The first on rough surroundings is of second order, from which the
 /// rim vertices are judged.
 void Evolution::Impl::blend_step() {
   Stopwatch watch;
   const bool judged = options.continuity == SeamContinuity::curvature;
   const bool first = judged && blends_left == rough_passes;
-  const bool last = judged && blends_left == 1;
   const double R = rim->radius;
   // Where a crease of the start lies between wide angles, negative weights, clamped, would hold it for ever.
   const bool flips = judged && options.triangles != PatchTriangles::fixed;
@@ -138,7 +122,6 @@ void Evolution::Impl::blend_step() {
   const bool solved =
       first ? blend_once(patch, SeamContinuity::tangent, {}, R) : blend_once(patch, options.continuity, trust, R);
   if (!solved) return stop(PatchStatus::stalled, "stopped early: the patch is too degenerate to be faired");
-  if (last) regain_area(patch, start, trust, R);
   StepRecord record;
   record.step = static_cast<int>(history.size()) + 1;
   record.solve_seconds = watch.lap();

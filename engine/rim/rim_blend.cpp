@@ -19,7 +19,6 @@ namespace loopmend {
 namespace {
 
 constexpr double trust_in_median = 8, trust_in_radius = 8;
-constexpr double surely_lost = 0.01;     ///< of the area
 constexpr double known_well_enough = 2;  ///< σ_H R from which a curvature counts half
 constexpr int data_rings = 2;  ///< rings 1 and 2: from their Laplacians tangent and curvature run into the patch
 
@@ -94,15 +93,6 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (has_data(patch, i) && bend[i] > limit) trust[i] = std::min(trust[i], (limit / bend[i]) * (limit / bend[i]));
   return trust;
-}
-
-Patch with_lost_area(const Patch& patch, const Patch& wide, const Patch& start) {
-  const double more = std::min(patch_area(wide), patch_area(start)) / patch_area(patch) - 1;
-  const double share = std::clamp(more / surely_lost, 0.0, 1.0);
-  Patch result = patch;
-  if (share > 0)
-    for (int i = 0; i < patch.free_count; ++i) result.positions[i] += share * (wide.positions[i] - patch.positions[i]);
-  return result;
 }
 
 Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust) {

@@ -32,13 +32,6 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
 /// @param share  0..1. @param trust  #V, 0..1, as of rim_trust. @returns `literal` with its free vertices moved.
 Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust);
 
-/// `patch`, its free vertices moved towards `wide`, where the way from `start` lost area that this has: all the way where it
-/// and the start have at least 1 % more than the patch, less where one has less more, and not at all where one has no more.
-/// Fairings that each take the metric of the shape before lose area from one to the next where it bulges: Δ(Hn)·n =
-/// ΔH − H‖A‖² is not zero on a sphere. One for the metric of the start does not.
-/// @param wide, start  with the same vertices; their triangles may be others.
-Patch with_lost_area(const Patch& patch, const Patch& wide, const Patch& start);
-
 /// αR² of the order blend on rough surroundings. Measured: 0, 10 and 30 differ by 2 %.
 inline constexpr double rough_bending = 10;
 

@@ -159,38 +159,6 @@ TEST(RimBlend, FairingsTurnEdgesThatAreNotDelaunay) {
   EXPECT_EQ(literal.triangles, turned.triangles);
 }
 
-TEST(RimBlend, AreaThatWasLostIsTakenFromTheWiderPatchAndNoOther) {
-  const Patch patch = test::exact_sphere_patch(4, 0.8);
-  const auto swollen = [&](double by) {
-    Patch other = patch;
-    for (int i = 0; i < patch.free_count; ++i) other.positions[i] *= 1 + by;
-    return other;
-  };
-  const Patch wide = swollen(0.05), narrow = swollen(-0.05), hardly = swollen(0.002);
-  EXPECT_EQ(with_lost_area(patch, narrow, wide).positions, patch.positions);
-  EXPECT_EQ(with_lost_area(patch, wide, narrow).positions, patch.positions);
-  for (const Patch& between : {with_lost_area(patch, hardly, wide), with_lost_area(patch, wide, hardly)})
-    for (int i = 0; i < patch.free_count; ++i) {
-      EXPECT_GT(between.positions[i].norm(), patch.positions[i].norm());
-      EXPECT_LT(between.positions[i].norm(), wide.positions[i].norm());
-    }
-  const Patch all = with_lost_area(patch, wide, wide);
-  for (int i = 0; i < patch.free_count; ++i) EXPECT_LT((all.positions[i] - wide.positions[i]).norm(), 1e-12);
-}
-
-/// From a start that has the whole bulge: without the return of the area that the fairings lose 0.971 would be left.
-TEST(RimBlend, FairingsKeepTheAreaOfABulge) {
-  Patch start = rough_start(5, 0.5);
-  for (int i = 0; i < start.free_count; ++i)
-    start.positions[i] = start.to_frame(start.to_mesh(start.positions[i]).normalized());
-  EvolutionOptions options;
-  options.boundary = BoundaryTrust::robust;
-  options.triangles = PatchTriangles::fixed;
-  const double kept = patch_area(evolved(start, options).patch()) / patch_area(start);
-  EXPECT_GT(kept, 0.99);
-  EXPECT_LT(kept, 1.04);
-}
-
 TEST(RimBlend, ASpikeDoesNotBendThePatch) {
   Patch patch = test::start_of(test::open_sphere(5, 0.8));
   patch.positions[patch.loops[0][7]] *= 1.08;
