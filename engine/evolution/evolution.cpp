@@ -164,7 +164,6 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   cared_angle = 0;
   general = make_general_solver(options.solver, flow_step_tolerance);
   spd = make_spd_solver();
-  factored_topology = nullptr;
   stop(PatchStatus::ready, "");
 }
 

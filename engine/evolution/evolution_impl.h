@@ -89,7 +89,6 @@ struct Evolution::Impl {
   double lowest_measure = 0;         ///< since then
   std::unique_ptr<GeneralSolver> general;
   std::unique_ptr<SpdSolver> spd;
-  std::shared_ptr<const Topology> factored_topology;  ///< of the matrix that spd has factored last; null: of none
 
   void prepare(Patch first);
   void take_options(const EvolutionOptions& new_options);
@@ -112,8 +111,6 @@ struct Evolution::Impl {
   void finish();
   bool stand_still(bool undamped);
   void gauss_newton_step(const CancelToken& cancel);
-  Eigen::VectorXd damped_times(const GaussNewtonSystem& system, const Eigen::VectorXd& x) const;
-  bool solve_by_kept_factors(const GaussNewtonSystem& system, StepRecord& record, Eigen::VectorXd& s);
   bool solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, StepRecord& record,
                           Eigen::VectorXd& s);
   FlowTrial try_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, StepRecord& record,

@@ -28,8 +28,6 @@ constexpr int largest_kept = 100000;            ///< free vertices: beyond, fact
 /// Of steps that are iterated: each iteration lowers the quadratic model, and its minimum is not the energy's. (Nocedal,
 /// Wright, Numerical Optimization, 2nd ed., §7.1: truncated Newton.) On a hundred thousand free vertices 0.05 takes 67.
 constexpr IterationLimits truncated{0.05, 100};
-/// So few iterations, or else new factors are the faster.
-constexpr IterationLimits by_kept_factors{1e-6, 8};
 constexpr const char* damped_words =
     "stopped early: the flow has not converged, but only ever smaller steps lower the energy";
 constexpr const char* stalled_words = "stopped early: no further step lowers the energy without folding the patch";
@@ -60,7 +58,6 @@ bool Evolution::Impl::go_over_to_cubic_fits() {
   }
   stencil = Stencil::two_ring_cubic;
   state = std::move(cubic);
-  factored_topology = nullptr;
   small_moves = 0;
   creeping_from.clear();
   initial_energy = shown_energy(options.flow, *cubic_start);
@@ -87,28 +84,15 @@ bool Evolution::Impl::stand_still(bool undamped) {
   return true;
 }
 
-/// With the factors of the last step for a preconditioner: near the end a few iterations do. @returns false if they do not.
-bool Evolution::Impl::solve_by_kept_factors(const GaussNewtonSystem& system, StepRecord& record, Eigen::VectorXd& s) {
-  if (factored_topology != state.topology || !near_the_end()) return false;
-  GeneralSystem linear;
-  linear.times = [&](const Eigen::VectorXd& x) { return damped_times(system, x); };
-  const SolveReport report = conjugate_gradients(linear, *spd, by_kept_factors, -system.half_gradient, s);
-  record.iterations += report.iterations;
-  return report.solved && report.left <= by_kept_factors.wanted;
-}
-
-Eigen::VectorXd Evolution::Impl::damped_times(const GaussNewtonSystem& system, const Eigen::VectorXd& x) const {
-  return system.curvature_times(x) + mu * system.mass.cwiseProduct(x);
-}
-
 /// (μM + BᵀQB) s = −½∇E. @param curvature  BᵀQB, empty until it has to be factored.
 bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, SparseMatrix& curvature, StepRecord& record,
                                          Eigen::VectorXd& s) {
   Stopwatch watch;
   if (state.patch.free_count > largest_factored) {
-    factored_topology = nullptr;
     GeneralSystem linear;
-    linear.times = [&](const Eigen::VectorXd& x) { return damped_times(system, x); };
+    linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+      return system.curvature_times(x) + mu * system.mass.cwiseProduct(x);
+    };
     linear.nearby = [&]() { return near_gauss_newton(state.patch, energy_of(objective), mu); };
     const SolveReport report = conjugate_gradients(linear, *spd, truncated, -system.half_gradient, s);
     record.solve_seconds += watch.lap();
@@ -116,10 +100,6 @@ bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Sparse
     ++record.factorizations;
     return report.solved;
   }
-  const bool by_kept = solve_by_kept_factors(system, record, s);
-  record.solve_seconds += watch.lap();
-  if (by_kept) return true;
-  factored_topology = nullptr;
   if (curvature.rows() == 0) curvature = system.curvature();
   store_diagonal(curvature);  // a vertex that no fit sees has no entry
   record.assemble_seconds += watch.lap();
@@ -131,10 +111,8 @@ bool Evolution::Impl::solve_gauss_newton(const GaussNewtonSystem& system, Sparse
   const bool solved = spd->factorize(curvature) && spd->solve(-system.half_gradient, solution);
   curvature.diagonal() = undamped;
   record.solve_seconds += watch.lap();
-  if (!solved) return false;
-  factored_topology = state.topology;
-  s = solution;
-  return true;
+  if (solved) s = solution;
+  return solved;
 }
 
 /// Every so many steps one gains a little more than the others: the fall of several together counts.
@@ -156,10 +134,7 @@ FlowTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, Spa
   FlowTrial trial;
   Eigen::VectorXd s;
   trial.solved = solve_gauss_newton(system, curvature, record, s);
-  if (state.patch.free_count > largest_kept) {
-    spd = make_spd_solver();
-    factored_topology = nullptr;
-  }
+  if (state.patch.free_count > largest_kept) spd = make_spd_solver();
   if (!trial.solved) return trial;
   Stopwatch watch;
   trial.move = s.cwiseAbs().maxCoeff() / edge_length();

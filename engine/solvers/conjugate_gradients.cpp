@@ -11,13 +11,13 @@ namespace loopmend {
 SolveReport conjugate_gradients(const GeneralSystem& system, SpdSolver& factors, const IterationLimits& limits,
                                 const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   SolveReport report;
-  report.factored = system.nearby != nullptr;
-  if (report.factored && !factors.factorize(system.nearby())) return report;
+  report.factored = true;
+  if (!factors.factorize(system.nearby())) return report;
   Eigen::VectorXd solution = Eigen::VectorXd::Zero(b.size()), r = b, p = solution;
   Eigen::MatrixXd z;  // one column
   if (!factors.solve(r, z)) return report;
   double rz = r.dot(z.col(0)), share = 0;
-  const double whole = rz, enough = limits.wanted * limits.wanted * rz;
+  const double enough = limits.wanted * limits.wanted * rz;
   while (rz > enough && report.iterations < limits.most) {
     p = z.col(0) + share * p;
     const Eigen::VectorXd Ap = system.times(p);
@@ -31,7 +31,6 @@ SolveReport conjugate_gradients(const GeneralSystem& system, SpdSolver& factors,
     ++report.iterations;
   }
   report.solved = std::isfinite(rz);
-  report.left = whole > 0 ? std::sqrt(rz / whole) : 0;
   if (report.solved) x = std::move(solution);
   return report;
 }

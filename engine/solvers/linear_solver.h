@@ -30,7 +30,6 @@ std::unique_ptr<SpdSolver> make_spd_solver();
 struct SolveReport {
   bool solved = false;
   int iterations = 0;     ///< 0 for a direct solve
-  double left = 0;        ///< of the residual, as IterationLimits measures it; conjugate gradients only
   bool factored = false;  ///< a new factorisation was made for this solve
 };
 
@@ -38,8 +37,7 @@ struct SolveReport {
 struct GeneralSystem {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> times;  ///< A x
   std::function<Eigen::SparseMatrix<double>()> matrix;           ///< A, n by n, compressed
-  /// A symmetric positive definite matrix near A, n by n, compressed; only the lower triangle is read. For conjugate
-  /// gradients it may be empty.
+  /// A symmetric positive definite matrix near A, n by n, compressed; only the lower triangle is read.
   std::function<Eigen::SparseMatrix<double>()> nearby;
 };
 
@@ -50,10 +48,9 @@ struct IterationLimits {
   int most = 400;
 };
 
-/// Symmetric positive definite systems too large to be factored, or near one that is factored already: conjugate gradients,
-/// preconditioned by the factors of the nearby matrix. The matrix itself is not asked for.
-/// @param factors  of the nearby matrix, made here, its symbolic analysis being kept from call to call; or made before, of
-///                 a matrix of the same size, where the system names none
+/// Symmetric positive definite systems too large to be factored: conjugate gradients, preconditioned by the factors of the
+/// nearby matrix. The matrix itself is not asked for.
+/// @param factors  of the nearby matrix, made here; its symbolic analysis is kept from call to call
 /// @param b  n. @param x  n: what the iterations came to, each of which has lowered ½xᵀAx − bᵀx; written only when solved.
 /// @returns solved: whether there is such an x, which may have more left than was wanted. There is none where a matrix is
 /// not positive definite.

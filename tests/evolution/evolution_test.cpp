@@ -109,21 +109,6 @@ TEST(Evolution, EnergyNeverRisesInGaussNewtonAndTheExteriorStands) {
   EXPECT_GT(min_angle_deg(end.positions, end.triangles, end.patch_triangles), 10);
 }
 
-TEST(Evolution, TheLastGaussNewtonStepTakesTheFactorsOfTheOneBefore) {
-  Evolution evolution(test::start_of(test::open_sphere(4, 0.8)), {});
-  ASSERT_EQ(evolution.run(nullptr, {}), PatchStatus::converged);
-  std::vector<StepRecord> newton;
-  for (const StepRecord& step : evolution.history())
-    if (step.sigma > 0) newton.push_back(step);
-  ASSERT_GE(newton.size(), 2u);
-  EXPECT_EQ(newton.front().factorizations, 1);
-  EXPECT_EQ(newton.front().iterations, 0);
-  EXPECT_EQ(newton.back().factorizations, 0);
-  EXPECT_GE(newton.back().iterations, 1);
-  EXPECT_LE(newton.back().iterations, 8);
-  EXPECT_LT(rms(evolution.patch(), to_sphere), 1e-6);
-}
-
 TEST(Evolution, TheFourFlowsFindTheirOwnSteadyStates) {
   const SurfaceModel model = test::open_sphere(4, 0.8);
   std::map<FlowKind, double> distance;

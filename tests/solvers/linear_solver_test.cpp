@@ -256,25 +256,6 @@ TEST(ConjugateGradients, SolveWhatIsTooLargeToFactor) {
   EXPECT_LT((A * x - b).norm(), 1e-5 * b.norm());
 }
 
-TEST(ConjugateGradients, TakeFactorsThatWereMadeBefore) {
-  const Sparse A = grid_matrix(30, 0.1, 0);
-  GeneralSystem system = system_of(A);
-  system.nearby = nullptr;
-  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 1);
-  const auto factors = make_spd_solver();
-  ASSERT_TRUE(factors->factorize(grid_matrix(30, 0.12, 0)));
-  Eigen::VectorXd x;
-  const SolveReport report = conjugate_gradients(system, *factors, {1e-8, 400}, b, x);
-  ASSERT_TRUE(report.solved);
-  EXPECT_FALSE(report.factored);
-  EXPECT_LE(report.left, 1e-8);
-  EXPECT_LT((A * x - b).norm(), 1e-6 * b.norm());
-  // Fewer than they need: the report says how much is left.
-  const SolveReport cut_short = conjugate_gradients(system, *factors, {1e-8, 1}, b, x);
-  EXPECT_TRUE(cut_short.solved);
-  EXPECT_GT(cut_short.left, 1e-8);
-}
-
 TEST(ConjugateGradients, EachIterationLowersTheQuadraticModel) {
   const Sparse A = grid_matrix(30, 0.1, 0);
   GeneralSystem system = system_of(A);
