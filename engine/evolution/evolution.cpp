@@ -29,7 +29,6 @@ constexpr double flow_step_tolerance = 1e-4;
 constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below
 constexpr double room_beyond_start = 1;    ///< on all sides, in diagonals of the patch's box
 constexpr double smallest_step = 1e-6;     ///< relative to the step that was asked for: below, the flow has stalled
-constexpr double least_sigma_for_rough_rate = 0.01;
 constexpr int semi_implicit_trials = 2;  ///< of a step, before Gauss-Newton takes it
 constexpr const char* collapsed_words = "stopped early: only vanishing time steps keep the flow stable here";
 
@@ -148,7 +147,6 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   const bool newton = options.mode == EvolutionMode::steady && options.flow == FlowKind::mmcvf;
   allowed_folds = start_folds + (newton ? std::max(2, state.patch.free_count / 200) : 0);
   decay_rate = 0;
-  linear_part = {};
   damping_unit = 0;
   mu = 0;
   sigma = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
@@ -167,25 +165,9 @@ void Evolution::Impl::take_options(const EvolutionOptions& new_options) {
   stop(PatchStatus::ready, "");
 }
 
-/// Beside the beginning of a step, if nothing is known that it comes from at once. Not beyond the step: the patch is read.
-void Evolution::Impl::look_for_decay_rate() {
-  if (decay_rate > 0 || linear_part.factors) return;
-  decay_search =
-      std::make_unique<SideWork>([this] { coming_decay_rate = slowest_decay_rate(options.flow, state.patch); });
-}
-
 /// The slowest decay rate, found when it is first asked for.
 double Evolution::Impl::decay() {
-  if (decay_rate > 0) return decay_rate;
-  if (decay_search) {
-    decay_search->finish();
-    decay_search.reset();
-    decay_rate = coming_decay_rate;
-  } else if (const LinearPart known = std::exchange(linear_part, {}); known.factors) {
-    decay_rate = slowest_decay_rate(*known.factors, known.mass);
-  } else {
-    decay_rate = slowest_decay_rate(options.flow, state.patch);
-  }
+  if (decay_rate == 0) decay_rate = slowest_decay_rate(options.flow, state.patch);
   if (!(decay_rate > 0)) decay_rate = 1;
   return decay_rate;
 }
@@ -259,12 +241,9 @@ SolveReport Evolution::Impl::solve_flow_step(const FlowSystem& system, Eigen::Ve
     return decay() / sigma * M - M * system.jacobian();
   };
   linear.nearby = [&]() -> SparseMatrix {
-    // While the rate is being found on the other core, a rough one will do: it only touches the lowest frequencies.
-    const bool rough = decay_rate == 0 && sigma >= least_sigma_for_rough_rate;
-    const double rate = rough ? rough_decay_rate(options.flow, state.patch) : decay();
     SparseMatrix K = symmetric_part(options.flow, state.patch, state.ops);
     store_diagonal(K);  // a vertex that no fit sees has no entry
-    K.diagonal() += rate / sigma * mass;
+    K.diagonal() += decay() / sigma * mass;
     return K;
   };
   return general->solve(linear, mass.cwiseProduct(system.velocity()), s);
@@ -295,8 +274,6 @@ FlowTrial Evolution::Impl::try_semi_implicit(const FlowSystem& system, StepRecor
 void Evolution::Impl::semi_implicit_step(const CancelToken& cancel) {
   if (!can_be_fitted()) return stop(PatchStatus::stalled, no_fits_words);
   Stopwatch watch;
-  look_for_decay_rate();
-  const std::shared_ptr<void> at_the_end(nullptr, [this](void*) { decay_search.reset(); });
   const double wanted = options.mode == EvolutionMode::steady ? steady_sigma : options.sigma;
   add_weights(state, objective, stencil);
   const FlowSystem system(options.flow, FlowState(state.ops, state.patch.free_count));

@@ -95,7 +95,7 @@ std::string method_name(Method method, FlowKind flow);
 struct StepRecord {
   int step = 0;         ///< from 1
   double energy = 0;    ///< after the step
-  double sigma = 0;     ///< the step's size, dimensionless; of a Gauss-Newton step on a large patch only roughly known
+  double sigma = 0;     ///< the step's size, dimensionless; of a Gauss-Newton step only roughly known
   double tau = 0;       ///< the step's size in the flow's own time, mesh units
   double max_move = 0;  ///< largest move of a vertex, in mean edge lengths of the patch
   int rejections = 0;   ///< trials thrown away before this one was accepted

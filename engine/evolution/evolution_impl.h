@@ -3,7 +3,6 @@
 // evolution_newton.cpp. For these alone.
 #pragma once
 
-#include "core/threads.h"
 #include "energy/curvature_energy.h"
 #include "evolution/evolution.h"
 #include "evolution/linear_start.h"
@@ -71,10 +70,7 @@ struct Evolution::Impl {
   Eigen::VectorXd rim_data_trust;    ///< data_trust of the surroundings, while blends are to come
   int blends_left = 0;    ///< linear fairings that are the whole way: on rough rims, or for less than curvature
   double decay_rate = 0;  ///< patch frame; 0 until it is first asked for
-  std::unique_ptr<SideWork> decay_search;  ///< during a semi-implicit step that began without the decay rate
-  double coming_decay_rate = 0;            ///< what the search finds
-  LinearPart linear_part;                  ///< of about the present shape, until the decay rate is known
-  double damping_unit = 0;         ///< of mu: the decay rate, or about that; 0 before the first Gauss-Newton step
+  double damping_unit = 0;         ///< of mu: about the decay rate; 0 before the first Gauss-Newton step
   double sigma = 0;                ///< of the next semi-implicit step; falls on rejection, recovers
   double mu = 0;                   ///< of the next Gauss-Newton step
   bool coarse_start_left = false;  ///< the steady state of a coarse copy may still be tried
@@ -102,7 +98,6 @@ struct Evolution::Impl {
   void blend_step();
   bool coarse_step(const CancelToken& cancel);
   void take_start(EvolutionState next, StepRecord record, double move);
-  void look_for_decay_rate();
   double decay();
   bool near_the_end() const { return last_bold_move > 0 && last_bold_move < near_the_end_move; }
   EvolutionState state_of_start_by_cubic_fits() const;

@@ -15,8 +15,6 @@ namespace {
 constexpr double first_gauss_newton_sigma = 500;
 constexpr int most_dampings = 6;      ///< of the trials of a step, because it would go too far
 constexpr double longest_move = 0.3;  ///< of a Gauss-Newton step, in patch radii: further off the fits mean nothing
-/// Free vertices: beyond, to find the decay rate takes a quarter of a step, only to say how little damping is little.
-constexpr int largest_for_exact_unit = 20000;
 constexpr double newton_tolerance = 1 + 1e-9;
 constexpr double settled_move = 5e-5;   ///< in patch radii: what such a bold step leaves is a few hundredths of it
 constexpr double creeping_move = 1e-2;  ///< in mean edge lengths, with next to no fall of the energy:
@@ -161,17 +159,9 @@ FlowTrial Evolution::Impl::try_gauss_newton(const GaussNewtonSystem& system, Spa
 
 void Evolution::Impl::gauss_newton_step(const CancelToken& cancel) {
   Stopwatch watch;
-  if (damping_unit == 0 && state.patch.free_count > largest_for_exact_unit)
-    damping_unit = rough_decay_rate(options.flow, state.patch);
-  GaussNewtonSystem system;
-  parallel_invoke(
-      [&] {
-        add_weights(state, objective, stencil);
-        system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
-      },
-      [&] {
-        if (damping_unit == 0) damping_unit = decay();
-      });
+  if (damping_unit == 0) damping_unit = rough_decay_rate(options.flow, state.patch);
+  add_weights(state, objective, stencil);
+  GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, energy_of(objective));
   if (state.patch.free_count > largest_kept)
     drop_weights(state);  // else the next state takes from them what has not changed
   if (!(mu > 0)) mu = damping_unit / (2 * first_gauss_newton_sigma);

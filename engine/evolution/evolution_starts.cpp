@@ -16,7 +16,6 @@ namespace loopmend {
 namespace {
 
 constexpr double room_beyond_fairing = 0.35;
-constexpr double short_way = 0.2;  ///< of a fairing, in mean edge lengths: the decay rate changes by a few hundredths
 constexpr double least_coarsening = 0.7;       ///< of the free vertices
 constexpr std::size_t most_coarse_steps = 12;  ///< straight ways take fewer; a longer one may lead to a bubble
 
@@ -53,10 +52,7 @@ bool Evolution::Impl::fairing_step(const CancelToken& cancel) {
     parallel_invoke(fair, [&] { cubic_start = state_of_start_by_cubic_fits(); });
   else
     fair();
-  const bool good = acceptable(next, state.measure);
-  const bool nearly_of_present = good ? faired.move < short_way * edge_length() : mesh != FairingMesh::remeshed;
-  linear_part = nearly_of_present ? std::move(faired.before) : LinearPart();
-  if (!good) return false;
+  if (!acceptable(next, state.measure)) return false;
   if (next.measure > 0.5 * state.measure && next.folds == 0) fairings_left = 0;
   StepRecord record;
   record.assemble_seconds = faired.assemble_seconds;

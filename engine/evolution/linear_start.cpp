@@ -17,13 +17,6 @@ std::shared_ptr<const Topology> topology_of(const Patch& patch) {
   return std::make_shared<Topology>(patch.vertex_count(), patch.triangles);
 }
 
-/// Whether triangles of the surroundings stand on all edges of the loops: else the fairing leaves out rows that K has.
-bool loops_are_surrounded(const Patch& patch, const Topology& topology) {
-  for (int i = patch.free_count; i < patch.vertex_count() && patch.ring[i] == 1; ++i)
-    if (topology.is_boundary(i)) return false;
-  return true;
-}
-
 }  // namespace
 
 FairedPatch linearly_faired(const Patch& given, const std::shared_ptr<const Topology>& topology, double bending,
@@ -42,18 +35,13 @@ FairedPatch linearly_faired(const Patch& given, const std::shared_ptr<const Topo
     }
     result.assemble_seconds += watch.lap();
     const bool evenly = even || attempt > 0;
-    auto solver = make_spd_solver();
     result.patch = patch;
-    result.patch.positions =
-        linear_fairing(patch, *result.topology, bending, evenly ? even_clamp : robust_clamp, *solver);
+    result.patch.positions = linear_fairing(patch, *result.topology, bending, evenly ? even_clamp : robust_clamp);
     result.solve_seconds += watch.lap();
     result.move = 0;
     for (int i = 0; i < patch.free_count; ++i)
       result.move = std::max(result.move, (result.patch.positions[i] - patch.positions[i]).norm());
     const int folds = count_folds(result.patch.positions, patch.triangles, patch.patch_triangles);
-    const bool solved = result.move > 0;
-    if (solved && folds == 0 && !evenly && bending == 0 && loops_are_surrounded(patch, *result.topology))
-      result.before = {std::move(solver), barycentric_areas(patch.positions, patch.triangles).head(patch.free_count)};
     result.assemble_seconds += watch.lap();
     if (folds == 0 || cancel.cancelled()) break;
   }

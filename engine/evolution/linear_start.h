@@ -7,7 +7,6 @@
 #include "evolution/evolution.h"
 #include "mesh/patch.h"
 #include "operators/topology.h"
-#include "solvers/linear_solver.h"
 
 #include <memory>
 
@@ -19,17 +18,10 @@ enum class FairingMesh {
   remeshed,  ///< brought back to the size of the rim's edges first
 };
 
-/// The linear part of MMCVF, ½M⁻¹K, with K factored (flows/decay_rate.h).
-struct LinearPart {
-  std::unique_ptr<SpdSolver> factors;  ///< null: not known
-  Eigen::VectorXd mass;                ///< n: the diagonal of M
-};
-
 struct FairedPatch {
   Patch patch;
   std::shared_ptr<const Topology> topology;
-  double move = 0;    ///< longest way of a vertex, patch frame
-  LinearPart before;  ///< at the shape that was faired, if the first attempt was good and solved with its matrix
+  double move = 0;  ///< longest way of a vertex, patch frame
   double assemble_seconds = 0, solve_seconds = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "operators/congruence.h"
 #include "operators/operator_set.h"
+#include "solvers/linear_solver.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,9 +19,10 @@ Eigen::MatrixX3d matrix_of(const Points& points) {
 }
 
 /// A x = b for the points from `begin` on. @returns false, the points as they were, if A is not positive definite.
-bool solve_for(const SparseMatrix& A, const Eigen::MatrixX3d& b, SpdSolver& solver, Points& points, int begin) {
+bool solve_for(const SparseMatrix& A, const Eigen::MatrixX3d& b, Points& points, int begin) {
+  const auto solver = make_spd_solver();
   Eigen::MatrixXd solution;
-  if (!solver.factorize(A) || !solver.solve(b, solution)) return false;
+  if (!solver->factorize(A) || !solver->solve(b, solution)) return false;
   for (Eigen::Index i = 0; i < solution.rows(); ++i) points[begin + i] = solution.row(i).transpose();
   return true;
 }
@@ -33,7 +35,7 @@ bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, i
   Eigen::MatrixX3d fixed = matrix_of(points);
   fixed.middleRows(begin, n).setZero();
   // Q_ff x_f = −Q_fc x_c; f the vertices [begin, end), c the others.
-  return solve_for(Q.block(begin, begin, n, n), -(Q * fixed).middleRows(begin, n), *make_spd_solver(), points, begin);
+  return solve_for(Q.block(begin, begin, n, n), -(Q * fixed).middleRows(begin, n), points, begin);
 }
 
 Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked) {
@@ -45,11 +47,10 @@ Points minimal_surface_step(const Points& points, const Triangles& triangles, in
 }
 
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
-  return linear_fairing(patch, Topology(patch.vertex_count(), patch.triangles), bending, clamp, *make_spd_solver());
+  return linear_fairing(patch, Topology(patch.vertex_count(), patch.triangles), bending, clamp);
 }
 
-Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp,
-                      SpdSolver& solver) {
+Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp) {
   // Rows of ΔL with a full one-ring of data whose value the patch can change or that stand beside such rows.
   constexpr int reach = 2;
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
@@ -73,7 +74,7 @@ Points linear_fairing(const Patch& patch, const Topology& topology, double bendi
   Eigen::MatrixX3d fixed = matrix_of(patch.positions);
   fixed.topRows(n).setZero();
   Points result = patch.positions;
-  solve_for(lower_congruence(free_L, Q), -(free_L.transpose() * (Q * (L * fixed))), solver, result, 0);
+  solve_for(lower_congruence(free_L, Q), -(free_L.transpose() * (Q * (L * fixed))), result, 0);
   return result;
 }
 

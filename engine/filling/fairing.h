@@ -4,7 +4,6 @@
 
 #include "mesh/patch.h"
 #include "operators/operator_set.h"
-#include "solvers/linear_solver.h"
 
 namespace loopmend {
 
@@ -25,11 +24,8 @@ void extend_evenly(const Triangles& triangles, const std::vector<char>& fixed, P
 /// @returns positions of all vertices, fixed ones bit-identical; the present positions if the solve fails.
 Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp);
 
-/// The same by the caller's solver, which then holds the factors of the system: without bending, and where the loops are
-/// surrounded by triangles, that of clamped_polyharmonic (flows/decay_rate.h) for the patch's shape.
 /// @param topology  of the patch.
-Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp,
-                      SpdSolver& solver);
+Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp);
 
 /// The third order with all weights one: the triangles' shapes do not count, so that pinched necks and slivers of the
 /// present shape leave no trace (docs/dev/numerics.md, "Starts"). @returns as linear_fairing.

@@ -4,6 +4,7 @@
 #include "energy/curvature_energy.h"
 #include "operators/congruence.h"
 #include "operators/operator_set.h"
+#include "solvers/linear_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,18 +29,15 @@ SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch) {
 }
 
 double slowest_decay_rate(FlowKind flow, const Patch& patch) {
-  const auto solver = make_spd_solver();
-  if (!solver->factorize(clamped_polyharmonic(flow, patch))) return 0;
-  return slowest_decay_rate(*solver, barycentric_areas(patch.positions, patch.triangles).head(patch.free_count));
-}
-
-double slowest_decay_rate(const SpdSolver& factors_of_K, const Eigen::VectorXd& mass) {
+  const auto factors_of_K = make_spd_solver();
+  if (!factors_of_K->factorize(clamped_polyharmonic(flow, patch))) return 0;
+  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles).head(patch.free_count);
   Eigen::VectorXd x = Eigen::VectorXd::Ones(mass.size());
   double rate = 0;
   for (int iteration = 0; iteration < 30; ++iteration) {
     x /= std::sqrt(x.dot(mass.cwiseProduct(x)));
     Eigen::MatrixXd next;
-    if (!factors_of_K.solve(mass.cwiseProduct(x), next)) return 0;
+    if (!factors_of_K->solve(mass.cwiseProduct(x), next)) return 0;
     const double growth = x.dot(mass.cwiseProduct(next.col(0)));
     if (!(growth > 0)) return 0;
     const double previous = rate;

@@ -5,12 +5,11 @@
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
 #include "operators/operator_set.h"
-#include "solvers/linear_solver.h"
 
 namespace loopmend {
 
-/// The lower triangle of K, n by n, symmetric positive definite: the clamped cotan Laplacian to the power 1 (MCF), 2 (SDF, WF) or 3 (MMCVF), patch
-/// frame. The flow's linear part is ½M⁻¹K.
+/// The lower triangle of K, n by n, symmetric positive definite: the clamped cotan Laplacian to the power 1 (MCF), 2 (SDF,
+/// WF) or 3 (MMCVF), patch frame. The flow's linear part is ½M⁻¹K.
 SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
 
 /// λ₁ > 0, smallest eigenvalue of the flow's linear part on the patch with clamped boundary
@@ -20,8 +19,5 @@ double slowest_decay_rate(FlowKind flow, const Patch& patch);
 /// The same of a flat disc that has the patch's area or, if that makes a smaller one, as much area for its rim. For MMCVF on
 /// a long slit up to (2π/3.9)⁶ = 17 times too small, but it costs nothing.
 double rough_decay_rate(FlowKind flow, const Patch& patch);
-
-/// The same where K is factored already. @param mass  n: the diagonal of M.
-double slowest_decay_rate(const SpdSolver& factors_of_K, const Eigen::VectorXd& mass);
 
 }  // namespace loopmend

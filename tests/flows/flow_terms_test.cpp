@@ -3,7 +3,6 @@
 
 #include "energy/curvature_energy.h"
 #include "evolution/state.h"
-#include "filling/fairing.h"
 #include "flows/decay_rate.h"
 #include "mesh/region.h"
 #include "support/patches.h"
@@ -227,16 +226,6 @@ TEST(DecayRate, IsRoughlyForetoldByAreaAndRim) {
 TEST(DecayRate, IsPositiveForEveryFlow) {
   const Patch patch = test::exact_sphere_patch(3, 0.8);
   for (FlowKind flow : all_flows) EXPECT_GT(slowest_decay_rate(flow, patch), 0) << to_string(flow);
-}
-
-TEST(DecayRate, ComesFromTheFactorsOfALinearFairingToo) {
-  Patch patch = test::start_of(test::open_sphere(4, 0.8));
-  test::disturb(patch, 0.05);
-  const auto solver = make_spd_solver();
-  linear_fairing(patch, Topology(patch.vertex_count(), patch.triangles), 0, robust_clamp, *solver);
-  const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles).head(patch.free_count);
-  const double rate = slowest_decay_rate(FlowKind::mmcvf, patch);
-  EXPECT_NEAR(slowest_decay_rate(*solver, mass), rate, 1e-6 * rate);
 }
 
 }  // namespace
