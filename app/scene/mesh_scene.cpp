@@ -5,7 +5,6 @@
 #include "scene/patch_batch.h"
 #include "scene/still_renderer.h"
 #include "scene/surface_actor.h"
-#include "scene/warm_up.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -52,7 +51,6 @@ struct MeshScene::Impl {
   bool patches_changed = false, moving = false;
   std::array<double, 6> depths_for{};  ///< the box that the camera's depths were fitted to
   vtkMTimeType depths_seen = 0;        ///< the camera's, then
-  WarmUp warm_up{renderer, table, legend};
 
   void each_surface(const auto& act) {
     for (auto& [index, scan] : scans) act(*scan);
@@ -234,22 +232,6 @@ void MeshScene::set_marked(ShapePtr shape) {
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
   impl_->renderer->still_changed();
   impl_->loops.set_lines(loops);
-}
-
-bool MeshScene::prepare(Shading shading, Edges edges) {
-  impl_->update_legend();
-  return impl_->warm_up.next_for(shading, edges);
-}
-
-bool MeshScene::warm_up_next() {
-  impl_->update_legend();
-  return impl_->warm_up.next();
-}
-
-std::size_t MeshScene::triangle_count() const {
-  std::size_t count = 0;
-  for (const auto& [index, scan] : impl_->scans) count += scan->shape()->triangles.size() / 3;
-  return count;
 }
 
 void MeshScene::set_shading(Shading shading) {

@@ -50,14 +50,6 @@ class MeshScene {
   /// drawn anew.
   void fit_depths();
 
-  /// Lets the next picture make one of the graphics' programs ready that surfaces of this look need, with what belongs to
-  /// them: to be called, and drawn, until it @returns false. Before the first look is ready, surfaces and lines are not
-  /// drawn.
-  bool prepare(Shading shading, Edges edges);
-  /// The same for programs that may be needed later.
-  bool warm_up_next();
-  /// Of all scans.
-  std::size_t triangle_count() const;
   /// How often the scans were kept as a picture, to draw patches over them; for tests.
   int still_drawn() const;
 

@@ -86,15 +86,6 @@ void StillRenderer::Clear() {
   state->vtkglDepthMask(GL_TRUE);
 }
 
-void StillRenderer::rehearse(const std::vector<vtkProp*>& props, Rehearsal how) {
-  rehearsed_ = {props.begin(), props.end()};
-  rehearsal_ = how;
-}
-
-void StillRenderer::set_curtain(Curtain curtain) {
-  if (std::exchange(curtain_, curtain) != curtain) still_changed();
-}
-
 /// A part of the props alone.
 void StillRenderer::draw(vtkProp** from, vtkProp** to, vtkFrameBufferObjectBase* fbo) {
   vtkProp** const all = std::exchange(PropArray, from);
@@ -104,45 +95,17 @@ void StillRenderer::draw(vtkProp** from, vtkProp** to, vtkFrameBufferObjectBase*
   PropArrayCount = count;
 }
 
-/// Under a condition that fails nothing reaches the graphics' own translator.
-/// @returns where the other props begin.
-vtkProp** StillRenderer::draw_rehearsal(vtkFrameBufferObjectBase* fbo) {
-  vtkProp** const others = std::stable_partition(PropArray, PropArray + PropArrayCount,
-                                                 [this](vtkProp* prop) { return rehearsed_.contains(prop); });
-  if (others == PropArray) return others;
-  if (rehearsal_ == Rehearsal::whole) {
-    draw(PropArray, others, fbo);
-    return others;
-  }
-  GLuint nothing = 0;
-  glGenQueries(1, &nothing);
-  glBeginQuery(GL_SAMPLES_PASSED, nothing);
-  glEndQuery(GL_SAMPLES_PASSED);
-  glBeginConditionalRender(nothing, GL_QUERY_WAIT);
-  draw(PropArray, others, fbo);
-  glEndConditionalRender();
-  glDeleteQueries(1, &nothing);
-  return others;
-}
-
 void StillRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {
-  vtkProp** const others = draw_rehearsal(fbo);
-  if (curtain_ == Curtain::up) return draw_over_what_stands_still(others, fbo);
-  const auto on_the_pane = [](vtkProp* prop) { return prop->IsA("vtkActor2D") != 0; };
-  draw(others, std::stable_partition(others, PropArray + PropArrayCount, on_the_pane), fbo);
-}
-
-void StillRenderer::draw_over_what_stands_still(vtkProp** from, vtkFrameBufferObjectBase* fbo) {
   vtkProp** const end = PropArray + PropArrayCount;
   const Key now = key();
   const bool rests = std::exchange(last_view_, now.view) == now.view;
   if (GetSelector() || (keep_ == Keep::while_camera_rests && !rests && !restored_)) {
-    draw(from, end, fbo);
+    draw(PropArray, end, fbo);
     return;
   }
-  vtkProp** const moving = std::stable_partition(from, end, [this](vtkProp* prop) { return still_.contains(prop); });
+  vtkProp** const moving = std::stable_partition(PropArray, end, [this](vtkProp* prop) { return still_.contains(prop); });
   if (!restored_) {
-    draw(from, moving, fbo);
+    draw(PropArray, moving, fbo);
     ++still_drawn_;
     in_store_ = copy(Way::into_store);
     stored_ = now;

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <set>
-#include <vector>
 
 class vtkOpenGLFramebufferObject;
 
@@ -29,14 +28,6 @@ class StillRenderer : public vtkOpenGLRenderer {
   void remove_still(vtkProp* prop);
   /// Something of what stands still, or the ground behind it, looks otherwise now.
   void still_changed() { ++version_; }
-  /// Where the graphics make programs ready while they draw: put together from their source, `whole`: and then, as software
-  /// graphics do it with the first triangle, translated for the machine. Either can take a tenth of a second.
-  enum class Rehearsal { source, whole };
-  /// Draws these for the sake of their programs, in every picture until others are given; takes no part in their lifetime.
-  void rehearse(const std::vector<vtkProp*>& props, Rehearsal how);
-  /// While it is down, of all surfaces and lines only those that are rehearsed are drawn; legends are.
-  enum class Curtain { up, down };
-  void set_curtain(Curtain curtain);
   /// How often what stands still was drawn; for tests.
   int still_drawn() const { return still_drawn_; }
 
@@ -60,14 +51,9 @@ class StillRenderer : public vtkOpenGLRenderer {
   enum class Way { into_store, out_of_store };
   bool copy(Way way);
   void draw(vtkProp** from, vtkProp** to, vtkFrameBufferObjectBase* fbo);
-  vtkProp** draw_rehearsal(vtkFrameBufferObjectBase* fbo);
-  void draw_over_what_stands_still(vtkProp** from, vtkFrameBufferObjectBase* fbo);
 
   vtkNew<vtkOpenGLFramebufferObject> store_;
   std::set<vtkProp*> still_;
-  std::set<vtkProp*> rehearsed_;
-  Rehearsal rehearsal_ = Rehearsal::whole;
-  Curtain curtain_ = Curtain::up;
   Key stored_{};
   View last_view_{};
   Keep keep_ = Keep::while_camera_rests;

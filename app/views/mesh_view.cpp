@@ -74,22 +74,12 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
     QElapsedTimer clock;
     clock.start();
-    const bool preparing = !put_on_look();
     const bool moving = impl_->scene.update();
     impl_->scene.fit_depths();
-    // What is drawn for a program's sake is not to be seen: the whole window need not be put together anew for it.
-    impl_->window->SetSwapBuffers(preparing || std::exchange(impl_->warming, false) ? 0 : 1);
     impl_->window->Render();
-    impl_->window->SetSwapBuffers(1);
     impl_->pause_ms = wait_after_picture(clock.elapsed());
     impl_->last_picture.start();
-    preparing || moving ? redraw() : warm_up_soon();
-  });
-  impl_->warm_up_timer.setSingleShot(true);
-  connect(&impl_->warm_up_timer, &QTimer::timeout, this, [this] {
-    impl_->warming = !impl_->redraw_timer.isActive();
-    impl_->warm = !impl_->scene.warm_up_next();
-    redraw();
+    if (moving) redraw();
   });
   impl_->window->AddObserver(vtkCommand::EndEvent, this, &MeshView::after_render);
   follow_document();
@@ -135,16 +125,6 @@ void MeshView::follow_document() {
   connect(&selection, &HoleSelection::hover_changed, this, &MeshView::update_highlight);
 }
 
-/// One program after another, each in a picture of its own, so that nobody waits for all of them; and only where the window
-/// is at leisure, since some take a fifth of a second. Whoever wants a look before, waits for its program alone.
-void MeshView::warm_up_soon() {
-  constexpr std::size_t light_scene = 200'000;             // triangles: drawing it again is soon done
-  constexpr int leisure_ms = 1000, nothing_open_ms = 300;  // a file may be about to be shown
-  const std::size_t triangles = impl_->scene.triangle_count();
-  if (impl_->warm || triangles > light_scene) return;
-  impl_->warm_up_timer.start(triangles == 0 ? nothing_open_ms : leisure_ms);
-}
-
 QWidget* MeshView::canvas() const { return impl_->canvas; }
 
 void MeshView::redraw() {
@@ -163,31 +143,19 @@ void MeshView::redraw_at_leisure() {
 
 const Look& MeshView::look() const { return impl_->look; }
 
-bool MeshView::look_is_on() const { return impl_->look_is_on; }
-
 double MeshView::range() const { return impl_->scene.range(); }
 
 void MeshView::set_look(const Look& look) {
   const Look old = std::exchange(impl_->look, look);
   MeshScene& scene = impl_->scene;
-  if (look.shading != old.shading || look.edges != old.edges) impl_->look_is_on = false;
+  if (look.shading != old.shading) scene.set_shading(look.shading);
+  if (look.edges != old.edges) scene.set_edges(look.edges);
   if (look.seams != old.seams) scene.set_seams(look.seams);
   if (look.map != old.map) scene.set_color_map(look.map);
   if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
+  update_legend_words();
   update_range();
   redraw();
-}
-
-/// Surfaces are drawn as they were until the graphics are ready for how they shall look.
-/// @returns whether they look so now; otherwise the next picture brings that nearer.
-bool MeshView::put_on_look() {
-  if (impl_->look_is_on) return true;
-  if (impl_->scene.prepare(impl_->look.shading, impl_->look.edges)) return false;
-  impl_->scene.set_shading(impl_->look.shading);
-  impl_->scene.set_edges(impl_->look.edges);
-  update_legend_words();
-  impl_->look_is_on = true;
-  return true;
 }
 
 Viewpoint MeshView::viewpoint() const {

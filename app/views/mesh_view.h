@@ -36,8 +36,6 @@ class MeshView : public QWidget {
 
   const Look& look() const;
   void set_look(const Look& look);
-  /// Whether surfaces are drawn with that look: now and then the graphics have to be made ready for it first.
-  bool look_is_on() const;
   /// Half-width of the colour range in force.
   double range() const;
 
@@ -115,8 +113,6 @@ class MeshView : public QWidget {
   void face_front();
   void redraw();
   void redraw_at_leisure();
-  bool put_on_look();
-  void warm_up_soon();
   void after_render();
 
   std::unique_ptr<Impl> impl_;

@@ -41,7 +41,7 @@ struct MeshView::Impl {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   MeshScene scene;
   LoopPicker picker;
-  QTimer redraw_timer, warm_up_timer;
+  QTimer redraw_timer;
   QElapsedTimer last_picture;
   int pause_ms = 0;  ///< after a picture, before the next
   vtkNew<vtkFloatArray> depth;
@@ -50,11 +50,8 @@ struct MeshView::Impl {
   bool depth_is_fresh = false;
   QPoint pressed_at;
   Look look;
-  bool look_is_on = false;  ///< the graphics are ready for it, and surfaces are drawn so
   std::optional<Probe> probe;
   bool preview_shown = false;
-  bool warming = false;     ///< the next picture is drawn for a program's sake alone
-  bool warm = false;        ///< every program of the graphics is ready
   bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
   TrialPicture trial;
   ViewTool* tool = nullptr;

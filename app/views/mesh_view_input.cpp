@@ -282,7 +282,6 @@ QImage MeshView::picture(const PictureOptions& options) {
     window->SetAlphaBitPlanes(1);
   }
   impl_->scene.arrive();
-  while (!put_on_look()) window->Render();
   renderer->ResetCameraClippingRange();
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;

@@ -116,8 +116,7 @@ bool wait_until(const std::function<bool()>& holds, double seconds) {
 }
 
 bool wait_idle(MainWindow& window, double seconds) {
-  const auto drawn = [&] { return !window.isVisible() || window.view().look_is_on(); };
-  return wait_until([&] { return !window.workbench().busy() && drawn(); }, seconds);
+  return wait_until([&] { return !window.workbench().busy(); }, seconds);
 }
 
 void settle(int milliseconds) { QTest::qWait(milliseconds); }

@@ -29,34 +29,6 @@
 using namespace loopmend;
 using namespace loopmend::testing;
 
-namespace {
-
-/// A scene in a window of its own, seen from where all of the sample is in the picture.
-struct Stage {
-  static constexpr int width = 320, height = 240;
-  explicit Stage(std::shared_ptr<const SurfaceShape> shape) : window(make_offscreen_window(width, height)) {
-    window->AddRenderer(scene.renderer());
-    scene.set_size(width, height);
-    if (shape) scene.set_scan(0, std::move(shape));
-    scene.set_legend(LegendPlace::none);
-    vtkCamera* camera = scene.renderer()->GetActiveCamera();
-    camera->SetPosition(0, 0, 400);
-    camera->SetClippingRange(1, 1000);
-  }
-  QImage picture() {
-    scene.update();
-    window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels);
-    return QImage(pixels->GetPointer(0), width, height, 3 * width, QImage::Format_RGB888).copy();
-  }
-
-  MeshScene scene;
-  vtkSmartPointer<vtkRenderWindow> window;
-};
-
-}  // namespace
-
 class RenderTest : public QObject {
   Q_OBJECT
 
@@ -91,33 +63,6 @@ class RenderTest : public QObject {
     keep("a.png", render_surface(model_, options));
     keep("b.png", render_surface(model_, options));
     QCOMPARE(QImage(path("a.png")), QImage(path("b.png")));
-  }
-
-  /// Programs are made ready in pictures of their own, which show nothing of the scene before the first look is ready, and
-  /// all of it afterwards.
-  void graphics_are_prepared_one_program_after_another() {
-    Stage bare(nullptr), plain(scan_shape()), prepared(scan_shape());
-    const QImage ground = bare.picture(), expected = plain.picture();
-    QVERIFY(ground != expected);
-    int turns = 0;
-    for (; prepared.scene.prepare(Shading::curvature, Edges::hidden) && turns < 30; ++turns)
-      QCOMPARE(prepared.picture(), ground);
-    QVERIFY(turns >= 5);
-    QVERIFY(turns < 30);
-    QCOMPARE(prepared.picture(), expected);
-    // Another look: until it is ready, surfaces are drawn as they were.
-    turns = 0;
-    for (; prepared.scene.prepare(Shading::zebra, Edges::shown) && turns < 30; ++turns)
-      QCOMPARE(prepared.picture(), expected);
-    QVERIFY(turns >= 2);
-    QVERIFY(turns < 30);
-    // The rest, whatever was asked for in between; then there is nothing left to do for any look.
-    for (turns = 0; prepared.scene.warm_up_next() && turns < 30; ++turns) QCOMPARE(prepared.picture(), expected);
-    QVERIFY(turns < 30);
-    for (Edges edges : {Edges::hidden, Edges::shown})
-      for (Shading shading : {Shading::gaussian, Shading::plain, Shading::isophotes})
-        QVERIFY(!prepared.scene.prepare(shading, edges));
-    QCOMPARE(prepared.picture(), expected);
   }
 
   void before_and_after_side_by_side() {
