@@ -74,7 +74,7 @@ FillOptions options_of(const FlowWords& words) {
   static const std::map<std::string, FlowKind> flows{
       {"mmcvf", FlowKind::mmcvf}, {"wf", FlowKind::wf}, {"sdf", FlowKind::sdf}, {"mcf", FlowKind::mcf}};
   FillOptions options;
-  options.filler.density = words.density;
+  options.initial.density = words.density;
   if (words.flow == "none")
     options.evolution.reset();
   else

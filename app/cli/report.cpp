@@ -92,7 +92,7 @@ Json loop_json(const HoleResult& result) {
   json["steps"] = patch.steps;
   json["bending"] = patch.bending;
   json["rim"] = rim_json(result);
-  json["seconds"] = {{"filler", patch.seconds.initial_patch},
+  json["seconds"] = {{"initial_patch", patch.seconds.initial_patch},
                      {"assemble", patch.seconds.assemble},
                      {"solve", patch.seconds.solve},
                      {"total", result.seconds}};

@@ -3,7 +3,7 @@
 #include "compare/compare_numbers.h"
 #include "compare/compare_window.h"
 #include "compare/flow_canvas.h"
-#include "compare/flow_pane.h"
+#include "compare/flow_view.h"
 #include "compare/legend_strip.h"
 #include "dialogs/picture_dialog.h"
 #include "panels/banner.h"
@@ -47,7 +47,7 @@ QImage CompareWindow::picture(const PictureOptions& options) {
     const QRectF cell(lane % columns * width, lane / columns * height, width, height);
     const QSize drawn(static_cast<int>(cell.width() - 3 * scale), static_cast<int>(cell.height() - title - 3 * scale));
     if (drawn.isEmpty()) return {};
-    FlowPane& shown = *panes_[static_cast<std::size_t>(lane)];
+    FlowView& shown = *panes_[static_cast<std::size_t>(lane)];
     const QImage view = (wiping ? *wipe_ : shown.canvas()).picture(drawn, options.ground);
     if (view.isNull()) return {};
     painter.drawImage(QPointF(cell.left(), cell.top() + title), view);

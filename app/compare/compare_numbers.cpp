@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/compare_numbers.h"
 
-#include "compare/flow_pane.h"
-#include "document/words.h"
+#include "compare/flow_view.h"
+#include "document/labels.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
 #include "problems/comparison_table.h"
@@ -62,16 +62,16 @@ QString status_words(const std::string& status) {
   return QString::fromStdString(status);
 }
 
-std::vector<std::string> live_row(const LaneState& lane) {
+std::vector<std::string> live_row(const ComparedRun& lane) {
   std::string status;
-  if (lane.stage == LaneState::Stage::ended) status = to_string(lane.status);
+  if (lane.stage == ComparedRun::Stage::ended) status = to_string(lane.status);
   return comparison_row(upper_name(lane.flow), status, lane.steps, lane.energies, lane.seams, lane.wide_jump,
                         lane.validity);
 }
 
 }  // namespace
 
-CompareNumbers::CompareNumbers(const FlowRace& race, QWidget* parent)
+CompareNumbers::CompareNumbers(const ComparisonController& race, QWidget* parent)
     : QWidget(parent),
       race_(race),
       table_(new QTableWidget),
@@ -99,7 +99,7 @@ CompareNumbers::CompareNumbers(const FlowRace& race, QWidget* parent)
   connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareNumbers::update_energies);
   for (FlowKind flow : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf})
     for (Plot* plot : {energies_, profiles_})
-      plot->add_graph(Plot::Side::left, words::flow_name(flow), Plot::Line::solid, ink_of(flow));
+      plot->add_graph(Plot::Side::left, labels::flow_name(flow), Plot::Line::solid, ink_of(flow));
   for (Plot* plot : {energies_, profiles_}) plot->set_axis(Plot::Side::left, Plot::Scale::linear);
   profiles_->leave_out_of_fit(0);  // MCF: a crease's curvature would leave the others flat
   for (Plot* plot : {energies_, profiles_}) plot->drop_legend();  // the headings of the views have the colours
@@ -164,7 +164,7 @@ void CompareNumbers::update_energies() {
   for (int graph = 0; graph < flows; ++graph) energies_->set_data(graph, {}, {});
   for (int lane = 0; lane < race_.lanes(); ++lane) {
     QVector<double> step, value;
-    for (const RacePoint& point : race_.curve(lane)) {
+    for (const ComparisonPoint& point : race_.curve(lane)) {
       step << point.step;
       value << energy_of(point.energies, which_->currentIndex());
       positive = positive && value.last() > 0;
@@ -201,7 +201,7 @@ void CompareNumbers::update_profiles() {
 }
 
 /// Of a finished comparison in its own words, so that they are those of the command line to the last digit.
-std::vector<std::vector<std::string>> table_rows(const FlowRace& race) {
+std::vector<std::vector<std::string>> table_rows(const ComparisonController& race) {
   if (race.comparison()) return comparison_rows(*race.comparison());
   std::vector<std::vector<std::string>> rows;
   if (!race.start()) return rows;
@@ -210,11 +210,11 @@ std::vector<std::vector<std::string>> table_rows(const FlowRace& race) {
   return rows;
 }
 
-std::string curves_csv(const FlowRace& race) {
+std::string curves_csv(const ComparisonController& race) {
   std::string text = "flow,step,int |grad H|^2,int H^2,area\n";
   char line[160];
   for (int lane = 0; lane < race.lanes(); ++lane)
-    for (const RacePoint& point : race.curve(lane)) {
+    for (const ComparisonPoint& point : race.curve(lane)) {
       std::snprintf(line, sizeof line, "%s,%d,%.17g,%.17g,%.17g\n", upper_name(race.flow(lane)).c_str(), point.step,
                     point.energies.variation, point.energies.bending, point.energies.area);
       text += line;

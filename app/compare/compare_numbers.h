@@ -2,7 +2,7 @@
 // Below the pictures: the table of the comparison, the energies against the step, H across the seam.
 #pragma once
 
-#include "jobs/flow_race.h"
+#include "jobs/comparison_controller.h"
 
 #include <QWidget>
 
@@ -17,7 +17,7 @@ class CompareNumbers : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CompareNumbers(const FlowRace& race, QWidget* parent = nullptr);
+  explicit CompareNumbers(const ComparisonController& race, QWidget* parent = nullptr);
 
   /// Everything anew.
   void update_all();
@@ -30,15 +30,15 @@ class CompareNumbers : public QWidget {
   void update_profiles();
   void fill_row(int row, const std::vector<std::string>& cells);
 
-  const FlowRace& race_;
+  const ComparisonController& race_;
   QTableWidget* table_;
   QComboBox* which_;
   Plot *energies_, *profiles_;
 };
 
 /// The table as it stands: of the finished comparison, or of what was reached.
-std::vector<std::vector<std::string>> table_rows(const FlowRace& race);
+std::vector<std::vector<std::string>> table_rows(const ComparisonController& race);
 /// flow, step, the three energies: a line for each step.
-std::string curves_csv(const FlowRace& race);
+std::string curves_csv(const ComparisonController& race);
 
 }  // namespace loopmend

@@ -3,10 +3,10 @@
 
 #include "compare/compare_numbers.h"
 #include "compare/flow_canvas.h"
-#include "compare/flow_pane.h"
+#include "compare/flow_view.h"
 #include "compare/legend_strip.h"
 #include "compare/picture_clock.h"
-#include "document/words.h"
+#include "document/labels.h"
 #include "panels/banner.h"
 #include "panels/choices.h"
 #include "panels/parts.h"
@@ -73,7 +73,7 @@ Facing facing_of(const SurfaceShape& shape) {
 
 }  // namespace
 
-CompareWindow::CompareWindow(FlowRace& race, CompareTask task, const Look& look, QWidget* parent)
+CompareWindow::CompareWindow(ComparisonController& race, CompareTask task, const Look& look, QWidget* parent)
     : QWidget(parent, Qt::Window),
       race_(race),
       task_(std::move(task)),
@@ -195,7 +195,7 @@ QWidget* CompareWindow::build_views() {
   grid_ = new QGridLayout(grid);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(6);
-  for (int number = 0; number < most_views; ++number) panes_.push_back(new FlowPane(number, *clock_));
+  for (int number = 0; number < most_views; ++number) panes_.push_back(new FlowView(number, *clock_));
   wipe_ = new FlowCanvas("compareWipeView", FlowCanvas::Sides::two, *clock_);
   pages_ = new QStackedWidget;
   pages_->addWidget(grid);
@@ -212,7 +212,7 @@ QWidget* CompareWindow::build_views() {
 
 void CompareWindow::wire() {
   connect(run_, &QPushButton::clicked, this, &CompareWindow::run);
-  connect(stop_, &QPushButton::clicked, &race_, &FlowRace::stop);
+  connect(stop_, &QPushButton::clicked, &race_, &ComparisonController::stop);
   connect(save_picture_, &QPushButton::clicked, this, &CompareWindow::ask_picture);
   connect(save_numbers_, &QPushButton::clicked, this, &CompareWindow::ask_numbers);
   connect(copy_, &QPushButton::clicked, this, &CompareWindow::copy_command);
@@ -238,22 +238,22 @@ void CompareWindow::wire() {
   for (QComboBox* box : {left_, right_})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_wipe);
   for (int lane = 0; lane < most_views; ++lane) {
-    FlowPane* pane = panes_[static_cast<std::size_t>(lane)];
-    connect(pane, &FlowPane::flow_chosen, this, [this, lane](FlowKind flow) { choose_flow(lane, flow); });
-    connect(pane, &FlowPane::accept_wanted, this, [this, lane] { accept(lane); });
+    FlowView* pane = panes_[static_cast<std::size_t>(lane)];
+    connect(pane, &FlowView::flow_chosen, this, [this, lane](FlowKind flow) { choose_flow(lane, flow); });
+    connect(pane, &FlowView::accept_wanted, this, [this, lane] { accept(lane); });
   }
   for (FlowCanvas* canvas : canvases())
     connect(canvas, &FlowCanvas::turned, this, [this, canvas] {
       if (linked_->isChecked()) follow(*canvas);
     });
-  connect(&race_, &FlowRace::stage_changed, this, &CompareWindow::update_all);
-  connect(&race_, &FlowRace::lane_moved, this, &CompareWindow::update_lane);
-  connect(&race_, &FlowRace::failed, banner_, &Banner::show_problem);
+  connect(&race_, &ComparisonController::stage_changed, this, &CompareWindow::update_all);
+  connect(&race_, &ComparisonController::lane_moved, this, &CompareWindow::update_lane);
+  connect(&race_, &ComparisonController::failed, banner_, &Banner::show_problem);
 }
 
 std::vector<FlowCanvas*> CompareWindow::canvases() const {
   std::vector<FlowCanvas*> all;
-  for (FlowPane* pane : panes_) all.push_back(&pane->canvas());
+  for (FlowView* pane : panes_) all.push_back(&pane->canvas());
   all.push_back(wipe_);
   return all;
 }
@@ -272,11 +272,11 @@ EvolutionOptions CompareWindow::options() const {
 }
 
 void CompareWindow::run() {
-  if (run_->isEnabled() || race_.stage() == FlowRace::Stage::ready) race_.run(options());
+  if (run_->isEnabled() || race_.stage() == ComparisonController::Stage::ready) race_.run(options());
 }
 
 void CompareWindow::run_when_ready() {
-  run_soon_ = race_.stage() == FlowRace::Stage::preparing;
+  run_soon_ = race_.stage() == ComparisonController::Stage::preparing;
   if (!run_soon_) run();
 }
 
@@ -305,7 +305,7 @@ void CompareWindow::choose_flow(int lane, FlowKind flow) {
 void CompareWindow::arrange() {
   const int columns = race_.lanes() == 4 ? 2 : race_.lanes();
   for (int lane = 0; lane < most_views; ++lane) {
-    FlowPane* pane = panes_[static_cast<std::size_t>(lane)];
+    FlowView* pane = panes_[static_cast<std::size_t>(lane)];
     grid_->removeWidget(pane);
     if (lane < race_.lanes()) grid_->addWidget(pane, lane / columns, lane % columns);
     pane->setVisible(lane < race_.lanes());
@@ -320,7 +320,7 @@ void CompareWindow::update_all() {
     for (QComboBox* box : {left_, right_}) {
       box->clear();
       box->addItem(tr("Start"));
-      for (int lane = 0; lane < race_.lanes(); ++lane) box->addItem(words::flow_name(race_.flow(lane)));
+      for (int lane = 0; lane < race_.lanes(); ++lane) box->addItem(labels::flow_name(race_.flow(lane)));
     }
     left_->setCurrentIndex(std::min(old_left, left_->count() - 1));
     right_->setCurrentIndex(old_right < 0 ? right_->count() - 1 : std::min(old_right, right_->count() - 1));
@@ -331,13 +331,13 @@ void CompareWindow::update_all() {
       panes_[static_cast<std::size_t>(lane)]->show_flow(race_.flow(lane));
       panes_[static_cast<std::size_t>(lane)]->show_lane(*race_.lane(lane), task_.accept_help);
     }
-    if (race_.stage() != FlowRace::Stage::running) update_range();
+    if (race_.stage() != ComparisonController::Stage::running) update_range();
     if (isVisible() && !std::exchange(faced_, true)) face_patch();
   }
   numbers_->update_all();
   update_wipe();
   update_use();
-  if (race_.stage() == FlowRace::Stage::ready && std::exchange(run_soon_, false)) run();
+  if (race_.stage() == ComparisonController::Stage::ready && std::exchange(run_soon_, false)) run();
 }
 
 void CompareWindow::update_lane(int lane) {
@@ -347,25 +347,25 @@ void CompareWindow::update_lane(int lane) {
 }
 
 void CompareWindow::update_use() {
-  const FlowRace::Stage stage = race_.stage();
-  const bool ready = stage == FlowRace::Stage::ready;
+  const ComparisonController::Stage stage = race_.stage();
+  const bool ready = stage == ComparisonController::Stage::ready;
   run_->setEnabled(ready);
-  stop_->setEnabled(stage == FlowRace::Stage::running);
+  stop_->setEnabled(stage == ComparisonController::Stage::running);
   for (QWidget* part : std::initializer_list<QWidget*>{count_, mode_, save_numbers_}) part->setEnabled(ready);
   save_picture_->setEnabled(race_.start() != nullptr);
   const bool steps = mode_->currentData().toInt() == static_cast<int>(EvolutionMode::steps);
   sigma_->setVisible(steps);
   sigma_value_->setVisible(steps);
   sigma_->setEnabled(ready);
-  sigma_value_->setText(tr("\u03c3 = %1").arg(words::number(options().sigma)));
+  sigma_value_->setText(tr("\u03c3 = %1").arg(labels::number(options().sigma)));
   for (QComboBox* box : {left_, right_}) box->setEnabled(wiping_->isChecked());
   half_width_->setEnabled(own_range_->isChecked());
-  for (FlowPane* pane : panes_) pane->set_use(ready ? FlowPane::Use::open : FlowPane::Use::running);
+  for (FlowView* pane : panes_) pane->set_use(ready ? FlowView::Use::open : FlowView::Use::running);
   QString words;
-  if (stage == FlowRace::Stage::preparing) words = tr("Making the start\u2026");
-  if (stage == FlowRace::Stage::running) words = tr("Running\u2026");
+  if (stage == ComparisonController::Stage::preparing) words = tr("Making the start\u2026");
+  if (stage == ComparisonController::Stage::running) words = tr("Running\u2026");
   if (ready && race_.start())
-    words = tr("%1 free vertices").arg(words::count(static_cast<std::size_t>(race_.start()->patch.free_count)));
+    words = tr("%1 free vertices").arg(labels::count(static_cast<std::size_t>(race_.start()->patch.free_count)));
   wait_->setText(words);
 }
 
@@ -414,7 +414,7 @@ void CompareWindow::update_wipe() {
   int side = 0;
   for (const QComboBox* box : {left_, right_}) {
     const int at = box->currentIndex() - 1;
-    const LaneState& lane = at < 0 || at >= race_.lanes() ? *race_.start() : *race_.lane(at);
+    const ComparedRun& lane = at < 0 || at >= race_.lanes() ? *race_.start() : *race_.lane(at);
     wipe_->show_patch(side++, lane.shape, arrival_of(lane));
   }
 }
@@ -436,7 +436,7 @@ void CompareWindow::copy_command() {
 
 void CompareWindow::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
-    case Qt::Key_Escape: race_.stage() == FlowRace::Stage::running ? race_.stop() : banner_->hide(); break;
+    case Qt::Key_Escape: race_.stage() == ComparisonController::Stage::running ? race_.stop() : banner_->hide(); break;
     case Qt::Key_Space: run(); break;
     case Qt::Key_F: frame(); break;
     case Qt::Key_1:

@@ -4,7 +4,7 @@
 
 #include "dialogs/picture_dialog.h"
 #include "document/problem_commands.h"
-#include "jobs/flow_race.h"
+#include "jobs/comparison_controller.h"
 #include "scene/look.h"
 
 #include <QImage>
@@ -25,16 +25,16 @@ namespace loopmend {
 class Banner;
 class CompareNumbers;
 class FlowCanvas;
-class FlowPane;
+class FlowView;
 class LegendStrip;
 class PictureClock;
 
 /// What a comparison is about, and what becomes of its winner.
 struct CompareTask {
-  RaceSource source;
+  ComparisonSource source;
   ProblemWords command;  ///< the same for a shell
   QString accept_help;   ///< what taking a result over does, in words
-  std::function<QString(const LaneState& start, const LaneState& lane)>
+  std::function<QString(const ComparedRun& start, const ComparedRun& lane)>
       accept;  ///< does it. @returns what to tell the person
 };
 
@@ -43,7 +43,7 @@ class CompareWindow : public QWidget {
 
  public:
   /// @param race  stays alive as long as the window.
-  CompareWindow(FlowRace& race, CompareTask task, const Look& look, QWidget* parent = nullptr);
+  CompareWindow(ComparisonController& race, CompareTask task, const Look& look, QWidget* parent = nullptr);
 
   void run();
   /// Now, or as soon as the start is there.
@@ -52,8 +52,8 @@ class CompareWindow : public QWidget {
   QImage picture(const PictureOptions& options);
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
   QString save_numbers(const QString& path) const;
-  const FlowRace& race() const { return race_; }
-  FlowPane& pane(int number) { return *panes_[static_cast<std::size_t>(number)]; }
+  const ComparisonController& race() const { return race_; }
+  FlowView& pane(int number) { return *panes_[static_cast<std::size_t>(number)]; }
   FlowCanvas& wipe() { return *wipe_; }
 
  protected:
@@ -84,13 +84,13 @@ class CompareWindow : public QWidget {
   EvolutionOptions options() const;
   std::vector<FlowCanvas*> canvases() const;
 
-  FlowRace& race_;
+  ComparisonController& race_;
   CompareTask task_;
   Look look_;
   PictureClock* clock_;
   double range_ = 1;
   bool faced_ = false, run_soon_ = false;
-  std::vector<FlowPane*> panes_;
+  std::vector<FlowView*> panes_;
   FlowCanvas* wipe_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   QGridLayout* grid_ = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/legend_strip.h"
 
-#include "document/words.h"
+#include "document/labels.h"
 #include "panels/parts.h"
 
 #include <QPainter>
@@ -72,7 +72,7 @@ void LegendStrip::paint(QPainter& painter, const QRectF& area, const QColor& ink
     painter.drawLine(QPointF(bar.right(), at), QPointF(bar.right() + 4, at));
     const QString sign = value > 0 ? QStringLiteral("+") : value < 0 ? QStringLiteral("\u2212") : QString();
     painter.drawText(QRectF(bar.right() + gap, at - line / 2, area.right() - bar.right() - gap, line),
-                     Qt::AlignLeft | Qt::AlignVCenter, sign + words::number(std::abs(value)));
+                     Qt::AlignLeft | Qt::AlignVCenter, sign + labels::number(std::abs(value)));
   }
   painter.setPen(soft);
   text(mean ? tr("bulging") : tr("saddle"), bar.bottom() + 6);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/command_line.h"
 
+#include "document/labels.h"
 #include "document/shell_words.h"
-#include "document/words.h"
 
 #include <QCoreApplication>
 
@@ -54,7 +54,7 @@ class ScanCommands {
     const PatchRecipe& recipe = patch.state->recipe;
     auto& loops = by_options_[options_of(recipe)];
     loops.insert(patch.loops.begin(), patch.loops.end());
-    const QString name = words::sentence(words::holes(document_, {patch.loops.begin(), patch.loops.end()}));
+    const QString name = labels::sentence(labels::holes(document_, {patch.loops.begin(), patch.loops.end()}));
     if (patch.state->status == PatchStatus::invalid)
       remarks << tr("%1: the patch cuts the surface; the command would leave it open.").arg(name);
     if (scan_.from == ScanOrigin::made)

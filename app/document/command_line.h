@@ -13,7 +13,7 @@ struct CommandLine {
   QStringList remarks;  ///< what it does not repeat exactly, in words
 };
 
-/// Fills from the scans' files what the patches by these ids fill, with the same fillers and flows.
+/// Fills from the scans' files what the patches by these ids fill, with the same initial patches and flows.
 CommandLine command_line(const Document& document, const std::set<int>& patch_ids);
 
 }  // namespace loopmend

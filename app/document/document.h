@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is open: scans, their loops, the patches made so far. Changes come through the undo commands and the workbench.
+// What is open: scans, their loops, the patches made so far. Changes come through the undo commands and the controller.
 #pragma once
 
 #include "document/opened_scan.h"

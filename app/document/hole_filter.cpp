@@ -3,7 +3,7 @@
 
 #include "document/document.h"
 #include "document/hole_table.h"
-#include "document/words.h"
+#include "document/labels.h"
 
 #include <algorithm>
 
@@ -47,7 +47,7 @@ bool HoleFilter::filterAcceptsRow(int loop, const QModelIndex&) const {
   if (loop >= document_.loop_count() || !document_.present(loop) || !in_group(loop)) return false;
   if (words_.isEmpty()) return true;
   const BoundaryLoop& l = document_.loop(loop);
-  const QString cells = words::kind(l.kind) + QLatin1Char(' ') + words::state(document_.state(loop)) +
+  const QString cells = labels::kind(l.kind) + QLatin1Char(' ') + labels::state(document_.state(loop)) +
                         QLatin1Char(' ') + document_.scan(document_.scan_of(loop))->name.toLower();
   const QString number = QString::number(l.number);
   return std::all_of(words_.begin(), words_.end(),

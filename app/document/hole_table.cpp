@@ -2,7 +2,7 @@
 #include "document/hole_table.h"
 
 #include "document/document.h"
-#include "document/words.h"
+#include "document/labels.h"
 
 #include <QColor>
 
@@ -83,14 +83,14 @@ QVariant HoleTable::text(int loop, int column) const {
   switch (column) {
     case number: return QString::number(l.number);
     case edges: return QString::number(l.edges());
-    case perimeter: return words::number(l.perimeter);
-    case diameter: return words::number(l.diameter);
-    case area: return words::number(l.area);
-    case planarity: return words::number(l.planarity);
-    case kind: return words::kind(l.kind);
+    case perimeter: return labels::number(l.perimeter);
+    case diameter: return labels::number(l.diameter);
+    case area: return labels::number(l.area);
+    case planarity: return labels::number(l.planarity);
+    case kind: return labels::kind(l.kind);
     case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
-    case rim: return rim_of(loop) ? words::surroundings(rim_of(loop)->roughness.kind) : QString();
-    case state: return words::state(document_.state(loop));
+    case rim: return rim_of(loop) ? labels::surroundings(rim_of(loop)->roughness.kind) : QString();
+    case state: return labels::state(document_.state(loop));
     default: return {};
   }
 }
@@ -122,11 +122,11 @@ const RimSummary* HoleTable::rim_of(int loop) const {
 }
 
 QVariant HoleTable::tool_tip(int loop, int column) const {
-  if (column == kind) return words::kind_help(document_.loop(loop).kind);
-  if (column == rim) return rim_of(loop) ? words::rim_help(*rim_of(loop)) : QString();
+  if (column == kind) return labels::kind_help(document_.loop(loop).kind);
+  if (column == rim) return rim_of(loop) ? labels::rim_help(*rim_of(loop)) : QString();
   if (column != state) return {};
   const QString more = document_.message(loop);
-  const QString help = words::state_help(document_.state(loop));
+  const QString help = labels::state_help(document_.state(loop));
   return more.isEmpty() ? help : help + QLatin1Char(' ') + more;
 }
 

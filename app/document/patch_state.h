@@ -63,7 +63,7 @@ std::size_t size_of(const PatchState& state);
 
 enum class Acceptance { pending, accepted };
 
-/// The recorded states of a patch, from the filler on. Immutable, so that undo keeps it by pointer.
+/// The recorded states of a patch, from the initial patch on. Immutable, so that undo keeps it by pointer.
 using Timeline = std::vector<PatchStatePtr>;
 using TimelinePtr = std::shared_ptr<const Timeline>;
 

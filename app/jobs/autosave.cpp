@@ -62,13 +62,13 @@ void Autosave::write() {
   tasks_.start([this, job = job_, session = session_of(document_, view_), path = path_] {
     try {
       write_session(session, path);
-      job->tell([this] {
+      job->post([this] {
         failure_told_ = false;
         for (const Leftover& leftover : std::exchange(taken_over_, {})) discard(leftover);
         Q_EMIT written();
       });
     } catch (const std::exception& error) {
-      job->tell([this, words = QString::fromUtf8(error.what())] {
+      job->post([this, words = QString::fromUtf8(error.what())] {
         if (!std::exchange(failure_told_, true))
           Q_EMIT failed(tr("The copy that would survive a crash could not be written: %1").arg(words));
       });

@@ -71,7 +71,7 @@ void add_patch(const Group& group, std::vector<int> loops, Patch patch, const st
   open.scan = task.scan;
   open.loops = std::move(loops);
   auto first =
-      std::make_shared<PatchState>(*first_state(std::move(patch), message, task.options.filler.density, task.origin));
+      std::make_shared<PatchState>(*first_state(std::move(patch), message, task.options.initial.density, task.origin));
   first->recipe.start = group.start;
   open.state = judged(std::move(first), nullptr, *task.site);
   open.timeline = start_timeline(open.state);
@@ -83,7 +83,7 @@ void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
   BridgeOutcome outcome;
   try {
     if (find_opposed_loops(model, group.loops).empty())
-      outcome = bridge_loops(model, group.loops, group.task->options.filler, cancel);
+      outcome = bridge_loops(model, group.loops, group.task->options.initial, cancel);
     else
       outcome.message = "an island faces the hole with its inside; the Blend tool turns it round";
   } catch (const std::exception& error) {
@@ -100,7 +100,7 @@ void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
 
 void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
   const FillTask& task = *group.task;
-  InitialPatch initial = make_initial_patch(task.site->model(), group.loops, task.options.filler, cancel);
+  InitialPatch initial = make_initial_patch(task.site->model(), group.loops, task.options.initial, cancel);
   if (cancel.cancelled()) return;
   std::vector<int> filled;
   bool anything_new = false;
@@ -108,7 +108,7 @@ void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
     const int index = group.indices[k];
     const std::string& message = initial.outcomes[k].message;
     const bool wanted = task.wanted.contains(index);
-    if (!initial.outcomes[k].filler) {
+    if (!initial.outcomes[k].patch) {
       if (wanted) result.failures[index] = message.empty() ? "No valid triangulation of this loop was found." : message;
       continue;
     }

@@ -2,7 +2,7 @@
 // A scan at another place: moved, turned, scaled, with its patches. Comes into the document in place of the old one.
 #pragma once
 
-#include "jobs/workbench.h"
+#include "jobs/fill_controller.h"
 
 #include <Eigen/Geometry>
 
@@ -12,7 +12,7 @@ class PlacePart : public QObject {
   Q_OBJECT
 
  public:
-  PlacePart(Document& document, Workbench& workbench, QObject* parent = nullptr);
+  PlacePart(Document& document, FillController& controller, QObject* parent = nullptr);
   ~PlacePart() override;
 
   bool busy() const { return job_ != nullptr; }
@@ -26,7 +26,7 @@ class PlacePart : public QObject {
 
  private:
   Document& document_;
-  Workbench& workbench_;
+  FillController& controller_;
   JobPtr job_;
   TaskRunner tasks_;
 };

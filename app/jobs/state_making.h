@@ -10,13 +10,13 @@ namespace loopmend {
 /// How far the surroundings of a patch can be trusted.
 std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch);
 
-/// The state of a filler.
+/// The state of a initial patch.
 PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin);
 
 /// The state with another patch in it: shape and seam are made anew.
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin);
 
-/// The state, marked as cutting where its patch is worse than its `filler`, or cuts at all where there is none.
+/// The state, marked as cutting where its patch is worse than its `initial patch`, or cuts at all where there is none.
 PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site);
 
 /// The state, marked as doubtful where its patch is out of proportion to its initial patch.

@@ -90,7 +90,7 @@ std::vector<OpenPatch> SteadyRun::run() {
   initial.patch = start.patch;
   initial.loops = item_.loops;
   if (!start.recipe.runs.empty()) initial.origin = InitialPatch::Origin::evolved;
-  const GroupOptions options{FillerOptions{start.recipe.density}, task_.options};
+  const GroupOptions options{InitialPatchOptions{start.recipe.density}, task_.options};
   if (start.recipe.start == PatchRecipe::Start::bridge && start.recipe.runs.empty()) return run_bridge();
   const GroupResult group = solve_group(
       item_.site->site(), initial, options,
@@ -114,7 +114,7 @@ std::vector<OpenPatch> SteadyRun::run() {
 }
 
 std::vector<OpenPatch> SteadyRun::run_bridge() {
-  const FillerOptions options{item_.patch.state->recipe.density};
+  const InitialPatchOptions options{item_.patch.state->recipe.density};
   const BridgeOutcome outcome = bridge_loops(item_.site->model(), item_.loops, options, job_.pause_token());
   if (job_.pause_token().cancelled()) return {};
   if (!outcome.bridge) throw InvalidArgument(outcome.message);
@@ -142,7 +142,8 @@ OpenPatch SteadyRun::part(const PatchResult& result) {
   for (std::size_t k = 0; k < item_.loops.size(); ++k)
     for (const BoundaryLoop& loop : loops)
       if (loop.number == item_.loops[k].number) part.loops.push_back(item_.patch.loops[k]);
-  InitialPatch initial = make_initial_patch(item_.site->model(), loops, FillerOptions{density}, job_.pause_token());
+  InitialPatch initial =
+      make_initial_patch(item_.site->model(), loops, InitialPatchOptions{density}, job_.pause_token());
   const PatchStatePtr first =
       first_state(initial.patch ? std::move(*initial.patch) : result.patch, initial.message(), density, task_.origin);
   part.state = state_of(result, *first);

@@ -13,7 +13,7 @@
 
 namespace loopmend {
 
-void Job::tell(std::function<void()> act) const {
+void Job::post(std::function<void()> act) const {
   QMetaObject::invokeMethod(
       window_side_,
       [act = std::move(act), token = token_] {

@@ -36,7 +36,7 @@ class Job {
   }
 
   /// From the worker: runs `act` on the window's thread, unless the job has been cancelled by then.
-  void tell(std::function<void()> act) const;
+  void post(std::function<void()> act) const;
 
  private:
   QObject* window_side_;
@@ -65,9 +65,9 @@ class TaskRunner {
     start([job, work = std::move(work), done = std::move(done), failed = std::move(failed)]() mutable {
       try {
         auto result = std::make_shared<decltype(work())>(work());
-        job->tell([done, result]() mutable { done(std::move(*result)); });
+        job->post([done, result]() mutable { done(std::move(*result)); });
       } catch (const std::exception& error) {
-        job->tell([failed, text = QString::fromUtf8(error.what())]() mutable { failed(text); });
+        job->post([failed, text = QString::fromUtf8(error.what())]() mutable { failed(text); });
       }
     });
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/choices.h"
 
-#include "document/words.h"
+#include "document/labels.h"
 #include "evolution/evolution.h"
 #include "panels/parts.h"
 #include "scene/shading.h"
@@ -21,8 +21,8 @@ QComboBox* make_flow_choice(const char* name, const QString& help) {
   choice->setObjectName(QLatin1String(name));
   explain(choice, tr("Flow"), help);
   for (FlowKind kind : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf}) {
-    choice->addItem(words::flow(kind), static_cast<int>(kind));
-    choice->setItemData(choice->count() - 1, words::flow_help(kind), Qt::ToolTipRole);
+    choice->addItem(labels::flow(kind), static_cast<int>(kind));
+    choice->setItemData(choice->count() - 1, labels::flow_help(kind), Qt::ToolTipRole);
   }
   choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   choice->setMinimumContentsLength(18);

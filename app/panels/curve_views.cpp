@@ -2,8 +2,8 @@
 #include "panels/curve_views.h"
 
 #include "analysis/section_profile.h"
+#include "document/labels.h"
 #include "document/timeline.h"
-#include "document/words.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/decision_box.h"
 
+#include "document/labels.h"
 #include "document/problem_commands.h"
 #include "document/targets.h"
 #include "document/timeline.h"
-#include "document/words.h"
-#include "jobs/workbench.h"
+#include "jobs/fill_controller.h"
 #include "panels/parts.h"
 
 #include <QGridLayout>
@@ -27,15 +27,15 @@ QString state_words(const PatchState& state) {
 
 }  // namespace
 
-DecisionBox::DecisionBox(const Document& document, const HoleSelection& selection, Workbench& workbench,
+DecisionBox::DecisionBox(const Document& document, const HoleSelection& selection, FillController& controller,
                          QWidget* parent)
     : QGroupBox(tr("3  Look back, decide"), parent),
       document_(document),
       selection_(selection),
-      workbench_(workbench) {
+      controller_(controller) {
   build();
   connect(timeline_, &QSlider::valueChanged, this, &DecisionBox::scrub);
-  connect(timeline_, &QSlider::sliderReleased, &workbench_, &Workbench::end_scrub);
+  connect(timeline_, &QSlider::sliderReleased, &controller_, &FillController::end_scrub);
   connect(accept_, &QPushButton::clicked, this, &DecisionBox::accept_or_reopen);
   connect(reject_, &QPushButton::clicked, this, &DecisionBox::reject);
   connect(copy_, &QPushButton::clicked, this, &DecisionBox::copy_command);
@@ -74,12 +74,12 @@ bool DecisionBox::all_accepted() const {
 
 void DecisionBox::accept_or_reopen() {
   if (!accept_->isEnabled()) return;
-  workbench_.set_acceptance(chosen_patches(document_, selection_),
-                            all_accepted() ? Acceptance::pending : Acceptance::accepted);
+  controller_.set_acceptance(chosen_patches(document_, selection_),
+                             all_accepted() ? Acceptance::pending : Acceptance::accepted);
 }
 
 void DecisionBox::reject() {
-  if (reject_->isEnabled()) workbench_.reject(chosen_patches(document_, selection_));
+  if (reject_->isEnabled()) controller_.reject(chosen_patches(document_, selection_));
 }
 
 void DecisionBox::copy_command() {
@@ -89,9 +89,9 @@ void DecisionBox::copy_command() {
 
 void DecisionBox::scrub(int place) {
   if (syncing_) return;
-  workbench_.scrub_to(patches_to_move(document_, selection_), static_cast<std::size_t>(place));
+  controller_.scrub_to(patches_to_move(document_, selection_), static_cast<std::size_t>(place));
   // Keys and clicks beside the handle have no release of their own.
-  if (!timeline_->isSliderDown()) workbench_.end_scrub();
+  if (!timeline_->isSliderDown()) controller_.end_scrub();
 }
 
 void DecisionBox::update_timeline() {
@@ -102,7 +102,7 @@ void DecisionBox::update_timeline() {
     if (!longest || patch->timeline->size() > longest->timeline->size()) longest = patch;
   }
   const bool usable = longest && longest->timeline->size() > 1;
-  timeline_->setEnabled(usable && !workbench_.busy());
+  timeline_->setEnabled(usable && !controller_.busy());
   if (!longest) {
     timeline_->setRange(0, 1);
     place_->setText(tr("Recorded states appear here."));
@@ -116,7 +116,7 @@ void DecisionBox::update_timeline() {
 }
 
 void DecisionBox::update_state() {
-  const bool usable = !workbench_.busy() && !chosen_patches(document_, selection_).empty();
+  const bool usable = !controller_.busy() && !chosen_patches(document_, selection_).empty();
   for (QPushButton* button : {accept_, reject_, copy_}) button->setEnabled(usable);
   const bool reopen = all_accepted();
   accept_->setText(reopen ? tr("&Open again") : tr("&Accept"));

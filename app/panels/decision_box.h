@@ -12,13 +12,13 @@ namespace loopmend {
 
 class Document;
 class HoleSelection;
-class Workbench;
+class FillController;
 
 class DecisionBox : public QGroupBox {
   Q_OBJECT
 
  public:
-  DecisionBox(const Document& document, const HoleSelection& selection, Workbench& workbench,
+  DecisionBox(const Document& document, const HoleSelection& selection, FillController& controller,
               QWidget* parent = nullptr);
 
   void accept_or_reopen();
@@ -37,7 +37,7 @@ class DecisionBox : public QGroupBox {
 
   const Document& document_;
   const HoleSelection& selection_;
-  Workbench& workbench_;
+  FillController& controller_;
   QLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;
   QPushButton *accept_ = nullptr, *reject_ = nullptr, *copy_ = nullptr;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/fill_box.h"
 
+#include "document/labels.h"
 #include "document/targets.h"
-#include "document/words.h"
-#include "jobs/workbench.h"
+#include "jobs/fill_controller.h"
 #include "panels/parts.h"
 
 #include <QCheckBox>
@@ -22,11 +22,11 @@ constexpr std::size_t most_previewed = 200;
 
 }  // namespace
 
-FillBox::FillBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent)
+FillBox::FillBox(const Document& document, const HoleSelection& selection, FillController& controller, QWidget* parent)
     : QGroupBox(tr("1  Fill"), parent),
       document_(document),
       selection_(selection),
-      workbench_(workbench) {
+      controller_(controller) {
   build();
   preview_timer_.setSingleShot(true);
   preview_timer_.setInterval(preview_delay_ms);
@@ -86,13 +86,13 @@ void FillBox::fill() {
   if (fill_->isEnabled()) fill_holes(loops_to_fill(document_, selection_));
 }
 
-void FillBox::fill_holes(const std::set<int>& loops) { workbench_.fill(loops, choice()); }
+void FillBox::fill_holes(const std::set<int>& loops) { controller_.fill(loops, choice()); }
 
 FillChoice FillBox::choice() const {
   return {density_->value(), islands_->isChecked() ? FillOptions::Islands::join : FillOptions::Islands::cover};
 }
 
-void FillBox::trim() { workbench_.trim(loops_to_fill(document_, selection_)); }
+void FillBox::trim() { controller_.trim(loops_to_fill(document_, selection_)); }
 
 void FillBox::preview_soon() {
   if (preview_->isChecked()) preview_timer_.start();
@@ -101,14 +101,14 @@ void FillBox::preview_soon() {
 void FillBox::preview_now() {
   const std::set<int> loops = loops_to_fill(document_, selection_);
   const bool wanted = preview_->isChecked() && !loops.empty() && loops.size() <= most_previewed;
-  wanted ? workbench_.preview_fill(loops, choice()) : workbench_.drop_fill_preview();
+  wanted ? controller_.preview_fill(loops, choice()) : controller_.drop_fill_preview();
 }
 
 QString FillBox::target_words(const std::set<int>& loops) const {
   if (!document_.has_scan()) return tr("Open a scan first.");
   const bool chosen = !selection_.selected().empty();
   if (!loops.empty())
-    return chosen ? tr("%1, selected").arg(words::sentence(words::holes(document_, loops)))
+    return chosen ? tr("%1, selected").arg(labels::sentence(labels::holes(document_, loops)))
                   : tr("All open holes (%1)").arg(loops.size());
   if (chosen) return tr("The selection is filled already.");
   bool left_out = false;
@@ -133,14 +133,14 @@ QString FillBox::estimate(const std::set<int>& loops) const {
   if (!(triangles > 0)) return {};
   const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(triangles)) - 1));
   const auto rounded = static_cast<std::size_t>(std::round(triangles / step) * step);
-  const QString edges = largest > 1.2 * smallest ? tr("%1 to %2").arg(words::number(smallest), words::number(largest))
-                                                 : words::number(largest);
-  return tr("About %1 triangles, edges of %2.").arg(words::count(rounded), edges);
+  const QString edges = largest > 1.2 * smallest ? tr("%1 to %2").arg(labels::number(smallest), labels::number(largest))
+                                                 : labels::number(largest);
+  return tr("About %1 triangles, edges of %2.").arg(labels::count(rounded), edges);
 }
 
 void FillBox::update_state() {
   const std::set<int> loops = loops_to_fill(document_, selection_);
-  const bool idle = !workbench_.busy();
+  const bool idle = !controller_.busy();
   target_->setText(target_words(loops));
   estimate_->setText(estimate(loops));
   estimate_->setVisible(!loops.empty());

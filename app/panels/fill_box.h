@@ -16,14 +16,15 @@ namespace loopmend {
 
 class Document;
 class HoleSelection;
-class Workbench;
+class FillController;
 struct FillChoice;
 
 class FillBox : public QGroupBox {
   Q_OBJECT
 
  public:
-  FillBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent = nullptr);
+  FillBox(const Document& document, const HoleSelection& selection, FillController& controller,
+          QWidget* parent = nullptr);
 
   void fill();
   void trim();
@@ -40,7 +41,7 @@ class FillBox : public QGroupBox {
 
   const Document& document_;
   const HoleSelection& selection_;
-  Workbench& workbench_;
+  FillController& controller_;
   QLabel *target_ = nullptr, *estimate_ = nullptr;
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/flow_box.h"
 
+#include "document/labels.h"
 #include "document/targets.h"
-#include "document/words.h"
-#include "jobs/workbench.h"
+#include "jobs/fill_controller.h"
 #include "panels/choices.h"
 #include "panels/parts.h"
 
@@ -26,11 +26,11 @@ constexpr int sigma_start = 1 * ticks_per_decade;
 
 }  // namespace
 
-FlowBox::FlowBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent)
+FlowBox::FlowBox(const Document& document, const HoleSelection& selection, FillController& controller, QWidget* parent)
     : QGroupBox(tr("2  Smooth by a flow"), parent),
       document_(document),
       selection_(selection),
-      workbench_(workbench) {
+      controller_(controller) {
   build();
   connect(step_, &QPushButton::clicked, this, &FlowBox::step);
   connect(run_, &QPushButton::clicked, this, &FlowBox::run_or_pause);
@@ -95,15 +95,15 @@ void FlowBox::step() {
 
 void FlowBox::run_or_pause() {
   if (!run_->isEnabled()) return;
-  const Activity now = workbench_.activity();
-  now == Activity::running || now == Activity::solving ? workbench_.pause() : evolve(Pace::run);
+  const Activity now = controller_.activity();
+  now == Activity::running || now == Activity::solving ? controller_.pause() : evolve(Pace::run);
 }
 
 void FlowBox::to_steady_state() {
   if (steady_->isEnabled()) evolve(Pace::steady);
 }
 
-void FlowBox::evolve(Pace pace) { workbench_.evolve(patches_to_move(document_, selection_), options(), pace); }
+void FlowBox::evolve(Pace pace) { controller_.evolve(patches_to_move(document_, selection_), options(), pace); }
 
 EvolutionOptions FlowBox::options() const {
   EvolutionOptions options;
@@ -117,20 +117,20 @@ EvolutionOptions FlowBox::options() const {
 double FlowBox::sigma() const { return std::pow(10.0, static_cast<double>(sigma_->value()) / ticks_per_decade); }
 
 void FlowBox::update_state() {
-  const Activity now = workbench_.activity();
+  const Activity now = controller_.activity();
   const bool idle = now == Activity::idle;
   const bool can_pause = now == Activity::running || now == Activity::solving;
   const std::set<int> to_move = patches_to_move(document_, selection_);
   const bool chosen = !selection_.selected().empty();
   if (!to_move.empty()) {
-    target_->setText(words::sentence(words::holes(document_, loops_of(document_, to_move))));
+    target_->setText(labels::sentence(labels::holes(document_, loops_of(document_, to_move))));
   } else if (!chosen_patches(document_, selection_).empty()) {
     target_->setText(tr("Accepted already. Open it again to go on."));
   } else {
     target_->setText(chosen ? tr("The selection is not filled yet.") : tr("Nothing is filled yet."));
   }
-  help_->setText(words::flow_help(options().flow));
-  sigma_value_->setText(tr("\u03c3 = %1").arg(words::number(sigma())));
+  help_->setText(labels::flow_help(options().flow));
+  sigma_value_->setText(tr("\u03c3 = %1").arg(labels::number(sigma())));
   flow_->setEnabled(idle);
   const bool of_mmcvf = idle && options().flow == FlowKind::mmcvf;
   boundary_->setEnabled(of_mmcvf);

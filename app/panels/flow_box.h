@@ -14,13 +14,14 @@ class QSlider;
 namespace loopmend {
 
 class HoleSelection;
-class Workbench;
+class FillController;
 
 class FlowBox : public QGroupBox {
   Q_OBJECT
 
  public:
-  FlowBox(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent = nullptr);
+  FlowBox(const Document& document, const HoleSelection& selection, FillController& controller,
+          QWidget* parent = nullptr);
 
   void step();
   void run_or_pause();
@@ -38,7 +39,7 @@ class FlowBox : public QGroupBox {
 
   const Document& document_;
   const HoleSelection& selection_;
-  Workbench& workbench_;
+  FillController& controller_;
   QLabel *target_ = nullptr, *help_ = nullptr, *sigma_value_ = nullptr;
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
   QSlider* sigma_ = nullptr;

@@ -5,7 +5,7 @@
 #include "document/hole_filter.h"
 #include "document/hole_selection.h"
 #include "document/hole_table.h"
-#include "document/words.h"
+#include "document/labels.h"
 #include "panels/hole_delegate.h"
 #include "panels/parts.h"
 #include "panels/small_holes_box.h"
@@ -191,7 +191,7 @@ void HolesPanel::fit_columns() {
     int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
     if (column == HoleTable::rim)  // its words come when holes are filled
       for (const Surroundings kind : {Surroundings::smooth, Surroundings::noisy, Surroundings::rough})
-        content = std::max(content, letters.horizontalAdvance(words::surroundings(kind)) + margin);
+        content = std::max(content, letters.horizontalAdvance(labels::surroundings(kind)) + margin);
     table_->setColumnWidth(column,
                            std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
   }
@@ -272,7 +272,8 @@ void HolesPanel::show_hover() {
 void HolesPanel::paint_row(int loop) {
   const QModelIndex row = sorted_->mapFromSource(model_->index(loop, 0));
   if (!row.isValid()) return;
-  const QRect place(0, table_->rowViewportPosition(row.row()), table_->viewport()->width(), table_->rowHeight(row.row()));
+  const QRect place(0, table_->rowViewportPosition(row.row()), table_->viewport()->width(),
+                    table_->rowHeight(row.row()));
   table_->viewport()->update(place);
 }
 

@@ -3,7 +3,7 @@
 
 #include "document/document.h"
 #include "document/hole_selection.h"
-#include "document/words.h"
+#include "document/labels.h"
 #include "panels/curve_views.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
@@ -203,8 +203,8 @@ void InspectPanel::update_seam() {
   if (at >= patch.state->seams.size()) return;
   sentence_->setText(
       tr("Hole %1: %2")
-          .arg(words::hole_name(document_, first),
-               words::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status)));
+          .arg(labels::hole_name(document_, first),
+               labels::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status)));
 }
 
 void InspectPanel::fill_row(int row, int loop) {
@@ -214,11 +214,11 @@ void InspectPanel::fill_row(int row, int loop) {
   for (int column = 0; column < column_count; ++column) {
     QString text;
     if (column == hole) {
-      text = words::hole_name(document_, loop);
+      text = labels::hole_name(document_, loop);
     } else if (at < patch.state->seams.size()) {
       const QString unit = column == angle_rms || column == angle_max ? QStringLiteral("\u00b0") : QString();
-      const QString now = words::number(value(patch.state->seams[at], column)) + unit;
-      const QString before = words::number(value(patch.state->seams_before[at], column)) + unit;
+      const QString now = labels::number(value(patch.state->seams[at], column)) + unit;
+      const QString before = labels::number(value(patch.state->seams_before[at], column)) + unit;
       text = before == now ? now : before.chopped(unit.size()) + QStringLiteral(" \u2192 ") + now;
     }
     auto* item = new QTableWidgetItem(text);

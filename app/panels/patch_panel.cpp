@@ -2,7 +2,7 @@
 #include "panels/patch_panel.h"
 
 #include "document/hole_selection.h"
-#include "jobs/workbench.h"
+#include "jobs/fill_controller.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
 #include "panels/flow_box.h"
@@ -12,11 +12,12 @@
 
 namespace loopmend {
 
-PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent)
+PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection, FillController& controller,
+                       QWidget* parent)
     : QScrollArea(parent),
-      fill_(new FillBox(document, selection, workbench)),
-      flow_(new FlowBox(document, selection, workbench)),
-      decision_(new DecisionBox(document, selection, workbench)) {
+      fill_(new FillBox(document, selection, controller)),
+      flow_(new FlowBox(document, selection, controller)),
+      decision_(new DecisionBox(document, selection, controller)) {
   setObjectName(QStringLiteral("patchPanel"));
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
@@ -28,11 +29,11 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   layout->addWidget(fill_);
   layout->addWidget(flow_);
   layout->addWidget(decision_);
-  layout->addWidget(new ProgressBox(document, workbench));
+  layout->addWidget(new ProgressBox(document, controller));
   layout->addStretch(1);
   setWidget(content);
   setMinimumWidth(content->minimumSizeHint().width() + 2);
-  connect(&workbench, &Workbench::activity_changed, this, &PatchPanel::update_state);
+  connect(&controller, &FillController::activity_changed, this, &PatchPanel::update_state);
   connect(&selection, &HoleSelection::selection_changed, this, &PatchPanel::update_state);
   connect(&document, &Document::opened, this, &PatchPanel::update_state);
   connect(&document, &Document::scans_changed, this, &PatchPanel::update_state);

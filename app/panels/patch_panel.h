@@ -13,13 +13,14 @@ class Document;
 class FillBox;
 class FlowBox;
 class HoleSelection;
-class Workbench;
+class FillController;
 
 class PatchPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  PatchPanel(const Document& document, const HoleSelection& selection, Workbench& workbench, QWidget* parent = nullptr);
+  PatchPanel(const Document& document, const HoleSelection& selection, FillController& controller,
+             QWidget* parent = nullptr);
 
   FillBox& fill_box() { return *fill_; }
   FlowBox& flow_box() { return *flow_; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/progress_box.h"
 
-#include "document/words.h"
-#include "jobs/workbench.h"
+#include "document/labels.h"
+#include "jobs/fill_controller.h"
 #include "panels/parts.h"
 
 #include <QLabel>
@@ -12,16 +12,16 @@
 
 namespace loopmend {
 
-ProgressBox::ProgressBox(const Document& document, Workbench& workbench, QWidget* parent)
+ProgressBox::ProgressBox(const Document& document, FillController& controller, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      workbench_(workbench) {
+      controller_(controller) {
   build();
-  connect(cancel_, &QPushButton::clicked, &workbench_, &Workbench::cancel);
-  connect(&workbench_, &Workbench::activity_changed, this, &ProgressBox::update_state);
-  connect(&workbench_, &Workbench::stage_changed, this,
+  connect(cancel_, &QPushButton::clicked, &controller_, &FillController::cancel);
+  connect(&controller_, &FillController::activity_changed, this, &ProgressBox::update_state);
+  connect(&controller_, &FillController::stage_changed, this,
           [this](const QString& words) { stage_->setText(words.isEmpty() ? tr("Nothing is running.") : words); });
-  connect(&workbench_, &Workbench::progress_changed, this, [this](int done, int total) {
+  connect(&controller_, &FillController::progress_changed, this, [this](int done, int total) {
     bar_->setRange(0, total);
     bar_->setValue(done);
   });
@@ -57,9 +57,9 @@ void ProgressBox::build() {
 }
 
 void ProgressBox::update_state() {
-  if (!workbench_.busy()) figures_->clear();  // the timeline tells about what stands still
-  cancel_->setEnabled(workbench_.busy());
-  bar_->setVisible(workbench_.busy());
+  if (!controller_.busy()) figures_->clear();  // the timeline tells about what stands still
+  cancel_->setEnabled(controller_.busy());
+  bar_->setVisible(controller_.busy());
 }
 
 void ProgressBox::show_figures(int patch_id) {
@@ -70,12 +70,12 @@ void ProgressBox::show_figures(int patch_id) {
   }
   const PatchState& state = *patch->state;
   QString text = tr("%1, %2: step %3, energy %4 (from %5)")
-                     .arg(words::sentence(words::holes(document_, {patch->loops.begin(), patch->loops.end()})),
-                          words::flow_name(state.flow))
+                     .arg(labels::sentence(labels::holes(document_, {patch->loops.begin(), patch->loops.end()})),
+                          labels::flow_name(state.flow))
                      .arg(state.steps)
-                     .arg(words::number(state.energy.final), words::number(state.energy.initial));
+                     .arg(labels::number(state.energy.final), labels::number(state.energy.initial));
   if (state.last_step.max_move > 0)
-    text += tr(", residual %1 edge lengths").arg(words::number(state.last_step.max_move));
+    text += tr(", residual %1 edge lengths").arg(labels::number(state.last_step.max_move));
   figures_->setText(text + tr(", %1 s").arg(state.seconds.total, 0, 'f', 1));
 }
 

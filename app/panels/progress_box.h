@@ -11,13 +11,13 @@ class QPushButton;
 namespace loopmend {
 
 class Document;
-class Workbench;
+class FillController;
 
 class ProgressBox : public QWidget {
   Q_OBJECT
 
  public:
-  ProgressBox(const Document& document, Workbench& workbench, QWidget* parent = nullptr);
+  ProgressBox(const Document& document, FillController& controller, QWidget* parent = nullptr);
 
  private:
   void build();
@@ -25,7 +25,7 @@ class ProgressBox : public QWidget {
   void show_figures(int patch_id);
 
   const Document& document_;
-  Workbench& workbench_;
+  FillController& controller_;
   QLabel *stage_ = nullptr, *figures_ = nullptr;
   QProgressBar* bar_ = nullptr;
   QPushButton* cancel_ = nullptr;

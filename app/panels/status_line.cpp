@@ -2,15 +2,15 @@
 #include "panels/status_line.h"
 
 #include "document/document.h"
-#include "document/words.h"
-#include "jobs/workbench.h"
+#include "document/labels.h"
+#include "jobs/fill_controller.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 
 namespace loopmend {
 
-StatusLine::StatusLine(const Document& document, const Workbench& workbench, QWidget* parent)
+StatusLine::StatusLine(const Document& document, const FillController& controller, QWidget* parent)
     : QWidget(parent),
       document_(document),
       stage_(new QLabel(tr("Ready"))),
@@ -26,7 +26,7 @@ StatusLine::StatusLine(const Document& document, const Workbench& workbench, QWi
   layout->addWidget(stage_);
   layout->addWidget(figures_, 1);
   layout->addWidget(scan_);
-  connect(&workbench, &Workbench::stage_changed, this,
+  connect(&controller, &FillController::stage_changed, this,
           [this](const QString& words) { stage_->setText(words.isEmpty() ? tr("Ready") : words); });
   connect(&document, &Document::patch_moved, this, &StatusLine::show_figures);
   connect(&document, &Document::patches_changed, figures_, &QLabel::clear);
@@ -44,7 +44,7 @@ void StatusLine::update_scan() {
   }
   scan_->setText(triangles == 0
                      ? QString()
-                     : tr("%1 triangles \u00b7 %2 vertices").arg(words::count(triangles), words::count(vertices)));
+                     : tr("%1 triangles \u00b7 %2 vertices").arg(labels::count(triangles), labels::count(vertices)));
 }
 
 void StatusLine::say(const QString& words) { figures_->setText(words); }
@@ -56,11 +56,11 @@ void StatusLine::show_figures(int patch_id) {
     return;
   }
   const PatchState& state = *patch->state;
-  QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(words::number(state.energy.final));
-  if (state.last_step.max_move > 0) text += tr(" \u00b7 residual %1").arg(words::number(state.last_step.max_move));
+  QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(labels::number(state.energy.final));
+  if (state.last_step.max_move > 0) text += tr(" \u00b7 residual %1").arg(labels::number(state.last_step.max_move));
   if (state.last_step.tau > 0)
     text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2")
-                .arg(words::number(state.last_step.sigma), words::number(state.last_step.tau));
+                .arg(labels::number(state.last_step.sigma), labels::number(state.last_step.tau));
   figures_->setText(text + tr(" \u00b7 %1 s").arg(state.seconds.total, 0, 'f', 1));
 }
 

@@ -9,13 +9,13 @@ class QLabel;
 namespace loopmend {
 
 class Document;
-class Workbench;
+class FillController;
 
 class StatusLine : public QWidget {
   Q_OBJECT
 
  public:
-  StatusLine(const Document& document, const Workbench& workbench, QWidget* parent = nullptr);
+  StatusLine(const Document& document, const FillController& controller, QWidget* parent = nullptr);
 
  public Q_SLOTS:
   /// Until the next figures.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/mesh_scene.h"
 
+#include "scene/cached_background.h"
 #include "scene/color_table.h"
 #include "scene/patch_batch.h"
-#include "scene/still_renderer.h"
 #include "scene/surface_actor.h"
 
 #include <vtkActor.h>
@@ -30,7 +30,7 @@ using ShapePtr = std::shared_ptr<const SurfaceShape>;
 }  // namespace
 
 struct MeshScene::Impl {
-  vtkNew<StillRenderer> renderer;
+  vtkNew<CachedBackground> renderer;
   vtkNew<vtkRenderer> legend_renderer;
   vtkSmartPointer<vtkLookupTable> table = make_diverging_table();
   std::map<int, std::unique_ptr<SurfaceActor>> scans;
@@ -187,7 +187,7 @@ bool MeshScene::update() {
   }
   impl_->moving = false;
   for (auto& [id, patch] : impl_->patches) impl_->moving = patch->advance(now) || impl_->moving;
-  using Keep = StillRenderer::Keep;
+  using Keep = CachedBackground::Keep;
   impl_->renderer->set_keep(impl_->moving ? Keep::always : Keep::while_camera_rests);
   return impl_->moving;
 }

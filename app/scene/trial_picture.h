@@ -10,7 +10,7 @@
 
 namespace loopmend {
 
-struct TrialPicture {
+struct ProblemPicture {
   std::set<int> hidden_scans;                    ///< with their patches
   std::shared_ptr<const SurfaceShape> backdrop;  ///< in their place; may be null
   std::shared_ptr<const SurfaceShape> patch;     ///< that moves; may be null

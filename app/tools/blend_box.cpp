@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/blend_box.h"
 
-#include "document/words.h"
+#include "document/labels.h"
 #include "panels/parts.h"
 
 #include <QComboBox>
@@ -78,7 +78,7 @@ QString BlendBox::wanting() const {
   for (int loop : loops()) {
     const LoopKind kind = document_.loop(loop).kind;
     if (kind != LoopKind::hole && kind != LoopKind::outer_rim)
-      return tr("Only holes and outer rims can be joined, not a loop of the kind: %1.").arg(words::kind(kind));
+      return tr("Only holes and outer rims can be joined, not a loop of the kind: %1.").arg(labels::kind(kind));
     if (document_.patch_of(loop)) return tr("A selected hole is filled: reject its patch first.");
   }
   return loops().size() < 2 ? tr("Select at least two rims.") : QString();
@@ -87,7 +87,7 @@ QString BlendBox::wanting() const {
 void BlendBox::update_state() {
   const std::vector<int> chosen = loops();
   chosen_->setText(chosen.empty() ? tr("No rim is selected.")
-                                  : tr("Selected: %1").arg(words::holes(document_, {chosen.begin(), chosen.end()})));
+                                  : tr("Selected: %1").arg(labels::holes(document_, {chosen.begin(), chosen.end()})));
   facing_->setEnabled(document_.scans().size() > 1);
   part_->setEnabled(document_.scans().size() > 1);
   Q_EMIT changed();

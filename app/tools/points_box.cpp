@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/points_box.h"
 
-#include "document/words.h"
+#include "document/labels.h"
 #include "panels/parts.h"
 
 #include <QCheckBox>
@@ -52,7 +52,8 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
   subdivide_->setValue(3);
   explain(subdivide_, tr("Subdivisions"), tr("Every one makes four triangles of each"));
   open_->setObjectName(QStringLiteral("pointsOpen"));
-  explain(open_, tr("Smooth rims"), tr("For a polyhedron with holes: its rims become smooth curves through their vertices"));
+  explain(open_, tr("Smooth rims"),
+          tr("For a polyhedron with holes: its rims become smooth curves through their vertices"));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(6);
@@ -109,12 +110,12 @@ void PointsBox::update_state() {
   const int scan = tool_.scan();
   clear_->setEnabled(picked_->isChecked() && tool_.count() > 0);
   count_->setText(scan < 0 ? QString()
-                           : tr("%1 vertices stay").arg(words::count(static_cast<std::size_t>(tool_.count()))));
+                           : tr("%1 vertices stay").arg(labels::count(static_cast<std::size_t>(tool_.count()))));
   open_->setVisible(scan >= 0 && !document_.scan(scan)->loops.empty());
   size_->setText(
       scan < 0 ? QString()
                : tr("%1 triangles")
-                     .arg(words::count(document_.scan(scan)->model->mesh.n_faces() << (2 * subdivide_->value()))));
+                     .arg(labels::count(document_.scan(scan)->model->mesh.n_faces() << (2 * subdivide_->value()))));
   Q_EMIT changed();
 }
 

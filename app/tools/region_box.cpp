@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/region_box.h"
 
-#include "document/words.h"
+#include "document/labels.h"
 #include "panels/parts.h"
 
 #include <QButtonGroup>
@@ -95,7 +95,7 @@ void RegionBox::update_state() {
   radius_title_->setVisible(brush);
   hidden_->setVisible(!brush);
   for (QPushButton* button : {grow_, shrink_, clear_}) button->setEnabled(some);
-  count_->setText(some ? tr("%1 vertices").arg(words::count(static_cast<std::size_t>(tool_.count())))
+  count_->setText(some ? tr("%1 vertices").arg(labels::count(static_cast<std::size_t>(tool_.count())))
                        : tr("Nothing is painted yet."));
 }
 

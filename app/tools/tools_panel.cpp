@@ -23,7 +23,7 @@ QGroupBox* group(const QString& title, QWidget* content) {
 
 }  // namespace
 
-ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, TrialBox* trial, QWidget* parent)
+ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, ProblemBox* trial, QWidget* parent)
     : QScrollArea(parent),
       trial_(trial) {
   setObjectName(QStringLiteral("toolsPanel"));

@@ -4,8 +4,8 @@
 
 #include "tools/blend_box.h"
 #include "tools/points_box.h"
+#include "tools/problem_box.h"
 #include "tools/region_box.h"
-#include "tools/trial_box.h"
 
 #include <QScrollArea>
 
@@ -19,7 +19,7 @@ class ToolsPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, TrialBox* trial, QWidget* parent = nullptr);
+  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, ProblemBox* trial, QWidget* parent = nullptr);
 
   Tool tool() const { return tool_; }
   void choose(Tool tool);
@@ -31,7 +31,7 @@ class ToolsPanel : public QScrollArea {
   Tool tool_ = Tool::none;
   std::vector<QPushButton*> choices_;
   std::vector<QWidget*> pages_;  ///< in the order of Tool
-  TrialBox* trial_;
+  ProblemBox* trial_;
 };
 
 }  // namespace loopmend

@@ -12,25 +12,25 @@
 
 namespace loopmend {
 
-FileDesk::FileDesk(Document& document, UndoHistory& undo, Workbench& workbench, Banner& banner, QWidget* window)
+FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& controller, Banner& banner, QWidget* window)
     : QObject(window),
       document_(document),
       undo_(undo),
-      workbench_(workbench),
+      controller_(controller),
       banner_(banner),
       window_(window) {
-  connect(&workbench_, &Workbench::file_opened, this, [this](const QString& path) {
+  connect(&controller_, &FillController::file_opened, this, [this](const QString& path) {
     session_path_.clear();
     add_recent_file(path);
     Q_EMIT recent_changed();
   });
-  connect(&workbench_, &Workbench::session_saved, this, [this](const QString& path) {
+  connect(&controller_, &FillController::session_saved, this, [this](const QString& path) {
     session_path_ = path;
     add_recent_file(path);
     Q_EMIT recent_changed();
     if (auto act = std::exchange(after_saving_, nullptr)) act();
   });
-  connect(&workbench_, &Workbench::failed, this, [this] { after_saving_ = nullptr; });
+  connect(&controller_, &FillController::failed, this, [this] { after_saving_ = nullptr; });
 }
 
 bool FileDesk::has_unsaved_work() const { return !undo_.is_saved() && document_.has_work(); }
@@ -55,7 +55,7 @@ void FileDesk::open(const QStringList& paths, OpenMode mode) {
   if (files.isEmpty()) return;
   const bool session = is_session_path(files.first());
   const auto act = [this, files, mode, session] {
-    session ? workbench_.open_session(files.first()) : workbench_.open(files, mode);
+    session ? controller_.open_session(files.first()) : controller_.open(files, mode);
   };
   if (mode == OpenMode::add && !session) {
     act();
@@ -65,7 +65,7 @@ void FileDesk::open(const QStringList& paths, OpenMode mode) {
 }
 
 void FileDesk::open_sample() {
-  when_safe([this] { workbench_.open_sample(); });
+  when_safe([this] { controller_.open_sample(); });
 }
 
 void FileDesk::when_safe(const std::function<void()>& act) {
@@ -93,10 +93,10 @@ void FileDesk::ask_export() {
                                               tr("PLY, exact (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)"), &chosen);
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += chosen.section(QStringLiteral("*"), 1).chopped(1);
-  workbench_.export_to(path);
+  controller_.export_to(path);
 }
 
-void FileDesk::save_session() { session_path_.isEmpty() ? save_session_as() : workbench_.save_session(session_path_); }
+void FileDesk::save_session() { session_path_.isEmpty() ? save_session_as() : controller_.save_session(session_path_); }
 
 void FileDesk::save_session_as() {
   QString path = QFileDialog::getSaveFileName(window_, tr("Save session"), proposal(QStringLiteral(".loopmend")),
@@ -106,7 +106,7 @@ void FileDesk::save_session_as() {
     return;
   }
   if (!is_session_path(path)) path += QStringLiteral(".loopmend");
-  workbench_.save_session(path);
+  controller_.save_session(path);
 }
 
 bool FileDesk::may_close() {
@@ -126,12 +126,12 @@ void FileDesk::offer_recovery() {
               {{tr("&Recover"), "answerRecover",
                 [this, newest] {
                   const auto done = std::make_shared<QMetaObject::Connection>();
-                  *done = connect(&workbench_, &Workbench::activity_changed, this, [this, newest, done] {
-                    if (workbench_.busy()) return;
+                  *done = connect(&controller_, &FillController::activity_changed, this, [this, newest, done] {
+                    if (controller_.busy()) return;
                     disconnect(*done);
                     if (document_.has_work()) Q_EMIT recovered(newest);
                   });
-                  workbench_.open_session(newest.path, tr("recovered work"));
+                  controller_.open_session(newest.path, tr("recovered work"));
                 }},
                {tr("&Discard"), "answerDiscard", [newest] { Autosave::discard(newest); }},
                {tr("&Later"), "answerLater", [] {}}});
@@ -161,7 +161,7 @@ void FileDesk::show_scans(QMenu* menu) {
   menu->clear();
   for (int index : document_.scans()) {
     const QString name = document_.scan(index)->name;
-    connect(menu->addAction(name), &QAction::triggered, this, [this, index] { workbench_.close_scan(index); });
+    connect(menu->addAction(name), &QAction::triggered, this, [this, index] { controller_.close_scan(index); });
   }
   if (menu->isEmpty()) menu->addAction(tr("Nothing is open"))->setEnabled(false);
 }

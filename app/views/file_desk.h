@@ -4,7 +4,7 @@
 #pragma once
 
 #include "jobs/autosave.h"
-#include "jobs/workbench.h"
+#include "jobs/fill_controller.h"
 
 #include <QObject>
 #include <QStringList>
@@ -21,7 +21,7 @@ class FileDesk : public QObject {
   Q_OBJECT
 
  public:
-  FileDesk(Document& document, UndoHistory& undo, Workbench& workbench, Banner& banner, QWidget* window);
+  FileDesk(Document& document, UndoHistory& undo, FillController& controller, Banner& banner, QWidget* window);
 
   /// Scans, or one session. Asks first when patches would be lost.
   void open(const QStringList& paths, OpenMode mode);
@@ -53,7 +53,7 @@ class FileDesk : public QObject {
 
   Document& document_;
   UndoHistory& undo_;
-  Workbench& workbench_;
+  FillController& controller_;
   Banner& banner_;
   QWidget* window_;
   QString session_path_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/main_window.h"
 
-#include "compare/compare_desk.h"
+#include "compare/compare_controller.h"
 #include "core/memory.h"
 #include "panels/banner.h"
 #include "panels/decision_box.h"
@@ -14,10 +14,10 @@
 #include "panels/patch_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
-#include "views/example_desk.h"
+#include "views/example_controller.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
-#include "views/tool_desk.h"
+#include "views/tool_controller.h"
 #include "views/window_actions.h"
 
 #include <QAbstractButton>
@@ -35,7 +35,7 @@ namespace loopmend {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
-      workbench_(document_, undo_),
+      controller_(document_, undo_),
       autosave_(document_, undo_),
       actions_(new WindowActions(this)) {
   setObjectName(QStringLiteral("mainWindow"));
@@ -43,13 +43,13 @@ MainWindow::MainWindow(QWidget* parent)
   setAcceptDrops(true);
   resize(1360, 860);
   build_centre();
-  files_ = new FileDesk(document_, undo_, workbench_, *banner_, this);
-  compare_ = new CompareDesk(document_, selection_, workbench_, this);
+  files_ = new FileDesk(document_, undo_, controller_, *banner_, this);
+  compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
-  examples_ = new ExampleDesk({document_, selection_, workbench_, *tools_, *compare_, *view_, *banner_}, this);
+  examples_ = new ExampleController({document_, selection_, controller_, *tools_, *compare_, *view_, *banner_}, this);
   actions_->build_menus(dock_toggles_);
   actions_->build_toolbar();
-  status_ = new StatusLine(document_, workbench_);
+  status_ = new StatusLine(document_, controller_);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(status_, 1);
   connect_workbench();
@@ -68,7 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // The undo stack speaks once more while it goes, after the workbench has gone.
+  // The undo stack speaks once more while it goes, after the controller has gone.
   undo_.disconnect(this);
 }
 
@@ -95,10 +95,10 @@ void MainWindow::build_docks() {
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   holes_ = new HolesPanel(document_, selection_);
-  patch_ = new PatchPanel(document_, selection_, workbench_);
+  patch_ = new PatchPanel(document_, selection_, controller_);
   look_ = new LookPanel;
   inspect_ = new InspectPanel(document_, selection_);
-  tools_ = new ToolDesk(document_, selection_, workbench_, *view_, this);
+  tools_ = new ToolController(document_, selection_, controller_, *view_, this);
   const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
     auto* made = new QDockWidget(title);
     made->setObjectName(QLatin1String(name));
@@ -114,7 +114,7 @@ void MainWindow::build_docks() {
   QDockWidget* tools = dock("toolsDock", tr("Tools"), tools_->panel(), Qt::RightDockWidgetArea);
   tabifyDockWidget(right, tools);
   tabifyDockWidget(tools, look);
-  connect(tools_, &ToolDesk::tool_changed, tools, [this, tools](Tool tool) {
+  connect(tools_, &ToolController::tool_changed, tools, [this, tools](Tool tool) {
     if (tool != Tool::none) tools->raise();
     update_actions();
   });
@@ -127,29 +127,29 @@ void MainWindow::build_docks() {
 }
 
 void MainWindow::connect_workbench() {
-  connect(&workbench_, &Workbench::failed, banner_, &Banner::show_problem);
-  connect(&workbench_, &Workbench::notice, banner_, &Banner::show_notice);
-  connect(&workbench_, &Workbench::said, inspect_, &InspectPanel::log);
+  connect(&controller_, &FillController::failed, banner_, &Banner::show_problem);
+  connect(&controller_, &FillController::notice, banner_, &Banner::show_notice);
+  connect(&controller_, &FillController::logged, inspect_, &InspectPanel::log);
   connect(&autosave_, &Autosave::failed, banner_, &Banner::show_problem);
-  connect(&workbench_, &Workbench::preview_ready, this, [this](auto shape) {
+  connect(&controller_, &FillController::preview_ready, this, [this](auto shape) {
     welcome_->hide();
     centre_->setCurrentWidget(view_);
     view_->show_preview(shape);
   });
-  connect(&workbench_, &Workbench::preview_dropped, this, [this] {
+  connect(&controller_, &FillController::preview_dropped, this, [this] {
     view_->drop_preview();
     show_centre();
   });
-  connect(&workbench_, &Workbench::ghosts_changed, view_, &MeshView::show_ghosts);
-  connect(&workbench_, &Workbench::activity_changed, this, &MainWindow::update_actions);
+  connect(&controller_, &FillController::ghosts_changed, view_, &MeshView::show_ghosts);
+  connect(&controller_, &FillController::activity_changed, this, &MainWindow::update_actions);
   const ViewSource view = [this] { return SessionView{view_->viewpoint(), look_->look()}; };
-  workbench_.set_view_source(view);
+  controller_.set_view_source(view);
   autosave_.set_view_source(view);
-  connect(&workbench_, &Workbench::view_restored, this, [this](const SessionView& seen) {
+  connect(&controller_, &FillController::view_restored, this, [this](const SessionView& seen) {
     look_->set_look(seen.look);
     view_->set_viewpoint(seen.from);
   });
-  connect(&workbench_, &Workbench::session_saved, this, &MainWindow::update_title);
+  connect(&controller_, &FillController::session_saved, this, &MainWindow::update_title);
 }
 
 /// Between the steps of a flow memory is kept; after undo or close it goes back, as soon as nobody waits.
@@ -159,9 +159,9 @@ void MainWindow::connect_leisure() {
   leisure->setSingleShot(true);
   leisure->setInterval(leisure_ms);
   connect(leisure, &QTimer::timeout, this, [this] {
-    if (!workbench_.busy()) give_back_freed_memory();
+    if (!controller_.busy()) give_back_freed_memory();
   });
-  connect(&workbench_, &Workbench::activity_changed, leisure, qOverload<>(&QTimer::start));
+  connect(&controller_, &FillController::activity_changed, leisure, qOverload<>(&QTimer::start));
   connect(&undo_, &UndoHistory::changed, leisure, qOverload<>(&QTimer::start));
 }
 
@@ -194,11 +194,12 @@ void MainWindow::connect_panels() {
   });
   connect(view_, &MeshView::probed, status_, &StatusLine::say);
   connect(&patch_->flow_box(), &FlowBox::compare_wanted, (*actions_)["compare"], &QAction::trigger);
-  connect(compare_, &CompareDesk::failed, banner_, &Banner::show_problem);
-  connect(tools_, &ToolDesk::failed, banner_, &Banner::show_problem);
-  connect(tools_, &ToolDesk::notice, banner_, &Banner::show_notice);
-  connect(tools_, &ToolDesk::notice, inspect_, &InspectPanel::log);
-  connect(tools_, &ToolDesk::compare_wanted, this, [this] { compare_->compare_trial(tools_->trial(), look_->look()); });
+  connect(compare_, &CompareController::failed, banner_, &Banner::show_problem);
+  connect(tools_, &ToolController::failed, banner_, &Banner::show_problem);
+  connect(tools_, &ToolController::notice, banner_, &Banner::show_notice);
+  connect(tools_, &ToolController::notice, inspect_, &InspectPanel::log);
+  connect(tools_, &ToolController::compare_wanted, this,
+          [this] { compare_->compare_trial(tools_->trial(), look_->look()); });
   connect(welcome_, &Welcome::open_wanted, this, [this] { files_->ask_open(OpenMode::replace); });
   connect(welcome_, &Welcome::sample_wanted, this, &MainWindow::open_sample);
   connect(welcome_, &Welcome::example_wanted, this,
@@ -247,7 +248,7 @@ void MainWindow::offer_recovery() { files_->offer_recovery(); }
 
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
   const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
-  return workbench_.shut_down(at_most) && compared && tried;
+  return controller_.shut_down(at_most) && compared && tried;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -269,7 +270,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  workbench_.cancel();
+  controller_.cancel();
   autosave_.finish();
   QMainWindow::closeEvent(event);
 }

@@ -7,7 +7,7 @@
 #include "document/preferences.h"
 #include "document/undo_history.h"
 #include "jobs/autosave.h"
-#include "jobs/workbench.h"
+#include "jobs/fill_controller.h"
 
 #include <QMainWindow>
 
@@ -16,8 +16,8 @@ class QStackedLayout;
 namespace loopmend {
 
 class Banner;
-class CompareDesk;
-class ExampleDesk;
+class CompareController;
+class ExampleController;
 class FileDesk;
 class HolesPanel;
 class InspectPanel;
@@ -25,7 +25,7 @@ class LookPanel;
 class MeshView;
 class PatchPanel;
 class StatusLine;
-class ToolDesk;
+class ToolController;
 class Welcome;
 class WindowActions;
 
@@ -46,12 +46,12 @@ class MainWindow : public QMainWindow {
 
   const Document& document() const { return document_; }
   HoleSelection& selection() { return selection_; }
-  Workbench& workbench() { return workbench_; }
+  FillController& controller() { return controller_; }
   UndoHistory& undo() { return undo_; }
   Autosave& autosave() { return autosave_; }
   MeshView& view() { return *view_; }
-  CompareDesk& comparisons() { return *compare_; }
-  ToolDesk& tools() { return *tools_; }
+  CompareController& comparisons() { return *compare_; }
+  ToolController& tools() { return *tools_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -83,21 +83,21 @@ class MainWindow : public QMainWindow {
   Document document_;
   HoleSelection selection_;
   UndoHistory undo_;
-  Workbench workbench_;
+  FillController controller_;
   Autosave autosave_;
   WindowActions* actions_;
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;
   Banner* banner_ = nullptr;
-  CompareDesk* compare_ = nullptr;
-  ExampleDesk* examples_ = nullptr;
+  CompareController* compare_ = nullptr;
+  ExampleController* examples_ = nullptr;
   FileDesk* files_ = nullptr;
   HolesPanel* holes_ = nullptr;
   PatchPanel* patch_ = nullptr;
   LookPanel* look_ = nullptr;
   InspectPanel* inspect_ = nullptr;
   StatusLine* status_ = nullptr;
-  ToolDesk* tools_ = nullptr;
+  ToolController* tools_ = nullptr;
   QStackedLayout* centre_ = nullptr;
   QList<QAction*> dock_toggles_;
 };

@@ -2,7 +2,7 @@
 // What the window's actions do, and when they can be done.
 #include "views/main_window.h"
 
-#include "compare/compare_desk.h"
+#include "compare/compare_controller.h"
 #include "dialogs/about.h"
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
@@ -21,7 +21,7 @@
 #include "panels/theme.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
-#include "views/tool_desk.h"
+#include "views/tool_controller.h"
 #include "views/window_actions.h"
 
 #include <QDockWidget>
@@ -107,8 +107,8 @@ void MainWindow::connect_patch_actions() {
 
 /// Esc: the first of these that there is.
 void MainWindow::step_back() {
-  if (workbench_.busy()) {
-    workbench_.cancel();
+  if (controller_.busy()) {
+    controller_.cancel();
   } else if (tools_->trial().busy()) {
     tools_->step_back();
   } else if (banner_->isVisible()) {
@@ -121,7 +121,7 @@ void MainWindow::step_back() {
 
 void MainWindow::update_actions() {
   const WindowActions& a = *actions_;
-  const bool idle = !workbench_.busy(), scan = document_.has_scan();
+  const bool idle = !controller_.busy(), scan = document_.has_scan();
   a["undo"]->setEnabled(idle && undo_.can_undo());
   a["redo"]->setEnabled(idle && undo_.can_redo());
   a["undo"]->setText(undo_.can_undo() ? tr("&Undo: %1").arg(undo_.undo_text()) : tr("&Undo"));
@@ -151,7 +151,7 @@ void MainWindow::update_actions() {
 
 void MainWindow::apply(const Preferences& preferences) {
   undo_.set_budget(static_cast<std::size_t>(preferences.undo_megabytes) << 20);
-  workbench_.set_timeline_budget(static_cast<std::size_t>(preferences.timeline_megabytes) << 20);
+  controller_.set_timeline_budget(static_cast<std::size_t>(preferences.timeline_megabytes) << 20);
   autosave_.set_delay(preferences.autosave_seconds);
   apply_theme(preferences.theme);
   const ColorMap map = color_map_named(preferences.color_map.toStdString());

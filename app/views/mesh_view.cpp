@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/mesh_view.h"
 
-#include "document/words.h"
+#include "document/labels.h"
 #include "views/mesh_view_impl.h"
 #include "views/picture_pace.h"
 #include "views/turn_style.h"
@@ -287,7 +287,7 @@ void MeshView::show_surfaces() {
   impl_->scene.keep_patches(patches);
 }
 
-void MeshView::show_trial(const TrialPicture& picture) {
+void MeshView::show_trial(const ProblemPicture& picture) {
   impl_->trial = picture;
   show_surfaces();
   redraw();
@@ -335,11 +335,11 @@ void MeshView::update_highlight() {
   for (const LoopPicker::Pixel& p : impl_->picker.projected(loop))
     if (p.z() >= 0) line << QPointF(p.x(), p.y()) / ratio;
   const BoundaryLoop& l = document.loop(loop);
-  const QString kind = l.kind == LoopKind::hole ? tr("Hole") : words::sentence(words::kind(l.kind));
+  const QString kind = l.kind == LoopKind::hole ? tr("Hole") : labels::sentence(labels::kind(l.kind));
   impl_->overlay->set_highlight(line, tr("%1 %2 \u00b7 %3 edges \u00b7 %4 across \u00b7 %5")
-                                          .arg(kind, words::hole_name(document, loop))
+                                          .arg(kind, labels::hole_name(document, loop))
                                           .arg(l.edges())
-                                          .arg(words::number(l.diameter), words::state(document.state(loop))));
+                                          .arg(labels::number(l.diameter), labels::state(document.state(loop))));
 }
 
 }  // namespace loopmend

@@ -50,7 +50,7 @@ class MeshView : public QWidget {
   /// A part of a surface that was painted; null: none.
   void show_marked(std::shared_ptr<const SurfaceShape> shape);
   /// In place of scans and their patches; an empty picture shows these again.
-  void show_trial(const TrialPicture& picture);
+  void show_trial(const ProblemPicture& picture);
   /// Takes the mouse first; null: none. Stays alive as long as it is set.
   void set_tool(ViewTool* tool);
   /// What the tool paints over the picture is another.

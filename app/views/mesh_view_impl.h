@@ -53,7 +53,7 @@ struct MeshView::Impl {
   std::optional<Probe> probe;
   bool preview_shown = false;
   bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
-  TrialPicture trial;
+  ProblemPicture trial;
   ViewTool* tool = nullptr;
   bool tool_has_mouse = false;
   bool drawing_elsewhere = false;      ///< into a picture, not onto the screen

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/surface_probe.h"
 
-#include "document/words.h"
+#include "document/labels.h"
 
 #include <QCoreApplication>
 
@@ -36,7 +36,7 @@ struct Nearest {
 
 QString value(const std::vector<float>& values, std::size_t vertex) {
   if (values.empty() || !std::isfinite(values[vertex])) return tr("not known");
-  return words::number(static_cast<double>(values[vertex]));
+  return labels::number(static_cast<double>(values[vertex]));
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::optional<Probe> probe(const Document& document, const Vec3& at) {
   for (const OpenPatch& patch : document.patches()) {
     const auto free = static_cast<std::size_t>(patch.state->patch.free_count);
     if (nearest.look(*patch.state->shape, free, point))
-      where = tr("Patch of %1").arg(words::holes(document, {patch.loops.begin(), patch.loops.end()}));
+      where = tr("Patch of %1").arg(labels::holes(document, {patch.loops.begin(), patch.loops.end()}));
   }
   if (!nearest.shape) return std::nullopt;
   Probe found;
@@ -60,7 +60,7 @@ std::optional<Probe> probe(const Document& document, const Vec3& at) {
   const Vec3 place = found.at + document.origin();
   found.lines << where + tr(", vertex %1").arg(nearest.vertex)
               << QStringLiteral("x %1   y %2   z %3")
-                     .arg(words::number(place.x()), words::number(place.y()), words::number(place.z()))
+                     .arg(labels::number(place.x()), labels::number(place.y()), labels::number(place.z()))
               << QStringLiteral("H %1   K %2")
                      .arg(value(nearest.shape->H, nearest.vertex), value(nearest.shape->K, nearest.vertex));
   return found;

@@ -2,8 +2,8 @@
 #include "evolution/coarse_patch.h"
 
 #include "core/threads.h"
-#include "energy/curvature_energy.h"
-#include "filling/patch_remesh.h"
+#include "operators/curvature_energy.h"
+#include "remeshing/patch_remesh.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -70,7 +70,7 @@ class SurfaceOfForms {
   bg::index::rtree<Entry, bg::index::quadratic<16>> tree_;
 };
 
-void remesh(GuardedMesh& mesh) {
+void remesh(ConstrainedRemesher& mesh) {
   mesh.split_long_edges();
   mesh.flip_to_delaunay();
   mesh.collapse_short_edges();
@@ -89,7 +89,7 @@ bool worth_coarsening(const Patch& patch) {
 Patch coarsened(const Patch& patch) {
   Patch start = patch;
   start.grading = {1, inward_growth, patch_radius(patch) / edges_per_radius};
-  GuardedMesh mesh = open_for_remeshing(start);
+  ConstrainedRemesher mesh = open_for_remeshing(start);
   for (int round = 0; round < coarsening_rounds; ++round) {
     const int before = mesh.free_count();
     mesh.collapse_short_edges();
@@ -106,7 +106,7 @@ Patch coarsened(const Patch& patch) {
 Patch refined(const EvolutionState& coarse, const Grading& grading) {
   Patch start = coarse.patch;
   start.grading = grading;
-  GuardedMesh mesh = open_for_remeshing(start);
+  ConstrainedRemesher mesh = open_for_remeshing(start);
   // By way of twice the size, whose edges are then halved all alike: else a fifth more vertices are left.
   for (double size : {2.0, 1.0}) {
     mesh.scale_sizes(size);

@@ -2,7 +2,7 @@
 #include "evolution/evolving_patch.h"
 
 #include "core/error.h"
-#include "evolution/mesh_care.h"
+#include "evolution/mesh_improvement.h"
 #include "mesh/quality.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/robust_fairing.h"
 
-#include "evolution/mesh_care.h"
+#include "evolution/mesh_improvement.h"
 #include "evolution/stopwatch.h"
 #include "rim/rim_blend.h"
 

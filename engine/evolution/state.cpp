@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/state.h"
 
-#include "energy/curvature_energy.h"
 #include "mesh/quality.h"
+#include "operators/curvature_energy.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "evolution/steady_state.h"
 
 #include "core/threads.h"
-#include "evolution/mesh_care.h"
+#include "evolution/mesh_improvement.h"
 #include "evolution/stopwatch.h"
 #include "filling/fairing.h"
 #include "flows/decay_rate.h"

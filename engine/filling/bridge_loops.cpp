@@ -4,12 +4,12 @@
 #include "core/error.h"
 #include "filling/bridge_topology.h"
 #include "filling/fairing.h"
-#include "mesh/validity.h"
-#include "filling/patch_remesh.h"
 #include "mesh/loop_facing.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
+#include "mesh/validity.h"
 #include "operators/operator_set.h"
+#include "remeshing/patch_remesh.h"
 
 #include <algorithm>
 #include <set>
@@ -50,7 +50,7 @@ void check_loops(const std::vector<BoundaryLoop>& loops) {
 
 /// The loops and their rings without anything between them.
 Patch empty_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  std::vector<LoopFiller> fillers;
+  std::vector<LoopPatch> fillers;
   for (const BoundaryLoop& loop : loops) {
     fillers.emplace_back();
     for (int v : loop.vertices) fillers.back().points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
@@ -73,7 +73,7 @@ Patch with_sweep(const Patch& empty, const SweptBridge& swept) {
   for (const auto& loop : empty.loops) rim += static_cast<int>(loop.size());
   Points points(empty.positions.begin(), empty.positions.begin() + rim);
   for (std::size_t i = rim; i < swept.points.size(); ++i) points.push_back(empty.to_frame(swept.points[i]));
-  return with_interior(empty, GuardedMesh(points, swept.triangles, rim, {}, [](const Vec3&) { return 1.0; }));
+  return with_interior(empty, ConstrainedRemesher(points, swept.triangles, rim, {}, [](const Vec3&) { return 1.0; }));
 }
 
 double mean_rim_edge(const std::vector<BridgeEnd>& ends) {
@@ -110,7 +110,7 @@ std::vector<FirstBridge> first_bridges(const Patch& empty, const std::vector<Bri
 
 template <class Phase>
 void try_phase(Patch& best, const Phase& phase) {
-  GuardedMesh mesh = open_for_remeshing(best);
+  ConstrainedRemesher mesh = open_for_remeshing(best);
   phase(mesh);
   Patch next = with_interior(best, mesh);
   if (badness(patch_validity(next)) <= badness(patch_validity(best))) best = std::move(next);
@@ -131,11 +131,11 @@ double unfairness(const Patch& patch) {
 }
 
 Patch remeshed(Patch bridge, const CancelToken& cancel) {
-  try_phase(bridge, [&](GuardedMesh& mesh) {
+  try_phase(bridge, [&](ConstrainedRemesher& mesh) {
     for (int k = 0; k < remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
   });
   for (int attempt = 0; attempt < 3 && badness(patch_validity(bridge)) > 0 && !cancel.cancelled(); ++attempt)
-    try_phase(bridge, [](GuardedMesh& mesh) {
+    try_phase(bridge, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
       remesh_once(mesh);
     });
@@ -146,7 +146,7 @@ Patch remeshed(Patch bridge, const CancelToken& cancel) {
 /// them one by one leaves the patch crumpled.
 Patch membrane(Patch bridge, const CancelToken& cancel) {
   for (int k = 0; k < membrane_rounds && !cancel.cancelled(); ++k) {
-    const GuardedMesh mesh = open_for_remeshing(bridge);
+    const ConstrainedRemesher mesh = open_for_remeshing(bridge);
     const Points goal = minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked());
     for (double share : {0.5, 0.25, 0.1}) {
       Patch next = bridge;
@@ -156,7 +156,7 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
       bridge = std::move(next);
       break;
     }
-    try_phase(bridge, [](GuardedMesh& open) {
+    try_phase(bridge, [](ConstrainedRemesher& open) {
       open.flip_to_delaunay();
       open.smooth_tangentially();
     });
@@ -182,7 +182,7 @@ Start faired(Start best, const CancelToken& cancel) {
   const auto take = [&](Points positions) {
     Patch next = best.patch;
     next.positions = std::move(positions);
-    try_phase(next, [](GuardedMesh& mesh) {
+    try_phase(next, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
       remesh_once(mesh);
       remesh_once(mesh);
@@ -241,7 +241,7 @@ std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector
 }
 
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                           const FillerOptions& options, const CancelToken& cancel) {
+                           const InitialPatchOptions& options, const CancelToken& cancel) {
   check(options);
   check_loops(loops);
   BridgeOutcome outcome;

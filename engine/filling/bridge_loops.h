@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
-#include "filling/loop_filler.h"
+#include "filling/loop_patch.h"
 #include "mesh/patch.h"
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace loopmend {
 
 /// One patch with all loops, in two shapes.
 struct Bridge {
-  Patch membrane;  ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
-  Patch start;     ///< where the flow begins: minimal surfaces between tubes pinch (docs/dev/numerics.md, "Starts")
+  Patch membrane;    ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
+  Patch start;       ///< where the flow begins: minimal surfaces between tubes pinch (docs/dev/numerics.md, "Starts")
   Validity quality;  ///< of the start
 };
 
@@ -29,7 +29,7 @@ struct BridgeOutcome {
 /// @param loops  at least two, none twice; of kind hole or outer_rim.
 /// @throws InvalidArgument for fewer than two loops, a loop given twice or of another kind, a density out of range.
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                           const FillerOptions& options, const CancelToken& cancel);
+                           const InitialPatchOptions& options, const CancelToken& cancel);
 
 /// Loops whose surroundings lie the other way round than those of the first loop, so that no two-sided surface joins
 /// them. @returns indices into `loops`, ascending; empty when all agree.

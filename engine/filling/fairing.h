@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces from one sparse solve: as fillers, and as starts of the flow.
+// Surfaces from one sparse solve: as initial patches, and as starts of the flow.
 #pragma once
 
 #include "mesh/patch.h"

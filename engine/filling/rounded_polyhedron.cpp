@@ -2,8 +2,8 @@
 #include "filling/rounded_polyhedron.h"
 
 #include "filling/fairing.h"
-#include "filling/patch_remesh.h"
 #include "mesh/quality.h"
+#include "remeshing/patch_remesh.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -63,7 +63,7 @@ Vec3 center_of_area(const Patch& patch) {
 Patch spread(const Sphere& sphere, const Patch& patch) {
   Patch even = patch;
   for (int round = 0; round < rounds; ++round) {
-    GuardedMesh mesh = open_for_remeshing(even);
+    ConstrainedRemesher mesh = open_for_remeshing(even);
     mesh.flip_to_delaunay();
     mesh.smooth_tangentially();
     even = with_interior(even, mesh);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/triangulate_loop.h"
 
-#include "filling/least_folded.h"
+#include "filling/minimum_weight_triangulation.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -102,9 +102,9 @@ Triangles least_folded(const Mesh& mesh, Mesh::Halfedge_index border, Triangulat
   Triangles triangles;
   if (loop.points.empty()) return triangles;
   if (method != TriangulationMethod::cubic)
-    triangles = least_folded_triangulation(loop, delaunay_triangles(loop.points));
+    triangles = minimum_weight_triangulation(loop, delaunay_triangles(loop.points));
   if (triangles.empty() && (method == TriangulationMethod::cubic || method == TriangulationMethod::delaunay))
-    triangles = least_folded_triangulation(loop);
+    triangles = minimum_weight_triangulation(loop);
   for (Triangle& t : triangles)
     for (int& v : t) v = vertices[v];
   return triangles;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flows/decay_rate.h"
 
-#include "energy/curvature_energy.h"
 #include "operators/congruence.h"
+#include "operators/curvature_energy.h"
 #include "operators/operator_set.h"
 #include "solvers/linear_solver.h"
 

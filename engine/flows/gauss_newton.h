@@ -2,7 +2,7 @@
 // The steady state by Gauss-Newton on the curvature energy: the same energy and weights as the flow, symmetric.
 #pragma once
 
-#include "energy/curvature_energy.h"
+#include "operators/curvature_energy.h"
 
 namespace loopmend {
 

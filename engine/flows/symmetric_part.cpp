@@ -2,8 +2,8 @@
 #include "flows/symmetric_part.h"
 
 #include "core/threads.h"
-#include "energy/curvature_energy.h"
 #include "operators/congruence.h"
+#include "operators/curvature_energy.h"
 
 #include <numeric>
 

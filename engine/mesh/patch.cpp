@@ -37,7 +37,7 @@ Surroundings collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>&
   return s;
 }
 
-void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopFiller>& fillers) {
+void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopPatch>& fillers) {
   if (loops.size() != fillers.size() || loops.empty())
     throw InvalidArgument("a patch needs one filler for each loop, and at least one loop");
   for (std::size_t k = 0; k < loops.size(); ++k)
@@ -48,7 +48,7 @@ void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopF
 }  // namespace
 
 Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                 const std::vector<LoopFiller>& fillers) {
+                 const std::vector<LoopPatch>& fillers) {
   check_sizes(loops, fillers);
   Patch patch;
   Eigen::AlignedBox3d box;

@@ -10,8 +10,8 @@
 
 namespace loopmend {
 
-/// A filler for one loop: the loop's vertices first, in loop order, then the new ones.
-struct LoopFiller {
+/// A initial patch for one loop: the loop's vertices first, in loop order, then the new ones.
+struct LoopPatch {
   Points points;        ///< mesh units
   Triangles triangles;  ///< oriented like the surroundings
 };
@@ -47,10 +47,10 @@ struct Patch {
 /// How many rings of fixed vertices a patch carries: the semi-implicit MMCVF step on two-ring fits reaches that far.
 inline constexpr int patch_rings = 6;
 
-/// Joins loops and their fillers into one problem. Several loops are given together when their rings overlap.
+/// Joins loops and their initial patches into one problem. Several loops are given together when their rings overlap.
 /// @throws InvalidArgument if sizes disagree.
 Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                 const std::vector<LoopFiller>& fillers);
+                 const std::vector<LoopPatch>& fillers);
 
 /// The patch in mesh units, ready for append_patch.
 PatchGeometry patch_geometry(const Patch& patch);

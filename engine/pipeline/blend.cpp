@@ -89,7 +89,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   SurfaceModel agreed = model;
   std::vector<BoundaryLoop> ends = loops;
   blend.turned_faces = turn_opposed_pieces(agreed, ends, find_opposed_loops(agreed, ends));
-  BridgeOutcome outcome = bridge_loops(agreed, ends, options.filler, cancel);
+  BridgeOutcome outcome = bridge_loops(agreed, ends, options.initial, cancel);
   const double bridge_seconds = seconds_since(begin);
   blend.outcome.message = outcome.message;
   blend.bridge = std::move(outcome.bridge);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/compare.h"
 
-#include "energy/curvature_energy.h"
+#include "operators/curvature_energy.h"
 #include "operators/operator_set.h"
 #include "pipeline/evolve_patch.h"
 #include "rim/rim_fits.h"

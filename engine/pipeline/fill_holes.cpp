@@ -68,7 +68,7 @@ std::vector<HoleResult> fill_groups(SurfaceModel& model, const std::vector<Bound
     std::vector<BoundaryLoop> group;
     for (int k : groups[g]) group.push_back(loops[k]);
     try {
-      const InitialPatch initial = make_surveyed_patch(model, group, options.filler, cancel);
+      const InitialPatch initial = make_surveyed_patch(model, group, options.initial, cancel);
       solved[g] = solve_group(scan, initial, options, nullptr, cancel);
     } catch (const std::bad_alloc&) {
       for (const BoundaryLoop& loop : group)
@@ -136,7 +136,7 @@ std::vector<HoleResult> joined_islands(SurfaceModel& model, const Place& place, 
 }  // namespace
 
 void check(const FillOptions& options) {
-  check(options.filler);
+  check(options.initial);
   if (options.evolution) check(*options.evolution);
 }
 

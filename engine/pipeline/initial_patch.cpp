@@ -21,9 +21,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// What goes wrong in one loop leaves the others alone.
-FillerOutcome guarded_fill(const SurfaceModel& model, const BoundaryLoop& loop, const FillerOptions& options,
-                           const CancelToken& cancel) {
-  FillerOutcome outcome;
+LoopPatchOutcome guarded_fill(const SurfaceModel& model, const BoundaryLoop& loop, const InitialPatchOptions& options,
+                              const CancelToken& cancel) {
+  LoopPatchOutcome outcome;
   if (cancel.cancelled()) return outcome;
   try {
     return fill_loop(model, loop, options, cancel);
@@ -37,13 +37,13 @@ FillerOutcome guarded_fill(const SurfaceModel& model, const BoundaryLoop& loop, 
 
 /// The patch of those loops of a group that have an initial patch; empty if none has.
 std::optional<Patch> joined_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
-                                  const std::vector<FillerOutcome>& outcomes, double density) {
+                                  const std::vector<LoopPatchOutcome>& outcomes, double density) {
   std::vector<BoundaryLoop> loops;
-  std::vector<LoopFiller> fillers;
+  std::vector<LoopPatch> fillers;
   for (std::size_t k = 0; k < group.size(); ++k) {
-    if (!outcomes[k].filler) continue;
+    if (!outcomes[k].patch) continue;
     loops.push_back(group[k]);
-    fillers.push_back(*outcomes[k].filler);
+    fillers.push_back(*outcomes[k].patch);
   }
   if (loops.empty()) return std::nullopt;
   Patch patch = make_patch(model, loops, fillers);
@@ -53,7 +53,7 @@ std::optional<Patch> joined_patch(const SurfaceModel& model, const std::vector<B
 
 /// The loops and what is around them, with nothing in them.
 Patch without_patches(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  std::vector<LoopFiller> empty(loops.size());
+  std::vector<LoopPatch> empty(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) empty[k].points.resize(loops[k].vertices.size());
   return make_patch(model, loops, empty);
 }
@@ -113,13 +113,13 @@ std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::
 
 std::string InitialPatch::message() const {
   std::string text;
-  for (const FillerOutcome& outcome : outcomes)
-    if (outcome.filler && !outcome.message.empty()) text += (text.empty() ? "" : " ") + outcome.message;
+  for (const LoopPatchOutcome& outcome : outcomes)
+    if (outcome.patch && !outcome.message.empty()) text += (text.empty() ? "" : " ") + outcome.message;
   return text;
 }
 
 InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
-                                const FillerOptions& options, const CancelToken& cancel) {
+                                const InitialPatchOptions& options, const CancelToken& cancel) {
   check(options);
   const auto start = std::chrono::steady_clock::now();
   InitialPatch initial;
@@ -131,7 +131,7 @@ InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<Bou
 }
 
 InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
-                                 const FillerOptions& options, const CancelToken& cancel) {
+                                 const InitialPatchOptions& options, const CancelToken& cancel) {
   InitialPatch initial;
   RimSurvey survey;
   const bool surveyable = group.size() == 1 && group.front().diameter > 0;
@@ -146,7 +146,7 @@ InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<Bo
 }
 
 InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const std::vector<int>& members,
-                     const FillerOptions& options) {
+                     const InitialPatchOptions& options) {
   InitialPatch part;
   part.loops = picked(group.loops, members);
   part.outcomes = picked(group.outcomes, members);

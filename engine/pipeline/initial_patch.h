@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
-#include "filling/loop_filler.h"
+#include "filling/loop_patch.h"
 #include "mesh/boundary_loops.h"
 #include "rim/rim_survey.h"
 
@@ -21,9 +21,10 @@ std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::
 
 /// The holes of one group and what fills them before any flow. Loops without a valid initial patch are left out of `patch`.
 struct InitialPatch {
-  std::optional<Patch> patch;           ///< empty when no loop of the group could be filled
-  std::vector<BoundaryLoop> loops;      ///< the group
-  std::vector<FillerOutcome> outcomes;  ///< one per loop; empty where they are to be made anew when they are asked for
+  std::optional<Patch> patch;       ///< empty when no loop of the group could be filled
+  std::vector<BoundaryLoop> loops;  ///< the group
+  std::vector<LoopPatchOutcome>
+      outcomes;  ///< one per loop; empty where they are to be made anew when they are asked for
   /// Whether `patch` is what the loops alone lead to, or a flow has moved it: then it is solved as one, from there alone.
   enum class Origin { loops, evolved } origin = Origin::loops;
   std::optional<RimSurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
@@ -36,15 +37,15 @@ struct InitialPatch {
 /// A loop that fails, for want of memory or by a fault, leaves the others alone: its outcome's message says why.
 /// @throws InvalidArgument if an option is out of range.
 InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
-                                const FillerOptions& options, const CancelToken& cancel);
+                                const InitialPatchOptions& options, const CancelToken& cancel);
 
 /// The same, and for a single loop beside that a look at the neighborhood, which solve_group() needs.
 InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
-                                 const FillerOptions& options, const CancelToken& cancel);
+                                 const InitialPatchOptions& options, const CancelToken& cancel);
 
 /// Those loops of a group alone. @param members  indices into the group's loops.
 InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const std::vector<int>& members,
-                     const FillerOptions& options);
+                     const InitialPatchOptions& options);
 
 /// Parts a group into groups whose loops, each looked at alone, ask for the same treatment of the boundary data: one rough
 /// hole does not decide for its neighbors. @returns groups of indices into the group's loops, whose outcomes are known.

@@ -4,7 +4,7 @@
 
 #include "core/cancel.h"
 #include "evolution/evolution.h"
-#include "evolution/mesh_care.h"
+#include "evolution/mesh_improvement.h"
 #include "pipeline/patch_result.h"
 
 #include <utility>

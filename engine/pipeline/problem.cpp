@@ -71,8 +71,8 @@ PosedProblem pose_points(const ModelPtr& polyhedron, const SubdivisionOptions& o
   return posed;
 }
 
-PosedProblem pose_bridge(const ModelPtr& model, const std::vector<BoundaryLoop>& loops, const FillerOptions& options,
-                         const CancelToken& cancel) {
+PosedProblem pose_bridge(const ModelPtr& model, const std::vector<BoundaryLoop>& loops,
+                         const InitialPatchOptions& options, const CancelToken& cancel) {
   SurfaceModel agreed = *model;
   std::vector<BoundaryLoop> ends = loops;
   const std::size_t turned = turn_opposed_pieces(agreed, ends, find_opposed_loops(agreed, ends));
@@ -88,8 +88,8 @@ PosedProblem pose_bridge(const ModelPtr& model, const std::vector<BoundaryLoop>&
   return posed;
 }
 
-PosedProblem pose_holes(const ModelPtr& model, const std::vector<BoundaryLoop>& holes, const FillerOptions& options,
-                        const CancelToken& cancel) {
+PosedProblem pose_holes(const ModelPtr& model, const std::vector<BoundaryLoop>& holes,
+                        const InitialPatchOptions& options, const CancelToken& cancel) {
   InitialPatch initial = make_initial_patch(*model, holes, options, cancel);
   if (!initial.patch)
     throw InvalidArgument("no hole could be filled" +

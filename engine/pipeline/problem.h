@@ -2,7 +2,7 @@
 // Problems beside single holes, posed and solved alike by the command line and the window.
 #pragma once
 
-#include "filling/loop_filler.h"
+#include "filling/loop_patch.h"
 #include "filling/subdivide_polyhedron.h"
 #include "pipeline/evolve_region.h"
 
@@ -46,12 +46,12 @@ PosedProblem pose_points(const ModelPtr& polyhedron, const SubdivisionOptions& o
 
 /// As `loopmend blend`: one patch that joins the loops.
 /// @throws InvalidArgument as bridge_loops, and where the loops cannot be joined.
-PosedProblem pose_bridge(const ModelPtr& model, const std::vector<BoundaryLoop>& loops, const FillerOptions& options,
-                         const CancelToken& cancel);
+PosedProblem pose_bridge(const ModelPtr& model, const std::vector<BoundaryLoop>& loops,
+                         const InitialPatchOptions& options, const CancelToken& cancel);
 
 /// As `loopmend compare` poses the holes of a mesh: all of them as one problem. `solve` is empty.
 /// @throws InvalidArgument where none of them can be filled.
-PosedProblem pose_holes(const ModelPtr& model, const std::vector<BoundaryLoop>& holes, const FillerOptions& options,
-                        const CancelToken& cancel);
+PosedProblem pose_holes(const ModelPtr& model, const std::vector<BoundaryLoop>& holes,
+                        const InitialPatchOptions& options, const CancelToken& cancel);
 
 }  // namespace loopmend

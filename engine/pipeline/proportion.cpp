@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/proportion.h"
 
-#include "energy/curvature_energy.h"
 #include "evolution/state.h"
+#include "operators/curvature_energy.h"
 #include "pipeline/validate.h"
 
 #include <Eigen/Geometry>

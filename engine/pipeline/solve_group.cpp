@@ -72,7 +72,7 @@ class GroupSolver {
     for (const std::vector<int>& members : parts_of(known)) {
       if (cancel_.cancelled()) return result;
       const bool all = members.size() == known.loops.size();
-      put(part(all ? known : part_of(scan_.model, known, members, options_.filler)), members, result);
+      put(part(all ? known : part_of(scan_.model, known, members, options_.initial)), members, result);
     }
     return result;
   }
@@ -81,7 +81,7 @@ class GroupSolver {
   InitialPatch with_outcomes(const InitialPatch& initial) const {
     if (!initial.outcomes.empty()) return initial;
     InitialPatch known = initial;
-    known.outcomes = make_initial_patch(scan_.model, initial.loops, options_.filler, cancel_).outcomes;
+    known.outcomes = make_initial_patch(scan_.model, initial.loops, options_.initial, cancel_).outcomes;
     return known;
   }
 
@@ -108,7 +108,7 @@ class GroupSolver {
     if (initial.loops.size() == 1 || !spoilt || cancel_.cancelled()) return joint;
     GroupResult single = failed_group(initial.loops, "");
     for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
-      put(guarded({initial.loops[k]}, [&] { return jointly(part_of(scan_.model, initial, {k}, options_.filler)); }),
+      put(guarded({initial.loops[k]}, [&] { return jointly(part_of(scan_.model, initial, {k}, options_.initial)); }),
           {k}, single);
     return single;
   }

@@ -55,7 +55,7 @@ struct GroupResult {
 };
 
 struct GroupOptions {
-  FillerOptions filler;
+  InitialPatchOptions initial;
   std::optional<EvolutionOptions> evolution = EvolutionOptions{};  ///< empty: leave the initial patch
 };
 

@@ -31,7 +31,7 @@ std::optional<Patch> triangulation_of(const PatchProblem& problem, const CancelT
       closed.push_back(loop);
   if (closed.empty()) return std::nullopt;
   std::optional<Patch> patch =
-      make_initial_patch(problem.scan.model, closed, {initial.grading.density, FillerShape::triangulated}, cancel)
+      make_initial_patch(problem.scan.model, closed, {initial.grading.density, InitialShape::triangulated}, cancel)
           .patch;
   return patch && patch->loop_numbers == initial.loop_numbers && patch->free_count > 0 ? patch : std::nullopt;
 }

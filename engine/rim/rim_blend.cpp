@@ -2,8 +2,8 @@
 #include "rim/rim_blend.h"
 
 #include "core/quantile.h"
-#include "energy/curvature_energy.h"
 #include "filling/fairing.h"
+#include "operators/curvature_energy.h"
 #include "operators/operator_set.h"
 #include "operators/topology.h"
 #include "rim/rim_fits.h"

@@ -2,8 +2,8 @@
 #include "rim/rim_roughness.h"
 
 #include "core/quantile.h"
-#include "energy/curvature_energy.h"
 #include "mesh/quality.h"
+#include "operators/curvature_energy.h"
 #include "operators/polynomial_fit.h"
 #include "rim/fixed_surface.h"
 

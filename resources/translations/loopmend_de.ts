@@ -256,7 +256,7 @@
         </message>
     </context>
     <context>
-        <name>loopmend::CompareDesk</name>
+        <name>loopmend::CompareController</name>
         <message>
             <source>There is no hole to compare flows on. Open a scan with holes, or pose a region, points or a bridge.</source>
             <translation>Es gibt kein Loch, an dem sich Flüsse vergleichen ließen. Einen Scan mit Löchern öffnen oder ein Gebiet, Punkte oder eine Brücke stellen.</translation>
@@ -759,7 +759,7 @@
         </message>
     </context>
     <context>
-        <name>loopmend::ExampleDesk</name>
+        <name>loopmend::ExampleController</name>
         <message>
             <source>%1 %2</source>
             <translation>%1 %2</translation>
@@ -952,6 +952,161 @@
         </message>
     </context>
     <context>
+        <name>loopmend::FillController</name>
+        <message>
+            <source>Filling %1</source>
+            <translation>Füllen: %1</translation>
+        </message>
+        <message>
+            <source>Trimming %1</source>
+            <translation>%1: Rand beschneiden</translation>
+        </message>
+        <message>
+            <source>Trim the boundaries of %1</source>
+            <translation>Ränder von %1 beschneiden</translation>
+        </message>
+        <message>
+            <source>%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.</source>
+            <translation>%1: %2 schlechte Dreiecke wurden an den Rändern entfernt; Strg+Z holt sie zurück.</translation>
+        </message>
+        <message>
+            <source>There are no bad triangles at these boundaries.</source>
+            <translation>An diesen Rändern gibt es keine schlechten Dreiecke.</translation>
+        </message>
+        <message>
+            <source>Fill %1</source>
+            <translation>Füllen: %1</translation>
+        </message>
+        <message>
+            <source>Filled %1 with %2 triangles in %3 s.</source>
+            <translation>Gefüllt: %1, mit %2 Dreiecken in %3 s.</translation>
+        </message>
+        <message>
+            <source>Some of these holes lie so close to filled ones that both were filled anew, as one.</source>
+            <translation>Einige dieser Löcher liegen so nah an gefüllten, dass beide zusammen neu gefüllt wurden.</translation>
+        </message>
+        <message>
+            <source>Hole %1: %2</source>
+            <translation>Loch %1: %2</translation>
+        </message>
+        <message>
+            <source>Hole %1 stays open: %2</source>
+            <translation>Loch %1 bleibt offen: %2</translation>
+        </message>
+        <message>
+            <source>%1 of %2 holes could not be filled. The State column says why.</source>
+            <translation>%1 von %2 Löchern ließen sich nicht füllen. Die Spalte Zustand sagt, warum.</translation>
+        </message>
+        <message>
+            <source>%1 step on %2</source>
+            <translation>%1, ein Schritt: %2</translation>
+        </message>
+        <message>
+            <source>%1 on %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3 steps, energy %4 → %5, %6 s.</source>
+            <translation>%1, %2: %3 Schritte, Energie %4 → %5, %6 s.</translation>
+        </message>
+        <message>
+            <source>%1 could not be solved together; each was solved by itself.</source>
+            <translation>%1 ließen sich nicht gemeinsam lösen; jedes wurde für sich gelöst.</translation>
+        </message>
+        <message>
+            <source>Taking over %1</source>
+            <translation>%1 wird übernommen</translation>
+        </message>
+        <message>
+            <source>Pausing after this step</source>
+            <translation>Hält nach diesem Schritt an</translation>
+        </message>
+        <message>
+            <source>Cancelled; the last accepted state is kept.</source>
+            <translation>Abgebrochen; der letzte gültige Zustand bleibt.</translation>
+        </message>
+        <message>
+            <source>Cancelled.</source>
+            <translation>Abgebrochen.</translation>
+        </message>
+        <message>
+            <source>Accept %1</source>
+            <translation>Annehmen: %1</translation>
+        </message>
+        <message>
+            <source>Reopen %1</source>
+            <translation>Wieder öffnen: %1</translation>
+        </message>
+        <message>
+            <source>Reject %1</source>
+            <translation>Verwerfen: %1</translation>
+        </message>
+        <message>
+            <source>Go back on %1</source>
+            <translation>Zurückgehen: %1</translation>
+        </message>
+        <message>
+            <source>Opening %1</source>
+            <translation>Öffnen: %1</translation>
+        </message>
+        <message>
+            <source>Opening %1 files</source>
+            <translation>%1 Dateien werden geöffnet</translation>
+        </message>
+        <message>
+            <source>Making the sample</source>
+            <translation>Das Beispiel wird gemacht</translation>
+        </message>
+        <message>
+            <source> Opened in %1 s.</source>
+            <translation> In %1 s geöffnet.</translation>
+        </message>
+        <message>
+            <source>This surface is closed: there is no hole to fill.</source>
+            <translation>Diese Fläche ist geschlossen: es gibt kein Loch zu füllen.</translation>
+        </message>
+        <message>
+            <source>Computing curvature</source>
+            <translation>Krümmung wird berechnet</translation>
+        </message>
+        <message>
+            <source>Add %1</source>
+            <translation>Hinzufügen: %1</translation>
+        </message>
+        <message>
+            <source>Close %1</source>
+            <translation>Schließen: %1</translation>
+        </message>
+        <message>
+            <source>Restored %1: %2 patches, in %3 s.</source>
+            <translation>%1 wiederhergestellt: %2 Flicken, in %3 s.</translation>
+        </message>
+        <message>
+            <source>Writing %1</source>
+            <translation>Schreiben: %1</translation>
+        </message>
+        <message>
+            <source>Saved the session as %1.</source>
+            <translation>Sitzung gesichert als %1.</translation>
+        </message>
+        <message>
+            <source>Wrote %1: %2 triangles.</source>
+            <translation>%1 geschrieben: %2 Dreiecke.</translation>
+        </message>
+        <message>
+            <source> Not in it: %1.</source>
+            <translation> Nicht darin: %1.</translation>
+        </message>
+        <message>
+            <source> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</source>
+            <translation> STL rundet: Ecken wurden um bis zu %1 verschoben; PLY behält jede Stelle.</translation>
+        </message>
+        <message>
+            <source> Left open, because the patch cuts the surface: %1.</source>
+            <translation> Offen gelassen, weil der Flicken die Fläche schneidet: %1.</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::FlowBox</name>
         <message>
             <source>2  Smooth by a flow</source>
@@ -1039,7 +1194,7 @@
         </message>
     </context>
     <context>
-        <name>loopmend::FlowPane</name>
+        <name>loopmend::FlowView</name>
         <message>
             <source>start</source>
             <translation>Anfang</translation>
@@ -1051,6 +1206,14 @@
         <message>
             <source>stopped at step %1</source>
             <translation>angehalten bei Schritt %1</translation>
+        </message>
+        <message>
+            <source>converged, %1 steps</source>
+            <translation>konvergiert, %1 Schritte</translation>
+        </message>
+        <message>
+            <source>faired, %1 steps</source>
+            <translation>geglättet, %1 Schritte</translation>
         </message>
         <message>
             <source>stopped early, step %1</source>
@@ -1095,14 +1258,6 @@
         <message>
             <source>Run the flows first</source>
             <translation>Zuerst die Flüsse laufen lassen</translation>
-        </message>
-        <message>
-            <source>converged, %1 steps</source>
-            <translation>konvergiert, %1 Schritte</translation>
-        </message>
-        <message>
-            <source>faired, %1 steps</source>
-            <translation>geglättet, %1 Schritte</translation>
         </message>
     </context>
     <context>
@@ -2116,6 +2271,128 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ProblemBox</name>
+        <message>
+            <source>Try it, decide</source>
+            <translation>Versuchen, entscheiden</translation>
+        </message>
+        <message>
+            <source>Which flow works on it</source>
+            <translation>Welcher Fluss daran arbeitet</translation>
+        </message>
+        <message>
+            <source>Pre&amp;view</source>
+            <translation>&amp;Vorschau</translation>
+        </message>
+        <message>
+            <source>Show the start, before any flow</source>
+            <translation>Den Anfang zeigen, vor jedem Fluss</translation>
+        </message>
+        <message>
+            <source>Evo&amp;lve</source>
+            <translation>Ent&amp;wickeln</translation>
+        </message>
+        <message>
+            <source>Let the flow work on it until it converges</source>
+            <translation>Den Fluss daran arbeiten lassen, bis er konvergiert</translation>
+        </message>
+        <message>
+            <source>Co&amp;mpare flows…</source>
+            <translation>Flüsse &amp;vergleichen…</translation>
+        </message>
+        <message>
+            <source>Several flows from this start, side by side, in a window of their own</source>
+            <translation>Mehrere Flüsse von diesem Anfang, nebeneinander in einem eigenen Fenster</translation>
+        </message>
+        <message>
+            <source>Ca&amp;ncel</source>
+            <translation>Abb&amp;rechen</translation>
+        </message>
+        <message>
+            <source>Stop at once; the start is shown again (Esc)</source>
+            <translation>Sofort anhalten; der Anfang wird wieder gezeigt (Esc)</translation>
+        </message>
+        <message>
+            <source>Ta&amp;ke over</source>
+            <translation>Ü&amp;bernehmen</translation>
+        </message>
+        <message>
+            <source>The result comes into the document; can be undone</source>
+            <translation>Das Ergebnis kommt ins Dokument; lässt sich rückgängig machen</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Verwerfen</translation>
+        </message>
+        <message>
+            <source>Give it up; the document is as it was</source>
+            <translation>Aufgeben; das Dokument ist, wie es war</translation>
+        </message>
+        <message>
+            <source>Cop&amp;y command line</source>
+            <translation>Be&amp;fehlszeile kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the commands that do the same</source>
+            <translation>Die Befehle kopieren, die dasselbe tun</translation>
+        </message>
+        <message>
+            <source>Boundary</source>
+            <translation>Rand</translation>
+        </message>
+        <message>
+            <source>Continuity</source>
+            <translation>Übergang</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ProblemController</name>
+        <message>
+            <source>Making the start…</source>
+            <translation>Anfang wird gemacht…</translation>
+        </message>
+        <message>
+            <source>%1 free vertices.</source>
+            <translation>%1 freie Ecken.</translation>
+        </message>
+        <message>
+            <source>%1 at work…</source>
+            <translation>%1 arbeitet…</translation>
+        </message>
+        <message>
+            <source>Step %1, energy %2, %3 vertices</source>
+            <translation>Schritt %1, Energie %2, %3 Ecken</translation>
+        </message>
+        <message>
+            <source>Converged after %1 steps, energy %2 → %3.</source>
+            <translation>Konvergiert nach %1 Schritten, Energie %2 → %3.</translation>
+        </message>
+        <message>
+            <source>%1 steps, energy %2 → %3.</source>
+            <translation>%1 Schritte, Energie %2 → %3.</translation>
+        </message>
+        <message>
+            <source>Cancelled.</source>
+            <translation>Abgebrochen.</translation>
+        </message>
+        <message>
+            <source>%1: taken over. Ctrl+Z takes it back.</source>
+            <translation>%1: übernommen. Strg+Z nimmt es zurück.</translation>
+        </message>
+        <message>
+            <source>The main window is busy, or has gone on to something else.</source>
+            <translation>Das Hauptfenster ist beschäftigt oder schon bei etwas anderem.</translation>
+        </message>
+        <message>
+            <source>Taking over…</source>
+            <translation>Wird übernommen…</translation>
+        </message>
+        <message>
+            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
+            <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::ProgressBox</name>
         <message>
             <source>Nothing is running.</source>
@@ -2481,7 +2758,7 @@
         </message>
     </context>
     <context>
-        <name>loopmend::ToolDesk</name>
+        <name>loopmend::ToolController</name>
         <message>
             <source>Paint a region first.</source>
             <translation>Zuerst ein Gebiet malen.</translation>
@@ -2536,128 +2813,6 @@
         <message>
             <source>Join rims</source>
             <translation>Ränder verbinden</translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::Trial</name>
-        <message>
-            <source>Making the start…</source>
-            <translation>Anfang wird gemacht…</translation>
-        </message>
-        <message>
-            <source>%1 free vertices.</source>
-            <translation>%1 freie Ecken.</translation>
-        </message>
-        <message>
-            <source>%1 at work…</source>
-            <translation>%1 arbeitet…</translation>
-        </message>
-        <message>
-            <source>Step %1, energy %2, %3 vertices</source>
-            <translation>Schritt %1, Energie %2, %3 Ecken</translation>
-        </message>
-        <message>
-            <source>%1 steps, energy %2 → %3.</source>
-            <translation>%1 Schritte, Energie %2 → %3.</translation>
-        </message>
-        <message>
-            <source>Cancelled.</source>
-            <translation>Abgebrochen.</translation>
-        </message>
-        <message>
-            <source>%1: taken over. Ctrl+Z takes it back.</source>
-            <translation>%1: übernommen. Strg+Z nimmt es zurück.</translation>
-        </message>
-        <message>
-            <source>The main window is busy, or has gone on to something else.</source>
-            <translation>Das Hauptfenster ist beschäftigt oder schon bei etwas anderem.</translation>
-        </message>
-        <message>
-            <source>Taking over…</source>
-            <translation>Wird übernommen…</translation>
-        </message>
-        <message>
-            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
-            <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
-        </message>
-        <message>
-            <source>Converged after %1 steps, energy %2 → %3.</source>
-            <translation>Konvergiert nach %1 Schritten, Energie %2 → %3.</translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::TrialBox</name>
-        <message>
-            <source>Try it, decide</source>
-            <translation>Versuchen, entscheiden</translation>
-        </message>
-        <message>
-            <source>Pre&amp;view</source>
-            <translation>&amp;Vorschau</translation>
-        </message>
-        <message>
-            <source>Show the start, before any flow</source>
-            <translation>Den Anfang zeigen, vor jedem Fluss</translation>
-        </message>
-        <message>
-            <source>Evo&amp;lve</source>
-            <translation>Ent&amp;wickeln</translation>
-        </message>
-        <message>
-            <source>Co&amp;mpare flows…</source>
-            <translation>Flüsse &amp;vergleichen…</translation>
-        </message>
-        <message>
-            <source>Several flows from this start, side by side, in a window of their own</source>
-            <translation>Mehrere Flüsse von diesem Anfang, nebeneinander in einem eigenen Fenster</translation>
-        </message>
-        <message>
-            <source>Ca&amp;ncel</source>
-            <translation>Abb&amp;rechen</translation>
-        </message>
-        <message>
-            <source>Stop at once; the start is shown again (Esc)</source>
-            <translation>Sofort anhalten; der Anfang wird wieder gezeigt (Esc)</translation>
-        </message>
-        <message>
-            <source>Ta&amp;ke over</source>
-            <translation>Ü&amp;bernehmen</translation>
-        </message>
-        <message>
-            <source>The result comes into the document; can be undone</source>
-            <translation>Das Ergebnis kommt ins Dokument; lässt sich rückgängig machen</translation>
-        </message>
-        <message>
-            <source>&amp;Discard</source>
-            <translation>&amp;Verwerfen</translation>
-        </message>
-        <message>
-            <source>Give it up; the document is as it was</source>
-            <translation>Aufgeben; das Dokument ist, wie es war</translation>
-        </message>
-        <message>
-            <source>Which flow works on it</source>
-            <translation>Welcher Fluss daran arbeitet</translation>
-        </message>
-        <message>
-            <source>Cop&amp;y command line</source>
-            <translation>Be&amp;fehlszeile kopieren</translation>
-        </message>
-        <message>
-            <source>Copy the commands that do the same</source>
-            <translation>Die Befehle kopieren, die dasselbe tun</translation>
-        </message>
-        <message>
-            <source>Boundary</source>
-            <translation>Rand</translation>
-        </message>
-        <message>
-            <source>Continuity</source>
-            <translation>Übergang</translation>
-        </message>
-        <message>
-            <source>Let the flow work on it until it converges</source>
-            <translation>Den Fluss daran arbeiten lassen, bis er konvergiert</translation>
         </message>
     </context>
     <context>
@@ -3075,178 +3230,7 @@
         </message>
     </context>
     <context>
-        <name>loopmend::Workbench</name>
-        <message>
-            <source>Filling %1</source>
-            <translation>Füllen: %1</translation>
-        </message>
-        <message>
-            <source>Fill %1</source>
-            <translation>Füllen: %1</translation>
-        </message>
-        <message>
-            <source>Filled %1 with %2 triangles in %3 s.</source>
-            <translation>Gefüllt: %1, mit %2 Dreiecken in %3 s.</translation>
-        </message>
-        <message>
-            <source>Some of these holes lie so close to filled ones that both were filled anew, as one.</source>
-            <translation>Einige dieser Löcher liegen so nah an gefüllten, dass beide zusammen neu gefüllt wurden.</translation>
-        </message>
-        <message>
-            <source>Hole %1: %2</source>
-            <translation>Loch %1: %2</translation>
-        </message>
-        <message>
-            <source>Hole %1 stays open: %2</source>
-            <translation>Loch %1 bleibt offen: %2</translation>
-        </message>
-        <message>
-            <source>%1 of %2 holes could not be filled. The State column says why.</source>
-            <translation>%1 von %2 Löchern ließen sich nicht füllen. Die Spalte Zustand sagt, warum.</translation>
-        </message>
-        <message>
-            <source>%1 step on %2</source>
-            <translation>%1, ein Schritt: %2</translation>
-        </message>
-        <message>
-            <source>%1 on %2</source>
-            <translation>%1: %2</translation>
-        </message>
-        <message>
-            <source>%1, %2: %3 steps, energy %4 → %5, %6 s.</source>
-            <translation>%1, %2: %3 Schritte, Energie %4 → %5, %6 s.</translation>
-        </message>
-        <message>
-            <source>%1 could not be solved together; each was solved by itself.</source>
-            <translation>%1 ließen sich nicht gemeinsam lösen; jedes wurde für sich gelöst.</translation>
-        </message>
-        <message>
-            <source>Pausing after this step</source>
-            <translation>Hält nach diesem Schritt an</translation>
-        </message>
-        <message>
-            <source>Cancelled; the last accepted state is kept.</source>
-            <translation>Abgebrochen; der letzte gültige Zustand bleibt.</translation>
-        </message>
-        <message>
-            <source>Cancelled.</source>
-            <translation>Abgebrochen.</translation>
-        </message>
-        <message>
-            <source>Accept %1</source>
-            <translation>Annehmen: %1</translation>
-        </message>
-        <message>
-            <source>Reopen %1</source>
-            <translation>Wieder öffnen: %1</translation>
-        </message>
-        <message>
-            <source>Reject %1</source>
-            <translation>Verwerfen: %1</translation>
-        </message>
-        <message>
-            <source>Go back on %1</source>
-            <translation>Zurückgehen: %1</translation>
-        </message>
-        <message>
-            <source>Opening %1</source>
-            <translation>Öffnen: %1</translation>
-        </message>
-        <message>
-            <source>Opening %1 files</source>
-            <translation>%1 Dateien werden geöffnet</translation>
-        </message>
-        <message>
-            <source>Making the sample</source>
-            <translation>Das Beispiel wird gemacht</translation>
-        </message>
-        <message>
-            <source> Opened in %1 s.</source>
-            <translation> In %1 s geöffnet.</translation>
-        </message>
-        <message>
-            <source>This surface is closed: there is no hole to fill.</source>
-            <translation>Diese Fläche ist geschlossen: es gibt kein Loch zu füllen.</translation>
-        </message>
-        <message>
-            <source>Computing curvature</source>
-            <translation>Krümmung wird berechnet</translation>
-        </message>
-        <message>
-            <source>Add %1</source>
-            <translation>Hinzufügen: %1</translation>
-        </message>
-        <message>
-            <source>Close %1</source>
-            <translation>Schließen: %1</translation>
-        </message>
-        <message>
-            <source>Restored %1: %2 patches, in %3 s.</source>
-            <translation>%1 wiederhergestellt: %2 Flicken, in %3 s.</translation>
-        </message>
-        <message>
-            <source>Writing %1</source>
-            <translation>Schreiben: %1</translation>
-        </message>
-        <message>
-            <source>Saved the session as %1.</source>
-            <translation>Sitzung gesichert als %1.</translation>
-        </message>
-        <message>
-            <source> Left open, because the patch cuts the surface: %1.</source>
-            <translation> Offen gelassen, weil der Flicken die Fläche schneidet: %1.</translation>
-        </message>
-        <message>
-            <source>Wrote %1: %2 triangles.</source>
-            <translation>%1 geschrieben: %2 Dreiecke.</translation>
-        </message>
-        <message>
-            <source>Taking over %1</source>
-            <translation>%1 wird übernommen</translation>
-        </message>
-        <message>
-            <source> Not in it: %1.</source>
-            <translation> Nicht darin: %1.</translation>
-        </message>
-        <message>
-            <source> STL rounds: vertices were moved by up to %1; PLY keeps every digit.</source>
-            <translation> STL rundet: Ecken wurden um bis zu %1 verschoben; PLY behält jede Stelle.</translation>
-        </message>
-        <message>
-            <source>Trimming %1</source>
-            <translation>%1: Rand beschneiden</translation>
-        </message>
-        <message>
-            <source>Trim the boundaries of %1</source>
-            <translation>Ränder von %1 beschneiden</translation>
-        </message>
-        <message>
-            <source>%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.</source>
-            <translation>%1: %2 schlechte Dreiecke wurden an den Rändern entfernt; Strg+Z holt sie zurück.</translation>
-        </message>
-        <message>
-            <source>There are no bad triangles at these boundaries.</source>
-            <translation>An diesen Rändern gibt es keine schlechten Dreiecke.</translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::words</name>
-        <message>
-            <source>smooth</source>
-            <translation>glatt</translation>
-        </message>
-        <message>
-            <source>noisy</source>
-            <translation>verrauscht</translation>
-        </message>
-        <message>
-            <source>rough</source>
-            <translation>rau</translation>
-        </message>
-        <message>
-            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
-            <translation>Glatte Anpassungen lassen von den Punkten des Scans um das Loch %1 übrig, das sind %2 % einer Kante. Sie bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
-        </message>
+        <name>loopmend::labels</name>
         <message>
             <source>hole</source>
             <translation>Loch</translation>
@@ -3308,6 +3292,18 @@
             <translation>unterwegs</translation>
         </message>
         <message>
+            <source>converged</source>
+            <translation>konvergiert</translation>
+        </message>
+        <message>
+            <source>faired</source>
+            <translation>geglättet</translation>
+        </message>
+        <message>
+            <source>doubtful</source>
+            <translation>fraglich</translation>
+        </message>
+        <message>
             <source>stopped early</source>
             <translation>früh beendet</translation>
         </message>
@@ -3332,12 +3328,32 @@
             <translation>Wird nur gefüllt, wenn Sie es selbst auswählen.</translation>
         </message>
         <message>
+            <source>Closed by the initial patch; no flow has run yet.</source>
+            <translation>Durch die erste Fläche geschlossen; noch lief kein Fluss.</translation>
+        </message>
+        <message>
             <source>A flow is moving this patch now.</source>
             <translation>Ein Fluss bewegt diesen Flicken gerade.</translation>
         </message>
         <message>
             <source>A flow has moved this patch; more steps can be taken.</source>
             <translation>Ein Fluss hat diesen Flicken bewegt; weitere Schritte sind möglich.</translation>
+        </message>
+        <message>
+            <source>The flow has converged to its steady state.</source>
+            <translation>Der Fluss ist konvergiert: Sein stationärer Zustand ist erreicht.</translation>
+        </message>
+        <message>
+            <source>Shaped by linear fairing, not by the flow.</source>
+            <translation>Durch lineare Glättung geformt, nicht durch den Fluss.</translation>
+        </message>
+        <message>
+            <source>Filled, but the patch is out of proportion to its hole: look at it.</source>
+            <translation>Gefüllt, aber die Fläche steht in keinem Verhältnis zum Loch: bitte ansehen.</translation>
+        </message>
+        <message>
+            <source>The flow stopped before it converged; this is its last good state.</source>
+            <translation>Der Fluss hielt an, bevor er konvergierte; dies ist sein letzter guter Zustand.</translation>
         </message>
         <message>
             <source>This patch cuts the surface or itself. It is not exported unless you accept it.</source>
@@ -3400,8 +3416,32 @@
             <translation>Noch lief kein Fluss.</translation>
         </message>
         <message>
+            <source>But the patch is out of proportion to its hole.</source>
+            <translation>Aber die Fläche steht in keinem Verhältnis zum Loch.</translation>
+        </message>
+        <message>
+            <source>Fairing made the jump of curvature %1 times smaller.</source>
+            <translation>Die Glättung machte den Sprung der Krümmung %1-mal kleiner.</translation>
+        </message>
+        <message>
             <source>The flow made the jump of curvature %1 times smaller.</source>
             <translation>Der Fluss machte den Sprung der Krümmung %1-mal kleiner.</translation>
+        </message>
+        <message>
+            <source>smooth</source>
+            <translation>glatt</translation>
+        </message>
+        <message>
+            <source>noisy</source>
+            <translation>verrauscht</translation>
+        </message>
+        <message>
+            <source>rough</source>
+            <translation>rau</translation>
+        </message>
+        <message>
+            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation>Glatte Anpassungen lassen von den Punkten des Scans um das Loch %1 übrig, das sind %2 % einer Kante. Sie bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
         </message>
         <message>
             <source>%1 of %2</source>
@@ -3427,6 +3467,13 @@
             <source>Noted: %1.</source>
             <translation>Bemerkt: %1.</translation>
         </message>
+        <message>
+            <source>Will not be saved: %1.</source>
+            <translation>Wird nicht gespeichert: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::words</name>
         <message>
             <source>%1 polygons cut into triangles</source>
             <translation>%1 Vielecke in Dreiecke zerlegt</translation>
@@ -3456,52 +3503,12 @@
             <translation>%1 Ecken ohne Fläche</translation>
         </message>
         <message>
-            <source>converged</source>
-            <translation>konvergiert</translation>
-        </message>
-        <message>
-            <source>faired</source>
-            <translation>geglättet</translation>
-        </message>
-        <message>
-            <source>doubtful</source>
-            <translation>fraglich</translation>
-        </message>
-        <message>
-            <source>The flow has converged to its steady state.</source>
-            <translation>Der Fluss ist konvergiert: Sein stationärer Zustand ist erreicht.</translation>
-        </message>
-        <message>
-            <source>Shaped by linear fairing, not by the flow.</source>
-            <translation>Durch lineare Glättung geformt, nicht durch den Fluss.</translation>
-        </message>
-        <message>
-            <source>Filled, but the patch is out of proportion to its hole: look at it.</source>
-            <translation>Gefüllt, aber die Fläche steht in keinem Verhältnis zum Loch: bitte ansehen.</translation>
-        </message>
-        <message>
-            <source>The flow stopped before it converged; this is its last good state.</source>
-            <translation>Der Fluss hielt an, bevor er konvergierte; dies ist sein letzter guter Zustand.</translation>
-        </message>
-        <message>
-            <source>But the patch is out of proportion to its hole.</source>
-            <translation>Aber die Fläche steht in keinem Verhältnis zum Loch.</translation>
-        </message>
-        <message>
-            <source>Fairing made the jump of curvature %1 times smaller.</source>
-            <translation>Die Glättung machte den Sprung der Krümmung %1-mal kleiner.</translation>
-        </message>
-        <message>
             <source>%1 vertices without a colour, made white</source>
             <translation>%1 Ecken ohne Farbe, weiß gemacht</translation>
         </message>
         <message>
             <source>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</source>
             <translation>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; `loopmend fill --weld` verbindet sie)</translation>
-        </message>
-        <message>
-            <source>Will not be saved: %1.</source>
-            <translation>Wird nicht gespeichert: %1.</translation>
         </message>
         <message>
             <source>normals</source>
@@ -3562,10 +3569,6 @@
         <message>
             <source>points</source>
             <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>Closed by the initial patch; no flow has run yet.</source>
-            <translation>Durch die erste Fläche geschlossen; noch lief kein Fluss.</translation>
         </message>
     </context>
 </TS>

@@ -68,7 +68,7 @@ std::string met_in_words(const Comparison& comparison) {
 
 Measured run_engine(const HoleProblem& problem, double density) {
   FillOptions options;
-  options.filler.density = density;
+  options.initial.density = density;
   Filling filling = fill_by_engine(problem, options);
   const PatchFigures figures = measure(problem, filling);
   return {"Loopmend", std::move(filling), figures};

@@ -2,11 +2,11 @@
 // loopmend_polyhedra: every job on small polyhedra with openings, with all flows, modes, boundary and continuity options. A
 // run counts as bad if the program ends by a signal or a sanitizer, or what it says or leaves behind cannot be true.
 #include "core/error.h"
+#include "mesh/region.h"
 #include "pipeline/blend.h"
 #include "pipeline/compare.h"
 #include "pipeline/evolve_patch.h"
 #include "pipeline/interpolate.h"
-#include "mesh/region.h"
 #include "rim/trim_rim.h"
 #include "support/small_polyhedra.h"
 
@@ -78,7 +78,7 @@ std::string run_fill(const TriangleSoup& soup, const NamedOptions& options, doub
   for (const BoundaryLoop& loop : all)
     if (loop.kind == LoopKind::hole || loop.kind == LoopKind::outer_rim) loops.push_back(loop);
   FillOptions fill;
-  fill.filler.density = density;
+  fill.initial.density = density;
   fill.evolution = options.evolution;
   const TriangleSoup before = model.soup;
   const std::vector<HoleResult> results = fill_holes(model, loops, fill, nullptr, CancelToken());
@@ -88,8 +88,8 @@ std::string run_fill(const TriangleSoup& soup, const NamedOptions& options, doub
     filled += is_filled(result.status);
     if (is_filled(result.status) == result.method().empty()) return "status and method disagree";
     if (result.status == PatchStatus::failed && result.message.empty()) return "a failure without a reason";
-    const bool flow_ran =
-        result.method() != "initial_patch" && result.method() != "robust_fairing" && result.method() != "linear_fairing";
+    const bool flow_ran = result.method() != "initial_patch" && result.method() != "robust_fairing" &&
+                          result.method() != "linear_fairing";
     if (result.status == PatchStatus::converged && !flow_ran) return "converged where no flow ran";
   }
   const std::size_t open = find_boundary_loops(make_surface_model(model.soup)).size();
@@ -107,7 +107,8 @@ std::string run_blend(const TriangleSoup& soup, const NamedOptions& options, dou
   fill.evolution = options.evolution;
   const TriangleSoup before = model.soup;
   const BlendResult result = blend_loops(model, loops, fill, CancelToken());
-  if (result.outcome.status == PatchStatus::failed && result.outcome.message.empty()) return "a failure without a reason";
+  if (result.outcome.status == PatchStatus::failed && result.outcome.message.empty())
+    return "a failure without a reason";
   return flaw_of(before, model.soup);
 }
 

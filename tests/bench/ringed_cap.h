@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patches with an exact number of free vertices, made without any filler: rings of vertices on a cap of the unit sphere.
+// Patches with an exact number of free vertices, made without any initial patch: rings of vertices on a cap of the unit sphere.
 #pragma once
 
 #include "hole_problem.h"
@@ -9,11 +9,10 @@ namespace loopmend::bench {
 
 struct RingedCap {
   HoleProblem problem;  ///< the surroundings with their one hole; distances are from the sphere
-  LoopFiller
-      filler;  ///< fits the hole; its free vertices lie on a bump over the sphere, zero with its slope at the rim
+  LoopPatch filler;  ///< fits the hole; its free vertices lie on a bump over the sphere, zero with its slope at the rim
 };
 
-/// @param free   vertices of the filler, ≥ 7.
+/// @param free   vertices of the initial patch, ≥ 7.
 /// @param angle  angular radius of the hole, radians, up to 1.5.
 /// @param rings  of fixed vertices around, the loop included.
 RingedCap make_ringed_cap(int free, double angle, int rings);

@@ -171,7 +171,7 @@ EvolutionOptions to_the_end() {
   return options;
 }
 
-/// The one call: filler, remeshing, flow, checks, report, paste.
+/// The one call: initial patch, remeshing, flow, checks, report, paste.
 void fill(benchmark::State& state) {
   const HoleProblem& problem = sized(static_cast<int>(state.range(0))).cap.problem;
   Filling filling;

@@ -12,7 +12,7 @@ namespace {
 
 PatchStatePtr made_by(double density, std::vector<RunRecipe> runs) {
   auto state = state_at(runs.empty() ? PatchStatus::filled : PatchStatus::ready);
-  state->recipe = {density, std::move(runs)};
+  state->recipe = {density, PatchRecipe::Start::holes, std::move(runs)};
   return state;
 }
 

@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "document/sheet.h"
-#include "filling/loop_filler.h"
+#include "filling/loop_patch.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 PatchStatePtr whole_state(const OpenedScan& scan) {
   const BoundaryLoop& loop = scan.loops[square];
   auto state = std::make_shared<PatchState>();
-  state->patch = make_patch(*scan.model, {loop}, {*fill_loop(*scan.model, loop, {}, {}).filler});
+  state->patch = make_patch(*scan.model, {loop}, {*fill_loop(*scan.model, loop, {}, {}).patch});
   state->status = PatchStatus::doubtful;
   state->message = "a message with an umlaut: \xc3\xa4";
   RunRecipe run;
@@ -31,7 +31,7 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   run.continuity = SeamContinuity::tangent;
   run.steps = 3;
   run.end = RunRecipe::End::after_steps;
-  state->recipe = {1.25, {run, RunRecipe{}}};
+  state->recipe = {1.25, PatchRecipe::Start::bridge, {run, RunRecipe{}}};
   state->patch.grading.density = 1.25;
   state->flow = FlowKind::sdf;
   state->steps = 4;
@@ -87,9 +87,10 @@ void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.patch.center, b.patch.center);
   EXPECT_EQ(a.patch.scale, b.patch.scale);
   EXPECT_EQ(a.patch.grading.density, b.patch.grading.density);
-  EXPECT_EQ(a.stage, b.stage);
+  EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.message, b.message);
   EXPECT_EQ(a.recipe.density, b.recipe.density);
+  EXPECT_EQ(a.recipe.start, b.recipe.start);
   ASSERT_EQ(a.recipe.runs.size(), b.recipe.runs.size());
   for (std::size_t i = 0; i < a.recipe.runs.size(); ++i) {
     const RunRecipe &x = a.recipe.runs[i], &y = b.recipe.runs[i];
@@ -108,13 +109,13 @@ void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.last_step.sigma, b.last_step.sigma);
   EXPECT_EQ(a.last_step.tau, b.last_step.tau);
   EXPECT_EQ(a.last_step.max_move, b.last_step.max_move);
-  EXPECT_EQ(a.initial_energy, b.initial_energy);
-  EXPECT_EQ(a.seconds, b.seconds);
-  ASSERT_EQ(a.seam.size(), b.seam.size());
-  ASSERT_EQ(a.seam_before.size(), b.seam_before.size());
-  for (std::size_t i = 0; i < a.seam.size(); ++i) {
-    expect_same(a.seam[i], b.seam[i]);
-    expect_same(a.seam_before[i], b.seam_before[i]);
+  EXPECT_EQ(a.energy.initial, b.energy.initial);
+  EXPECT_EQ(a.seconds.total, b.seconds.total);
+  ASSERT_EQ(a.seams.size(), b.seams.size());
+  ASSERT_EQ(a.seams_before.size(), b.seams_before.size());
+  for (std::size_t i = 0; i < a.seams.size(); ++i) {
+    expect_same(a.seams[i], b.seams[i]);
+    expect_same(a.seams_before[i], b.seams_before[i]);
   }
 }
 

@@ -49,7 +49,7 @@ Filled fill(const Problem& problem, MeshKind kind, double density = 1) {
   EXPECT_EQ(holes.size(), 1U);
   const std::size_t before = model.soup.points.size(), triangles = model.soup.triangles.size();
   FillOptions options;
-  options.filler.density = density;
+  options.initial.density = density;
   Filled filled;
   filled.result = fill_holes(model, {holes.front()}, options, nullptr, {}).front();
   const std::size_t after = model.soup.points.size();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/fairing.h"
 
-#include "filling/patch_remesh.h"
 #include "mesh/quality.h"
+#include "remeshing/patch_remesh.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>

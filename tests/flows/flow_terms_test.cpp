@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flows/flow_terms.h"
 
-#include "energy/curvature_energy.h"
 #include "evolution/state.h"
 #include "flows/decay_rate.h"
 #include "mesh/region.h"
+#include "operators/curvature_energy.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(FlowTerms, ConstantMeanCurvatureIsStationaryForMmcvfSdfAndTheSphereForWf) {
   EXPECT_NEAR(flow_velocity(FlowKind::mcf, sphere).mean(), -exact.patch.scale, 0.01 * exact.patch.scale);
 }
 
-/// The upper part of a bumpy sphere, with the triangles of the icosphere: a filler's irregular ones would blur the sixth
+/// The upper part of a bumpy sphere, with the triangles of the icosphere: a initial patch's irregular ones would blur the sixth
 /// order by as much as one of its terms.
 Patch bumpy_region() {
   TriangleSoup ball = make_icosphere(5);
@@ -144,7 +144,7 @@ TEST(FlowTerms, JacobianPredictsTheNextVelocity) {
   }
 }
 
-/// The filler of a hole in a flat sheet.
+/// The initial patch of a hole in a flat sheet.
 Patch flat_patch(const std::function<bool(const Vec3&)>& inside) {
   TriangleSoup grid = make_graph([](double, double) { return 0.0; }, 2, 56);
   const SurfaceModel model = make_surface_model(cut(grid, inside));

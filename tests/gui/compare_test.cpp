@@ -3,9 +3,9 @@
 #include "driver.h"
 #include "test_main.h"
 
-#include "compare/compare_desk.h"
+#include "compare/compare_controller.h"
 #include "compare/flow_canvas.h"
-#include "compare/flow_pane.h"
+#include "compare/flow_view.h"
 #include "dialogs/picture_dialog.h"
 #include "io/write_mesh.h"
 #include "panels/plot.h"

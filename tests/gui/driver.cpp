@@ -116,7 +116,7 @@ bool wait_until(const std::function<bool()>& holds, double seconds) {
 }
 
 bool wait_idle(MainWindow& window, double seconds) {
-  return wait_until([&] { return !window.workbench().busy(); }, seconds);
+  return wait_until([&] { return !window.controller().busy(); }, seconds);
 }
 
 void settle(int milliseconds) { QTest::qWait(milliseconds); }

@@ -314,7 +314,7 @@ void FeatureTest::memory_is_given_back() {
            (press(window, "steady"), wait_idle(window, 200));
   };
   const auto back_to_sample = [&] {
-    window.workbench().open({sample_file(folder_)}, OpenMode::replace);
+    window.controller().open({sample_file(folder_)}, OpenMode::replace);
     const bool idle = wait_idle(window);
     settle(300);
     return idle;

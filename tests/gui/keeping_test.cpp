@@ -5,8 +5,8 @@
 #include "test_main.h"
 
 #include "dialogs/help_window.h"
+#include "document/labels.h"
 #include "document/preferences.h"
-#include "document/words.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
@@ -182,7 +182,7 @@ void KeepingTest::closing_saves_first_if_wanted() {
     window.selection().select({hole});
     press(window, "fill");
     QVERIFY(wait_idle(window));
-    window.workbench().save_session(path);
+    window.controller().save_session(path);
     QVERIFY(wait_idle(window));
     window.selection().select({hole + 1});
     press(window, "fill");
@@ -216,7 +216,7 @@ void KeepingTest::a_session_is_looked_at_as_before() {
     key(window, Qt::Key_M);
     window.view().fly_to(hole);
     settle(900);
-    window.workbench().save_session(path);
+    window.controller().save_session(path);
     QVERIFY(wait_idle(window));
     from = window.view().viewpoint();
     picture = window.view().picture();
@@ -276,7 +276,7 @@ void KeepingTest::where_the_flow_must_give_way() {
   QVERIFY2(QString::fromStdString(large.message).contains(QStringLiteral("kept")), large.message.c_str());
   QVERIFY2(small.status == PatchStatus::converged, small.message.c_str());
   const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
-  window.workbench().export_to(by_hand);
+  window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));
   const QString by_script = folder_.filePath(QStringLiteral("by-script.ply"));
   QProcess program;
@@ -309,7 +309,7 @@ void KeepingTest::window_and_command_line_give_the_same_bits() {
   QVERIFY(wait_idle(window, 240));
   const QString by_hand = folder_.filePath(QStringLiteral("window.ply"));
   const QString by_script = folder_.filePath(QStringLiteral("command.ply"));
-  window.workbench().export_to(by_hand);
+  window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));
   QProcess program;
   program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
@@ -402,7 +402,7 @@ void KeepingTest::what_will_not_be_saved_is_told_on_opening() {
   write_mesh(path.toStdString(), cut(make_icosphere(2), [](const Vec3& p) { return p.z() > 0.8; }));
   const auto told = [&] {
     Shown shown({path});
-    return words::import_summary(*shown.window.document().scan(shown.window.document().scans().front()));
+    return labels::import_summary(*shown.window.document().scan(shown.window.document().scans().front()));
   };
   QVERIFY(!told().contains(QStringLiteral("saved")));
   QFile file(path);

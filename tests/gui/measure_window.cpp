@@ -4,9 +4,9 @@
 // 20 000); all of them without it. Run by hand: none of it is a test.
 #include "driver.h"
 
-#include "compare/compare_desk.h"
+#include "compare/compare_controller.h"
 #include "compare/flow_canvas.h"
-#include "compare/flow_pane.h"
+#include "compare/flow_view.h"
 #include "document/undo_history.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
@@ -121,7 +121,7 @@ void measure_gaps(const QString& path, Start start) {
     gaps.report("nothing is done for 3 s");
   }
   window.open(path);
-  wait_until([&] { return window.document().has_scan() && !window.workbench().busy(); });
+  wait_until([&] { return window.document().has_scan() && !window.controller().busy(); });
   gaps.report("bunny opened");
   press(window, "fill");
   wait_idle(window);
@@ -166,7 +166,7 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   const double time = seconds(clock);
   const int steps = window.document().patch_of(0)->state->steps - before;
   gaps.report("running");
-  window.workbench().cancel();
+  window.controller().cancel();
   std::printf("patch of %d triangles: %d steps and %d pictures in %.1f s\n", triangles, steps, pictures, time);
   // Were the steps free: recorded states, one after another.
   const OpenPatch& moving = *window.document().patch_of(0);
@@ -174,7 +174,7 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   pictures = 0;
   clock.start();
   for (std::size_t k = 0; clock.elapsed() < 8000; ++k) {
-    window.workbench().scrub_to({id}, k % moving.timeline->size());
+    window.controller().scrub_to({id}, k % moving.timeline->size());
     QCoreApplication::processEvents();
   }
   std::printf("its states as fast as they can be drawn: %.1f pictures a second\n", pictures / seconds(clock));
@@ -271,7 +271,7 @@ void measure_compare(const QTemporaryDir& folder, Part part_of_it) {
   draw_alone(*window, {start, swollen(*start)});
   for (int k = 0; k < views; ++k) window->pane(k).canvas().show_patch(0, start);
   if (part_of_it == Part::drawing) return;
-  const auto moving = [&](int k) { return window->race().lane(k)->stage == LaneState::Stage::moving; };
+  const auto moving = [&](int k) { return window->race().lane(k)->stage == ComparedRun::Stage::moving; };
   GapMeter gaps;
   const Frames first = frames_of(*window);
   Frames last = first;
@@ -328,7 +328,7 @@ void measure_memory(const QTemporaryDir& folder) {
   wait_idle(window);
   settle(300);
   const long forgotten = megabytes();
-  window.workbench().open({sample_file(folder)}, OpenMode::replace);
+  window.controller().open({sample_file(folder)}, OpenMode::replace);
   wait_idle(window);
   settle(300);
   std::printf(

@@ -14,12 +14,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <vtkCamera.h>
-#include <vtkNew.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
-
 #include <chrono>
 #include <fstream>
 #include <limits>
@@ -165,9 +159,6 @@ class RenderTest : public QObject {
   QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   void keep(const char* name, const std::string& bytes) const {
     std::ofstream(path(name).toStdString(), std::ios::binary) << bytes;
-  }
-  static std::shared_ptr<const SurfaceShape> scan_shape() {
-    return std::make_shared<SurfaceShape>(shape_of(make_sample_scan(), Vec3::Zero()));
   }
 
   QTemporaryDir folder_;

@@ -111,7 +111,7 @@ void StoryTest::one_hole_by_eye() {
   key(window, Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(document.patch_of(loop)->state == reached);
 
-  // To rest; the seam is better than the filler's; accept.
+  // To rest; the seam is better than the initial patch's; accept.
   key(window, Qt::Key_T);
   QVERIFY(wait_idle(window, 240));
   const OpenPatch& done = *document.patch_of(loop);
@@ -151,7 +151,7 @@ void StoryTest::all_small_holes_and_undo() {
   QCOMPARE(filled(document), meant);
   QCOMPARE(open_holes(document), all - meant);
   QVERIFY(picture_changes(window, before, 0.003));
-  window.workbench().export_to(folder_.filePath(QStringLiteral("most.ply")));
+  window.controller().export_to(folder_.filePath(QStringLiteral("most.ply")));
   QVERIFY(wait_idle(window));
   const SurfaceModel written =
       make_surface_model(read_mesh(folder_.filePath(QStringLiteral("most.ply")).toStdString()).soup);
@@ -253,7 +253,7 @@ void StoryTest::command_line_repeats_the_window() {
   }
   window.selection().select({});
   const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
-  window.workbench().export_to(by_hand);
+  window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));
   press(window, "copyCommand");
   const QString command = QGuiApplication::clipboard()->text();
@@ -292,7 +292,7 @@ void StoryTest::session_keeps_everything() {
     window.selection().select({0});
     press(window, "accept");
     QVERIFY(window.isWindowModified());
-    window.workbench().save_session(path);
+    window.controller().save_session(path);
     QVERIFY(wait_idle(window));
     QVERIFY(!window.isWindowModified());
     positions = window.document().patch_of(1)->state->patch.positions;
@@ -346,13 +346,13 @@ void StoryTest::several_scans_are_one_scene() {
   QVERIFY(wait_idle(window));
   QCOMPARE(filled(document), 2);
   const QString out = folder_.filePath(QStringLiteral("both.ply"));
-  window.workbench().export_to(out);
+  window.controller().export_to(out);
   QVERIFY(wait_idle(window));
   const std::size_t vertices =
       document.scan(0)->model->soup.points.size() + document.scan(1)->model->soup.points.size();
   QVERIFY(read_mesh(out.toStdString()).soup.points.size() > vertices);
   // Close the second one, and take that back.
-  window.workbench().close_scan(1);
+  window.controller().close_scan(1);
   QCOMPARE(document.scans().size(), std::size_t(1));
   QCOMPARE(filled(document), 1);
   key(window, Qt::Key_Z, Qt::ControlModifier);

@@ -3,13 +3,13 @@
 // Twice the size: QT_SCALE_FACTOR=2. See resources/help/make_pictures.sh.
 #include "driver.h"
 
-#include "compare/compare_desk.h"
+#include "compare/compare_controller.h"
 #include "document/language.h"
 #include "document/preferences.h"
 #include "jobs/load_scan.h"
 #include "problems/paper_examples.h"
 #include "samples/paper_inputs.h"
-#include "views/tool_desk.h"
+#include "views/tool_controller.h"
 
 #include <QAction>
 #include <QApplication>
@@ -92,7 +92,7 @@ void show_story(MainWindow& window, const QString& file) {
   press(window, "run");
   settle(300);
   shoot(window, "running");
-  window.workbench().cancel();
+  window.controller().cancel();
   settle(200);
   window.selection().select({});
   press(window, "steady");
@@ -136,7 +136,7 @@ void show_the_rest(MainWindow& window) {
   shoot_dialog(window, "help", "helpWindow", "help");
   window.close();  // asks in place
   shoot(window, "unsaved");
-  window.workbench().open({QStringLiteral("/nonexistent/scan.ply")}, OpenMode::replace);
+  window.controller().open({QStringLiteral("/nonexistent/scan.ply")}, OpenMode::replace);
   wait_idle(window);
   shoot(window, "error");
 }
@@ -181,13 +181,13 @@ void show_tools(MainWindow& window) {
   settle(1500);  // the graphics take their time over edges, the first time
   shoot(window, "region");
   press(window, "trialEvolve");
-  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::solved; }, 120);
+  wait_until([&] { return window.tools().trial().stage() == ProblemController::Stage::solved; }, 120);
   shoot(window, "region_done");
   window.tools().take(Tool::none);
 }
 
 void show_example(MainWindow& window, const TriangleSoup& soup, const QString& name) {
-  window.workbench().open_made({made_scan(soup, name, scene_origin(soup))});
+  window.controller().open_made({made_scan(soup, name, scene_origin(soup))});
   wait_idle(window);
   settle(300);
 }
@@ -197,7 +197,7 @@ void show_gallery(MainWindow& window) {
   for (const PaperExample& example : paper_examples()) {
     std::vector<OpenedScanPtr> parts;
     for (const TriangleSoup& soup : example.parts()) parts.push_back(made_scan(soup, QString(), Vec3::Zero()));
-    window.workbench().open_made(parts);
+    window.controller().open_made(parts);
     window.view().frame();
     trigger(window, "plain");
     settle(700);
@@ -218,7 +218,7 @@ void show_points(MainWindow& window) {
   trigger(window, "toolPointsAction");
   shoot(window, "points");
   press(window, "trialEvolve");
-  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::solved; }, 120);
+  wait_until([&] { return window.tools().trial().stage() == ProblemController::Stage::solved; }, 120);
   shoot(window, "points_done");
   window.tools().take(Tool::none);
 }
@@ -227,7 +227,7 @@ void show_blend(MainWindow& window) {
   std::vector<OpenedScanPtr> parts;
   for (const TubeShape& tube : tee_tubes())
     parts.push_back(made_scan(make_tube(tube), QStringLiteral("tube %1").arg(parts.size() + 1), Vec3::Zero()));
-  window.workbench().open_made(parts);
+  window.controller().open_made(parts);
   window.view().frame();
   trigger(window, "toolBlendAction");
   press(window, "blendFacing");
@@ -236,10 +236,10 @@ void show_blend(MainWindow& window) {
   Q_EMIT part->activated(2);
   shoot(window, "blend");
   press(window, "trialPreview");
-  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::posed; }, 60);
+  wait_until([&] { return window.tools().trial().stage() == ProblemController::Stage::posed; }, 60);
   shoot(window, "blend_preview");
   press(window, "trialEvolve");
-  wait_until([&] { return window.tools().trial().stage() == Trial::Stage::solved; }, 120);
+  wait_until([&] { return window.tools().trial().stage() == ProblemController::Stage::solved; }, 120);
   shoot(window, "blend_done");
   window.tools().take(Tool::none);
 }

@@ -9,7 +9,7 @@
 #include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
-#include "views/tool_desk.h"
+#include "views/tool_controller.h"
 
 #include <QAction>
 #include <QApplication>
@@ -47,7 +47,7 @@ void drag(QWidget* widget, const QVector<QPoint>& way, Qt::KeyboardModifiers wit
   settle(60);
 }
 
-bool reach(MainWindow& window, Trial::Stage stage) {
+bool reach(MainWindow& window, ProblemController::Stage stage) {
   return wait_until([&] { return window.tools().trial().stage() == stage; }, 120);
 }
 
@@ -130,7 +130,7 @@ void ToolsTest::a_painted_region_is_that_of_the_command_line() {
   QVERIFY(picture_changes(window, bare, 0.002));
 
   press(window, "trialEvolve");
-  QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(reach(window, ProblemController::Stage::solved));
   QVERIFY(document.scan(0) != nullptr);  // nothing has come into the document yet
   QVERIFY(run_copied(window));
   press(window, "trialAccept");
@@ -197,7 +197,7 @@ void ToolsTest::a_region_takes_patches_along() {
   window.tools().region().set_vertices(0, own);
   QCOMPARE(window.tools().region().count(), patch.free_count);
   press(window, "trialEvolve");
-  QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(reach(window, ProblemController::Stage::solved));
   press(window, "trialAccept");
   QVERIFY(window.document().patches().empty());
   QVERIFY(window.document().loops().size() == 1 && !window.document().present(0));
@@ -212,10 +212,10 @@ void ToolsTest::points_of_a_polyhedron() {
   MainWindow& window = shown.window;
   key(window, Qt::Key_I);
   press(window, "trialPreview");
-  QVERIFY(reach(window, Trial::Stage::posed));
+  QVERIFY(reach(window, ProblemController::Stage::posed));
   QCOMPARE(window.tools().trial().free_vertices(), 1134);
   press(window, "trialEvolve");
-  QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(reach(window, ProblemController::Stage::solved));
   QVERIFY(run_copied(window));
   press(window, "trialAccept");
   QVERIFY(same(made(window), soup_of(folder_.filePath(QStringLiteral("dodecahedron-smooth.ply")))));
@@ -248,7 +248,7 @@ void ToolsTest::picked_points_and_a_box() {
   QVERIFY(part<QPushButton>(window, "trialEvolve")->isEnabled());
   part<QSpinBox>(window, "pointsSubdivide")->setValue(2);
   press(window, "trialEvolve");
-  QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(reach(window, ProblemController::Stage::solved));
 }
 
 void ToolsTest::rims_of_three_parts_are_joined() {
@@ -263,9 +263,9 @@ void ToolsTest::rims_of_three_parts_are_joined() {
   press(window, "blendFacing");
   QCOMPARE(window.selection().selected().size(), std::size_t(3));
   press(window, "trialPreview");
-  QVERIFY(reach(window, Trial::Stage::posed));
+  QVERIFY(reach(window, ProblemController::Stage::posed));
   press(window, "trialEvolve");
-  QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(reach(window, ProblemController::Stage::solved));
   QVERIFY(run_copied(window));
   press(window, "trialAccept");
   QCOMPARE(window.document().scans(), std::vector<int>{3});
@@ -334,10 +334,10 @@ void ToolsTest::made_surfaces_survive_a_session() {
     key(shown.window, Qt::Key_I);
     part<QSpinBox>(shown.window, "pointsSubdivide")->setValue(2);
     press(shown.window, "trialEvolve");
-    QVERIFY(reach(shown.window, Trial::Stage::solved));
+    QVERIFY(reach(shown.window, ProblemController::Stage::solved));
     press(shown.window, "trialAccept");
     kept = made(shown.window);
-    shown.window.workbench().save_session(session);
+    shown.window.controller().save_session(session);
     QVERIFY(wait_idle(shown.window));
     QVERIFY(!shown.window.isWindowModified());
   }
@@ -360,7 +360,7 @@ void ToolsTest::the_gallery_opens_and_runs() {
   QVERIFY(!window.isWindowModified());
   settle(200);
   press(window, "exampleRun");
-  QVERIFY(reach(window, Trial::Stage::solved));
+  QVERIFY(reach(window, ProblemController::Stage::solved));
   press(window, "trialAccept");
   QVERIFY(window.isWindowModified());
   // ... and holes, by the paper's scheme.
@@ -387,7 +387,7 @@ void ToolsTest::errors_are_said_in_place() {
   for (std::size_t v = 0; v < made(window).points.size(); ++v) all.push_back(static_cast<int>(v));
   window.tools().region().set_vertices(0, all);
   press(window, "trialEvolve");
-  QVERIFY(reach(window, Trial::Stage::none));
+  QVERIFY(reach(window, ProblemController::Stage::none));
   QVERIFY2(banner_text(window).contains(QStringLiteral("whole piece")), qPrintable(banner_text(window)));
   key(window, Qt::Key_Escape);
   key(window, Qt::Key_B);
@@ -404,14 +404,14 @@ void ToolsTest::cancel_comes_back_at_once() {
     if (made(window).points[v].z() > 0.2) high.push_back(static_cast<int>(v));
   window.tools().region().set_vertices(0, high);
   press(window, "trialEvolve");
-  QVERIFY(reach(window, Trial::Stage::evolving));
+  QVERIFY(reach(window, ProblemController::Stage::evolving));
   QElapsedTimer clock;
   clock.start();
   window.tools().trial().cancel();
-  QVERIFY(window.tools().trial().stage() == Trial::Stage::posed);
+  QVERIFY(window.tools().trial().stage() == ProblemController::Stage::posed);
   std::printf("cancel: %lld ms\n", static_cast<long long>(clock.elapsed()));
   press(window, "trialDiscard");
-  QVERIFY(window.tools().trial().stage() == Trial::Stage::none);
+  QVERIFY(window.tools().trial().stage() == ProblemController::Stage::none);
   QVERIFY(window.tools().shut_down(std::chrono::seconds(60)));
 }
 

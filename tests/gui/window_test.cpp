@@ -161,7 +161,7 @@ void WindowTest::whole_story(const QString& path) {
   // Flow to the steady state.
   const PatchStatePtr filler = document.patches().front().state;
   press(window, "steady");
-  QVERIFY(window.workbench().busy());
+  QVERIFY(window.controller().busy());
   QVERIFY(wait_idle(window, 240));
   const PatchStatePtr steady = document.patches().front().state;
   QVERIFY(steady->steps > 0);
@@ -190,7 +190,7 @@ void WindowTest::whole_story(const QString& path) {
   const std::size_t new_points = static_cast<std::size_t>(steady->patch.free_count);
   for (const char* name : {"out.ply", "out.stl"}) {
     const QString out = folder_.filePath(QLatin1String(name));
-    window.workbench().export_to(out);
+    window.controller().export_to(out);
     QVERIFY(wait_idle(window));
     const ImportedMesh back = read_mesh(out.toStdString());
     QCOMPARE(back.soup.triangles.size(), input.soup.triangles.size() + new_triangles);
@@ -229,7 +229,7 @@ void WindowTest::cancel_gives_control_back_at_once() {
   QElapsedTimer clock;
   clock.start();
   QTest::keyClick(&window, Qt::Key_Escape);
-  QVERIFY(wait_until([&] { return part<QPushButton>(window, "run")->isEnabled() && !window.workbench().busy(); }, 1));
+  QVERIFY(wait_until([&] { return part<QPushButton>(window, "run")->isEnabled() && !window.controller().busy(); }, 1));
   // Wanted: 100 ms. A test machine that is busy with other things must not fail for that; a window that waits for the
   // worker's factorisation would take longer still.
   qInfo("control came back after %lld ms", static_cast<long long>(clock.elapsed()));
@@ -252,7 +252,7 @@ void WindowTest::pause_keeps_the_state_and_goes_on() {
   part<QSlider>(window, "sigma")->setValue(-10);
   QTest::keyClick(&window, Qt::Key_Space);
   QVERIFY(wait_until([&] { return window.document().patches().front().state->steps >= 2; }));
-  if (window.workbench().activity() != Activity::running) QSKIP("the flow was at rest before it could be paused");
+  if (window.controller().activity() != Activity::running) QSKIP("the flow was at rest before it could be paused");
   QTest::keyClick(&window, Qt::Key_Space);
   QVERIFY(wait_idle(window));
   const int steps = window.document().patches().front().state->steps;
@@ -306,7 +306,7 @@ void WindowTest::malformed_file_is_told_and_the_old_scan_stays() {
 
 void WindowTest::unwritable_export_is_told() {
   Opened opened(sample_);
-  opened.window.workbench().export_to(QStringLiteral("/nonexistent-folder/out.ply"));
+  opened.window.controller().export_to(QStringLiteral("/nonexistent-folder/out.ply"));
   QVERIFY(wait_idle(opened.window));
   QVERIFY(!part<Banner>(opened.window, "banner")->isHidden());
 }

@@ -174,7 +174,7 @@ TEST(BoundaryLoops, ASlitBetweenCoincidentVerticesIsACrack) {
 TEST(Patch, CarriesSixFixedRingsInOrder) {
   const SurfaceModel model = make_surface_model(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }));
   const BoundaryLoop loop = find_boundary_loops(model).at(0);
-  LoopFiller filler;
+  LoopPatch filler;
   for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
   filler.points.push_back(Vec3(0, 0, 1));
   for (int i = 0; i < loop.edges(); ++i) filler.triangles.push_back({i, (i + 1) % loop.edges(), loop.edges()});

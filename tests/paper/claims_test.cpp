@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's claims (section 5). Inputs are those of samples/paper_inputs.h.
-#include "pipeline/evolve_patch.h"
-#include "pipeline/compare.h"
-#include "pipeline/fill_holes.h"
 #include "filling/bridge_loops.h"
 #include "mesh/region.h"
+#include "pipeline/compare.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/fill_holes.h"
 #include "samples/paper_inputs.h"
 #include "support/tubes.h"
 
@@ -62,7 +62,7 @@ TEST(PaperClaims, TheSphereComesBackFromItsWireFrame) {
   EXPECT_LT(rms(evolved.patch, [](const Vec3& p) { return p.norm() - 1; }), 1e-5);
 }
 
-/// Fig. 5.3: G² against the G⁰ filler.
+/// Fig. 5.3: G² against the G⁰ initial patch.
 TEST(PaperClaims, TheHeadsHolesAreFilledWithoutAJumpOfH) {
   const Patch start = filler_of(make_surface_model(make_holed_head()));
   const PatchResult evolved = evolve_patch(start, {}, nullptr, {});

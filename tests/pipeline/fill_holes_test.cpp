@@ -194,7 +194,7 @@ TEST(FillLoops, PatchesThatWouldCutEachOtherAreNotBothPasted) {
 TEST(FillLoops, OptionsOutOfRangeThrowBeforeAnyWork) {
   SurfaceModel model = test::open_sphere(3, 0.8);
   FillOptions options;
-  options.filler.density = std::nan("");
+  options.initial.density = std::nan("");
   EXPECT_THROW(fill_holes(model, holes_of(model), options, nullptr, {}), InvalidArgument);
   options = {};
   options.evolution->sigma = std::nan("");

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a fill says of itself must be what was done: status, method and reason, for each loop by itself.
 #include "core/error.h"
-#include "pipeline/evolve_patch.h"
-#include "pipeline/compare.h"
-#include "pipeline/fill_holes.h"
-#include "pipeline/proportion.h"
 #include "io/read_mesh.h"
 #include "mesh/region.h"
 #include "mesh/self_intersections.h"
+#include "pipeline/compare.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/fill_holes.h"
+#include "pipeline/proportion.h"
 #include "samples/random.h"
 #include "support/patches.h"
 #include "support/small_polyhedra.h"
 
-#include "energy/curvature_energy.h"
+#include "operators/curvature_energy.h"
 
 #include <gtest/gtest.h>
 

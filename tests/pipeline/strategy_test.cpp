@@ -30,8 +30,8 @@ SurfaceModel rough_open_sphere(double relief, double noise) {
   return make_surface_model(soup);
 }
 
-/// What becomes of one filler when its surroundings change: the triangles stay, the free vertices are carried along. The
-/// filler that belongs to each rim would have triangles of its own, which change one by one as the rim does; on a rough
+/// What becomes of one initial patch when its surroundings change: the triangles stay, the free vertices are carried along. The
+/// initial patch that belongs to each rim would have triangles of its own, which change one by one as the rim does; on a rough
 /// rim another triangulation alone moves the patch by up to 5 % of an edge, whatever the kinds do.
 struct Family {
   std::function<SurfaceModel(double)> surface;  ///< t = 0..1
@@ -140,7 +140,7 @@ struct Gutter {
     for (const BoundaryLoop& loop : find_boundary_loops(model))
       if (loop.center.x() > 0.2) hole = loop;
   }
-  Patch start(FillerShape shape) const { return *make_initial_patch(model, {hole}, {1, shape}, {}).patch; }
+  Patch start(InitialShape shape) const { return *make_initial_patch(model, {hole}, {1, shape}, {}).patch; }
   /// rms over the free vertices, of the radius.
   static double off(const Patch& patch) {
     double sum = 0;
@@ -154,13 +154,13 @@ struct Gutter {
 
 TEST(RoughStart, TheTriangulationLiesNearerToABulgeThanTheMinimalSurface) {
   const Gutter gutter(0);  // measured: 0.0006 and 0.097
-  EXPECT_LT(Gutter::off(gutter.start(FillerShape::triangulated)), 0.002);
-  EXPECT_GT(Gutter::off(gutter.start(FillerShape::minimal)), 0.05);
+  EXPECT_LT(Gutter::off(gutter.start(InitialShape::triangulated)), 0.002);
+  EXPECT_GT(Gutter::off(gutter.start(InitialShape::minimal)), 0.05);
 }
 
 TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
   const Gutter gutter(1);
-  const Patch filler = gutter.start(FillerShape::minimal), triangulated = gutter.start(FillerShape::triangulated);
+  const Patch filler = gutter.start(InitialShape::minimal), triangulated = gutter.start(InitialShape::triangulated);
   const RimRoughness rim = rim_roughness(filler);
   ASSERT_EQ(rim.rough_share, 1);
   const ScanIndex site(gutter.model);
@@ -177,21 +177,19 @@ TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
 
 TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
   const Gutter gutter(1);
-  const Patch filler = gutter.start(FillerShape::minimal);
+  const Patch filler = gutter.start(InitialShape::minimal);
   BoundaryLoop other = gutter.hole;
   other.number += 1;
   const ScanIndex site(gutter.model);
-  EXPECT_EQ(solved(site, filler, {other}).patch.positions,
-            solved(site, filler, {}).patch.positions);
+  EXPECT_EQ(solved(site, filler, {other}).patch.positions, solved(site, filler, {}).patch.positions);
 }
 
 TEST(RoughStart, SmoothSurroundingsGiveTheSameBitsWithAndWithoutLoops) {
   const Gutter gutter(0);
-  const Patch filler = gutter.start(FillerShape::minimal);
+  const Patch filler = gutter.start(InitialShape::minimal);
   ASSERT_EQ(rim_roughness(filler).rough_share, 0);
   const ScanIndex site(gutter.model);
-  EXPECT_EQ(solved(site, filler, {gutter.hole}).patch.positions,
-            solved(site, filler, {}).patch.positions);
+  EXPECT_EQ(solved(site, filler, {gutter.hole}).patch.positions, solved(site, filler, {}).patch.positions);
 }
 
 /// A sheet of its own stands across the top of where the patch would run.

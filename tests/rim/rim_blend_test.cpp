@@ -2,9 +2,9 @@
 #include "rim/rim_blend.h"
 
 #include "analysis/seam_report.h"
-#include "energy/curvature_energy.h"
 #include "evolution/evolution.h"
-#include "evolution/mesh_care.h"
+#include "evolution/mesh_improvement.h"
+#include "operators/curvature_energy.h"
 #include "rim/rim_roughness.h"
 #include "samples/random.h"
 #include "support/patches.h"

@@ -140,7 +140,7 @@ TEST(StrayVertices, SmallSpikesCountInPartWithoutAJump) {
     const double left = known.height(calm.to_mesh(calm.positions[at - patch.view_vertex.begin()])) / edge_of(patch);
     most = std::max(most, left);
     EXPECT_NEAR(left, before, 0.02) << height;
-    EXPECT_LE(left, height * 1.01);  // the spike makes the filler's mean edge a little longer
+    EXPECT_LE(left, height * 1.01);  // the spike makes the initial patch's mean edge a little longer
     before = left;
   }
   EXPECT_LT(std::abs(before), 0.001);

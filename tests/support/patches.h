@@ -25,9 +25,9 @@ inline SurfaceModel rough_open_sphere(int level, double height) {
       cut(roughen(make_icosphere(level), 0.2, 0.25, 11, onto_sphere), [=](const Vec3& p) { return p.z() > height; }));
 }
 
-/// The G0 filler of all holes of a model as one patch.
+/// The initial patch of all holes of a model as one patch.
 inline Patch start_of(const SurfaceModel& model) {
-  return *make_initial_patch(model, find_boundary_loops(model), FillerOptions{}, CancelToken()).patch;
+  return *make_initial_patch(model, find_boundary_loops(model), InitialPatchOptions{}, CancelToken()).patch;
 }
 
 /// A patch whose free vertices lie exactly on the unit sphere.

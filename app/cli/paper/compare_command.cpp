@@ -33,7 +33,7 @@ PosedProblem blend_problem(const CompareCommand& command) {
   std::vector<BoundaryLoop> loops;
   for (const NamedLoop& named : choose_part_loops(parts.joined, command.loops)) loops.push_back(named.loop);
   return pose_bridge(std::make_shared<const SurfaceModel>(std::move(parts.joined.model)), loops,
-                     options_of(command.words).filler, CancelToken());
+                     options_of(command.words).initial, CancelToken());
 }
 
 PosedProblem hole_problem(const CompareCommand& command) {
@@ -42,7 +42,7 @@ PosedProblem hole_problem(const CompareCommand& command) {
   for (const BoundaryLoop& loop : find_boundary_loops(*model))
     if (loop.kind == LoopKind::hole) holes.push_back(loop);
   if (holes.empty()) throw UsageError("the mesh has no hole; --loops or --where say what else is to be compared");
-  return pose_holes(model, holes, options_of(command.words).filler, CancelToken());
+  return pose_holes(model, holes, options_of(command.words).initial, CancelToken());
 }
 
 PosedProblem points_problem(const CompareCommand& command) {

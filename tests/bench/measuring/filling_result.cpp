@@ -100,10 +100,10 @@ std::vector<Triangles> triangles_per_loop(const HoleProblem& problem, const Fill
 }
 
 /// Empty when the triangles use other vertices than the loop's and new ones.
-LoopFiller loop_filler(const HoleProblem& problem, const Filling& filling, const BoundaryLoop& loop,
-                       const Triangles& triangles) {
+LoopPatch loop_filler(const HoleProblem& problem, const Filling& filling, const BoundaryLoop& loop,
+                      const Triangles& triangles) {
   const int old = static_cast<int>(problem.model.mesh.n_vertices());
-  LoopFiller filler;
+  LoopPatch filler;
   std::unordered_map<int, int> index;
   for (int v : loop.vertices) {
     index[v] = static_cast<int>(filler.points.size());
@@ -126,7 +126,7 @@ void measure_seams(const HoleProblem& problem, const Filling& filling, PatchFigu
   const std::vector<Triangles> parts = triangles_per_loop(problem, filling);
   double angle2 = 0, jump2 = 0, weight = 0;
   for (std::size_t l = 0; l < problem.loops.size(); ++l) {
-    const LoopFiller filler = loop_filler(problem, filling, problem.loops[l], parts[l]);
+    const LoopPatch filler = loop_filler(problem, filling, problem.loops[l], parts[l]);
     if (filler.triangles.empty()) continue;
     const SeamReport seam = seam_report(make_patch(problem.model, {problem.loops[l]}, {filler}), 0);
     if (!std::isfinite(seam.g1_rms_deg)) continue;

@@ -12,7 +12,7 @@ enum class Peer {
   cgal_c1,  ///< CGAL triangulate_refine_and_fair_hole, default: continuity 1
   cgal_c2,  ///< the same with fairing_continuity(2)
   // On CGAL's refined patch these two would give CGAL's own results to all digits: its fairing is the same equation.
-  harmonic_2,  ///< biharmonic fairing, k = 2, of our own remeshed G0 filler, as by libigl's harmonic()
+  harmonic_2,  ///< biharmonic fairing, k = 2, of our own remeshed initial patch, as by libigl's harmonic()
   harmonic_3,  ///< triharmonic, k = 3, likewise
 };
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/compare_controller.h"
+
+#include "document/labels.h"
+#include "document/timeline.h"
+#include "pipeline/problem.h"
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+/// The lane as a patch of the document: the start and where the flow has led.
+OpenPatch patch_of(const ComparedRun& start, const ComparedRun& lane, double density) {
+  auto initial = std::make_shared<PatchState>();
+  static_cast<PatchResult&>(*initial) = start;
+  initial->status = PatchStatus::filled;
+  initial->shape = start.shape;
+  initial->seams_before = start.seams;
+  initial->recipe.density = density;
+  auto now = std::make_shared<PatchState>(*initial);
+  static_cast<PatchResult&>(*now) = lane;
+  now->history.clear();
+  now->seams_before = start.seams;
+  now->shape = lane.shape;
+  // `loopmend fill` would solve several holes one by one.
+  const bool nameable = start.patch.loops.size() == 1 && lane.stage == ComparedRun::Stage::ended;
+  RunRecipe run = recipe_of(lane.options);
+  run.steps = lane.steps;
+  if (!nameable) run.end = RunRecipe::End::unnamed;
+  now->recipe.runs.push_back(run);
+  OpenPatch patch;
+  patch.timeline = std::make_shared<Timeline>(Timeline{initial, now});
+  patch.state = now;
+  return patch;
+}
+
+}  // namespace
+
+CompareController::CompareController(const Document& document, const HoleSelection& selection,
+                                     FillController& controller, QWidget* window)
+    : QObject(window),
+      document_(document),
+      selection_(selection),
+      controller_(controller),
+      window_(window) {
+  undertaker_.setInterval(100);
+  connect(&undertaker_, &QTimer::timeout, this, &CompareController::bury);
+}
+
+std::set<int> CompareController::loops() const {
+  std::set<int> chosen;
+  for (int loop : selection_.selected())
+    if (document_.present(loop) && document_.loop(loop).kind != LoopKind::cut) chosen.insert(loop);
+  if (chosen.empty())
+    for (int loop = 0; loop < document_.loop_count(); ++loop)
+      if (document_.present(loop) && document_.loop(loop).kind == LoopKind::hole) chosen.insert(loop);
+  return chosen;
+}
+
+CompareWindow* CompareController::compare_holes(const Look& look) {
+  const std::set<int> chosen = loops();
+  if (chosen.empty()) {
+    Q_EMIT failed(
+        tr("There is no hole to compare flows on. Open a scan with holes, or pose a region, points or a bridge."));
+    return nullptr;
+  }
+  const int scan = document_.scan_of(*chosen.begin());
+  std::vector<BoundaryLoop> holes;
+  double density = 1;
+  for (int loop : chosen) {
+    if (document_.scan_of(loop) != scan) {
+      Q_EMIT failed(tr("The holes belong to several scans. Select holes of one of them."));
+      return nullptr;
+    }
+    holes.push_back(document_.loop(loop));
+    if (const OpenPatch* patch = document_.patch_of(loop)) density = patch->state->recipe.density;
+  }
+  const auto opened = document_.scan(scan);
+  CompareTask task;
+  task.source.title = tr("%1 of %2").arg(labels::sentence(labels::holes(document_, chosen)), opened->name);
+  task.source.start = [model = opened->model, holes, density](const CancelToken& cancel) {
+    return pose_holes(model, holes, InitialPatchOptions{density}, cancel).problem.start;
+  };
+  task.command = holes_words(document_, chosen, density);
+  task.source.surroundings = opened->shape;
+  task.source.origin = document_.origin();
+  task.accept_help = tr("Put this patch into the holes, in place of what is there; can be undone");
+  task.accept = [this, scan, model = opened->model, density](const ComparedRun& start, const ComparedRun& lane) {
+    const auto now = document_.scan(scan);
+    if (!now || now->model != model) return tr("The scan of this comparison is no longer open.");
+    if (controller_.busy()) return tr("The main window is busy. Try again when it is done.");
+    OpenPatch patch = patch_of(start, lane, density);
+    patch.scan = scan;
+    for (int number : lane.patch.loop_numbers)
+      for (int loop = document_.first_loop_of(scan); loop < document_.loop_count(); ++loop)
+        if (document_.scan_of(loop) == scan && document_.loop(loop).number == number) patch.loops.push_back(loop);
+    controller_.adopt(std::move(patch));
+    return tr("%1 was taken over into the main window; Ctrl+Z there takes it back.").arg(labels::flow_name(lane.flow));
+  };
+  return compare(std::move(task), look);
+}
+
+CompareWindow* CompareController::compare_trial(ProblemController& trial, const Look& look) {
+  if (!trial.can_compare()) return nullptr;
+  CompareTask task;
+  task.source = trial.race_source();
+  task.command = trial.command();
+  task.accept_help = tr("Take this surface over into the document, in place of what it came from; can be undone");
+  task.accept = [at = QPointer<ProblemController>(&trial)](const ComparedRun&, const ComparedRun& lane) {
+    return at ? at->adopt(lane) : QString();
+  };
+  return compare(std::move(task), look);
+}
+
+CompareWindow* CompareController::compare(CompareTask task, const Look& look) {
+  auto race = std::make_unique<ComparisonController>(task.source);
+  auto* window = new CompareWindow(*race, std::move(task), look, window_);
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  open_.emplace_back(window, std::move(race));
+  connect(window, &QObject::destroyed, this, &CompareController::bury);
+  window->show();
+  Q_EMIT opened(window);
+  return window;
+}
+
+/// A closed comparison goes when its last worker has looked at its token.
+void CompareController::bury() {
+  for (auto& [window, race] : open_)
+    if (!window) closed_.push_back(std::move(race));
+  std::erase_if(open_, [](const auto& entry) { return entry.second == nullptr; });
+  std::erase_if(closed_, [](const auto& race) { return race->shut_down(std::chrono::milliseconds(0)); });
+  closed_.empty() ? undertaker_.stop() : undertaker_.start();
+}
+
+bool CompareController::shut_down(std::chrono::milliseconds at_most) {
+  bool all = true;
+  for (auto& [window, race] : open_) all = race->shut_down(at_most) && all;
+  for (auto& race : closed_) all = race->shut_down(at_most) && all;
+  return all;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens comparisons, and keeps each alive until its workers have ended.
+#pragma once
+
+#include "compare/compare_window.h"
+#include "document/hole_selection.h"
+#include "jobs/fill_controller.h"
+#include "jobs/problem_controller.h"
+
+#include <QPointer>
+#include <QTimer>
+
+#include <memory>
+#include <vector>
+
+namespace loopmend {
+
+class CompareController : public QObject {
+  Q_OBJECT
+
+ public:
+  CompareController(const Document& document, const HoleSelection& selection, FillController& controller,
+                    QWidget* window);
+
+  /// The loops that compare_holes() would take: the selected ones, or all holes; all of one scan.
+  std::set<int> loops() const;
+  /// The flows from the first patch of these holes. Says why not where that is impossible.
+  CompareWindow* compare_holes(const Look& look);
+  /// The flows on what a tool has posed.
+  CompareWindow* compare_trial(ProblemController& trial, const Look& look);
+  CompareWindow* compare(CompareTask task, const Look& look);
+  /// @returns whether every worker has ended.
+  bool shut_down(std::chrono::milliseconds at_most);
+
+ Q_SIGNALS:
+  void opened(CompareWindow* window);
+  void failed(const QString& words);
+
+ private:
+  void bury();
+
+  const Document& document_;
+  const HoleSelection& selection_;
+  FillController& controller_;
+  QWidget* window_;
+  std::vector<std::unique_ptr<ComparisonController>>
+      closed_;  ///< their windows are gone, their workers perhaps not yet
+  std::vector<std::pair<QPointer<CompareWindow>, std::unique_ptr<ComparisonController>>> open_;
+  QTimer undertaker_;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/labels.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace loopmend::labels {
+namespace {
+
+QString tr(const char* text, int n = -1) { return QCoreApplication::translate("loopmend::words", text, nullptr, n); }
+
+// One sided fits on a triangulated scan differ by about this much even when the surface is smooth.
+constexpr double tangent_seen_deg = 2.0;
+constexpr double curvature_seen = 0.5;  ///< jump of H times the hole's diameter
+
+/// 3.44\u00b710\u2076
+QString with_power(double value) {
+  if (!std::isfinite(value)) return QString::number(value);
+  static const QString raised = QStringLiteral("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079");
+  const QString text = QString::number(value, 'e', 2);
+  const int at = text.indexOf(QLatin1Char('e'));
+  const int power = text.mid(at + 1).toInt();
+  QString exponent = power < 0 ? QStringLiteral("\u207b") : QString();
+  for (QChar digit : QString::number(std::abs(power))) exponent += raised.at(digit.digitValue());
+  return text.left(at) + QStringLiteral("\u00b710") + exponent;
+}
+
+}  // namespace
+
+QString count(std::size_t n) { return QLocale().toString(static_cast<qulonglong>(n)); }
+
+QString sentence(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+QString kind(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::hole: return tr("hole");
+    case LoopKind::outer_rim: return tr("outer rim");
+    case LoopKind::touching: return tr("touching");
+    case LoopKind::crack: return tr("crack");
+    case LoopKind::cut: return tr("cut");
+  }
+  return {};
+}
+
+QString kind_help(LoopKind kind) {
+  switch (kind) {
+    case LoopKind::hole: return tr("A hole in the surface.");
+    case LoopKind::outer_rim:
+      return tr("The rim of an open sheet. It is left out unless you select it yourself and press Fill.");
+    case LoopKind::touching: return tr("This loop passes twice through one vertex, or meets another loop there.");
+    case LoopKind::crack:
+      return tr(
+          "A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.");
+    case LoopKind::cut:
+      return tr("Not a hole: more than two triangles meet along this edge, so the surface was cut here.");
+  }
+  return {};
+}
+
+QString state(HoleState state) {
+  switch (state) {
+    case HoleState::open: return tr("open");
+    case HoleState::left_out: return tr("left out");
+    case HoleState::filled: return tr("filled");
+    case HoleState::running: return tr("running");
+    case HoleState::stepped: return tr("in progress");
+    case HoleState::converged: return tr("converged");
+    case HoleState::faired: return tr("faired");
+    case HoleState::doubtful: return tr("doubtful");
+    case HoleState::stalled: return tr("stopped early");
+    case HoleState::cutting: return tr("cuts surface");
+    case HoleState::accepted: return tr("accepted");
+    case HoleState::failed: return tr("failed");
+  }
+  return {};
+}
+
+QString state_help(HoleState state) {
+  switch (state) {
+    case HoleState::open: return tr("Not filled yet.");
+    case HoleState::left_out: return tr("Not filled unless you select it yourself.");
+    case HoleState::filled: return tr("Closed by the initial patch; no flow has run yet.");
+    case HoleState::running: return tr("A flow is moving this patch now.");
+    case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
+    case HoleState::converged: return tr("The flow has converged to its steady state.");
+    case HoleState::faired: return tr("Shaped by linear fairing, not by the flow.");
+    case HoleState::doubtful: return tr("Filled, but the patch is out of proportion to its hole: look at it.");
+    case HoleState::stalled: return tr("The flow stopped before it converged; this is its last good state.");
+    case HoleState::cutting:
+      return tr("This patch cuts the surface or itself. It is not exported unless you accept it.");
+    case HoleState::accepted: return tr("Accepted: no flow moves it until you open it again.");
+    case HoleState::failed: return tr("This hole could not be filled.");
+  }
+  return {};
+}
+
+QString flow(FlowKind flow) {
+  switch (flow) {
+    case FlowKind::mmcvf: return tr("MMCVF \u2013 curvature");
+    case FlowKind::wf: return tr("WF \u2013 tangent, round");
+    case FlowKind::sdf: return tr("SDF \u2013 tangent, taut");
+    case FlowKind::mcf: return tr("MCF \u2013 position, soap film");
+  }
+  return {};
+}
+
+QString flow_name(FlowKind flow) { return labels::flow(flow).section(QLatin1Char(' '), 0, 0); }
+
+QString flow_help(FlowKind flow) {
+  switch (flow) {
+    case FlowKind::mmcvf:
+      return tr("Minimal mean-curvature variation, sixth order: position, tangent and curvature match at the seam.");
+    case FlowKind::wf:
+      return tr("Willmore flow, fourth order: position and tangent match; bends as little as possible.");
+    case FlowKind::sdf:
+      return tr("Surface diffusion, fourth order: position and tangent match; mean curvature spreads evenly.");
+    case FlowKind::mcf: return tr("Mean curvature flow, second order: least area; a crease stays at the seam.");
+  }
+  return {};
+}
+
+QString number(double value) {
+  constexpr int digits = 3;
+  const double size = std::abs(value);
+  if (size == 0) return QStringLiteral("0");
+  if (!(size >= 1e-3 && size < 1e5)) return with_power(value);
+  const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size))));
+  return QString::number(value, 'f', decimals);
+}
+
+QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage) {
+  const bool tangent = now.g1_rms_deg < tangent_seen_deg;
+  const bool curvature = tangent && now.h_jump_rms_times_diameter < curvature_seen;
+  QString sentence = tr("Tangent and curvature run through the seam.");
+  if (!tangent) sentence = tr("The patch meets the scan with a crease of %1\u00b0 (rms).").arg(number(now.g1_rms_deg));
+  if (tangent && !curvature)
+    sentence =
+        tr("The tangent runs through the seam; the mean curvature jumps by %1 (rms).").arg(number(now.h_jump_rms));
+  if (stage == PatchStatus::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
+  if (stage == PatchStatus::doubtful)
+    return sentence + QLatin1Char(' ') + tr("But the patch is out of proportion to its hole.");
+  if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms)
+    sentence +=
+        QLatin1Char(' ') + (stage == PatchStatus::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
+                                                         : tr("The flow made the jump of curvature %1 times smaller."))
+                               .arg(number(before.h_jump_rms / now.h_jump_rms));
+  return sentence;
+}
+
+QString surroundings(Surroundings kind) {
+  switch (kind) {
+    case Surroundings::smooth: return tr("smooth");
+    case Surroundings::noisy: return tr("noisy");
+    case Surroundings::rough: return tr("rough");
+  }
+  return {};
+}
+
+QString rim_help(const RimSummary& rim) {
+  return tr("What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits "
+            "tell the "
+            "normal at the rim to %3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the section "
+            "shows "
+            "it.")
+      .arg(number(rim.noise), QString::number(100 * rim.noise_per_edge, 'g', 2), number(rim.normal_sigma_deg),
+           number(rim.H_sigma), number(rim.H));
+}
+
+QString hole_name(const Document& document, int loop) {
+  const QString number = QString::number(document.loop(loop).number);
+  if (document.scans().size() < 2) return number;
+  const auto scan = document.scan(document.scan_of(loop));
+  return scan ? tr("%1 of %2").arg(number, scan->name) : number;
+}
+
+QString holes(const Document& document, const std::set<int>& loops) {
+  constexpr std::size_t spelled_out = 4;
+  if (loops.size() == 1) return tr("hole %1").arg(hole_name(document, *loops.begin()));
+  if (loops.size() > spelled_out || loops.empty()) return tr("%1 holes").arg(loops.size());
+  QStringList names;
+  for (int loop : loops) names << hole_name(document, loop);
+  const QString last = names.takeLast();
+  return tr("holes %1 and %2").arg(names.join(QStringLiteral(", ")), last);
+}
+
+QString import_summary(const OpenedScan& scan) {
+  const ImportReport& in = scan.import;
+  const ModelRepairs& mended = scan.model->repairs;
+  QString text = tr("%1: %2 triangles, %3 vertices, %4 boundary loops.")
+                     .arg(scan.name, count(in.triangles), count(in.vertices), count(scan.loops.size()));
+  QStringList notes;
+  const auto note = [&notes](std::size_t n, const char* words) {
+    if (n > 0) notes << tr(words).arg(count(n));
+  };
+  note(in.polygons_triangulated, QT_TRANSLATE_NOOP("loopmend::words", "%1 polygons cut into triangles"));
+  note(mended.reoriented_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 faces turned round"));
+  note(mended.degenerate_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 degenerate faces left aside"));
+  note(mended.duplicate_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 duplicate faces left aside"));
+  note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend::words", "cut along %1 non-manifold edges"));
+  note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend::words", "split at %1 non-manifold vertices"));
+  note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend::words", "%1 vertices that no face uses"));
+  note(in.missing_colors, QT_TRANSLATE_NOOP("loopmend::words", "%1 vertices without a colour, made white"));
+  int coincident = 0;
+  for (const BoundaryLoop& loop : scan.loops) coincident += loop.kind == LoopKind::cut ? 0 : loop.coincident;
+  if (in.coincident_vertices > 0)
+    note(static_cast<std::size_t>(coincident),
+         QT_TRANSLATE_NOOP("loopmend::words",
+                           "%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill "
+                           "--weld` joins them)"));
+  if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));
+  if (!in.not_kept.empty()) text += QLatin1Char(' ') + tr("Will not be saved: %1.").arg(not_kept(in.not_kept));
+  return text;
+}
+
+QString not_kept(const std::vector<NotKept>& list) {
+  // Those that have a name of their own in the file, such as a property, are told as the reader calls them.
+  static const char* const known[] = {QT_TRANSLATE_NOOP("loopmend::words", "normals"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "face normals"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "texture coordinates"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "texture coordinates of faces"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "face colours"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "vertex colours"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "alpha values"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "vertices without faces"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "materials"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "material libraries"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "objects"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "groups"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "smoothing groups"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "lines"),
+                                      QT_TRANSLATE_NOOP("loopmend::words", "points")};
+  QStringList words;
+  for (const NotKept& entry : list) {
+    const auto word =
+        std::find_if(std::begin(known), std::end(known), [&](const char* name) { return entry.what == name; });
+    const QString what = word != std::end(known) ? tr(*word) : QString::fromStdString(entry.what);
+    words << QStringLiteral("%1 (%2)").arg(what, count(entry.count));
+  }
+  return words.join(QStringLiteral(", "));
+}
+
+}  // namespace loopmend::labels

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What things are called on the screen.
+#pragma once
+
+#include "document/document.h"
+
+#include <QString>
+
+namespace loopmend::labels {
+
+QString kind(LoopKind kind);
+QString kind_help(LoopKind kind);
+QString state(HoleState state);
+QString state_help(HoleState state);
+QString flow(FlowKind flow);
+QString flow_name(FlowKind flow);
+QString flow_help(FlowKind flow);
+
+/// 12,345: with a separator that suits the language.
+QString count(std::size_t n);
+
+/// The text with its first letter large.
+QString sentence(QString text);
+
+/// Three digits: 0.123, 12.3, 1230, 1.20·10⁻⁵.
+QString number(double value);
+
+/// One sentence on how the patch meets the scan at a loop.
+QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage);
+
+/// "3", or "3 of bunny.ply" when several scans are open.
+QString hole_name(const Document& document, int loop);
+
+/// "rough": what the surroundings of a hole are.
+QString surroundings(Surroundings kind);
+/// How far they can be trusted, in sentences: their scatter, and the uncertainty of what the patch takes from them.
+QString rim_help(const RimSummary& rim);
+
+/// "hole 3", "holes 1, 2 and 5", "12 holes".
+QString holes(const Document& document, const std::set<int>& loops);
+
+/// What the reader met and mended, in one or two sentences; the first gives the counts.
+QString import_summary(const OpenedScan& scan);
+
+/// "normals (9,992), materials (3)".
+QString not_kept(const std::vector<NotKept>& list);
+
+}  // namespace loopmend::labels

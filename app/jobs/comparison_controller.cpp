@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/comparison_controller.h"
+
+#include "analysis/curvature_field.h"
+#include "jobs/near_shape.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace loopmend {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What is shown of a patch.
+std::shared_ptr<ComparedRun> seen(const Patch& patch, int edge, const Vec3& origin) {
+  auto state = std::make_shared<ComparedRun>();
+  state->patch = patch;
+  state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+  state->seams = seam_reports(patch);
+  state->wide_jump = std::numeric_limits<double>::quiet_NaN();
+  if (!patch.loops.empty()) state->profile = profile_across(patch, edge);
+  return state;
+}
+
+/// Where H jumps most at the start: there the profile is taken until all flows have ended.
+int first_edge(const Patch& patch) {
+  if (patch.loops.empty()) return 0;
+  const std::vector<double> jumps = seam_jumps(patch, 0);
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < jumps.size(); ++i)
+    if (std::isfinite(jumps[i]) && (!std::isfinite(jumps[best]) || jumps[i] > jumps[best])) best = i;
+  return static_cast<int>(best);
+}
+
+}  // namespace
+
+/// What the lanes have for the window: the newest state of each, and every point of its curves.
+struct ComparisonController::Post {
+  explicit Post(std::size_t lanes) : newest(lanes), points(lanes), runs(lanes) {}
+
+  std::mutex mutex;
+  std::vector<ComparedRunPtr> newest;                ///< not yet taken
+  std::vector<std::vector<ComparisonPoint>> points;  ///< likewise
+  std::vector<ComparedFlow> runs;
+  std::size_t ended = 0;
+  bool waiting = false;  ///< the window has been asked to come
+  FlowComparison comparison;
+  int edge = 0;
+};
+
+ComparisonController::ComparisonController(ComparisonSource source, QObject* parent)
+    : QObject(parent),
+      source_(std::move(source)) {
+  forget_results();
+  prepare();
+}
+
+ComparisonController::~ComparisonController() {
+  if (job_) job_->cancel();
+}
+
+void ComparisonController::prepare() {
+  job_ = std::make_shared<Job>(this);
+  struct Prepared {
+    std::shared_ptr<const SurfaceShape> near;
+    ComparedRunPtr start;
+  };
+  tasks_.run(
+      job_,
+      [job = job_, source = source_]() -> Prepared {
+        const Patch patch = source.start(job->token());
+        if (job->token().cancelled()) return {};
+        const auto near = source.surroundings ? near_shape(source.surroundings, patch, source.origin) : nullptr;
+        auto state = seen(patch, first_edge(patch), source.origin);
+        state->energies = patch_energies(patch);
+        return {near, state};
+      },
+      [this](const Prepared& prepared) {
+        job_.reset();
+        surroundings_ = prepared.near;
+        start_ = prepared.start;
+        forget_results();
+        stage_ = Stage::ready;
+        Q_EMIT stage_changed();
+      },
+      [this](const QString& text) {
+        job_.reset();
+        stage_ = Stage::failed;
+        Q_EMIT stage_changed();
+        Q_EMIT failed(text);
+      });
+}
+
+void ComparisonController::forget_results() {
+  comparison_.reset();
+  newest_.clear();
+  curves_.assign(flows_.size(), {});
+  for (FlowKind flow : flows_) {
+    if (!start_) {
+      newest_.push_back(nullptr);
+      continue;
+    }
+    auto state = std::make_shared<ComparedRun>(*start_);
+    state->flow = flow;
+    newest_.push_back(std::move(state));
+  }
+  if (!start_) return;
+  for (auto& curve : curves_) curve.push_back({0, start_->energies});
+}
+
+void ComparisonController::set_flows(const std::vector<FlowKind>& flows) {
+  if (stage_ == Stage::running || flows == flows_) return;
+  flows_ = flows;
+  forget_results();
+  Q_EMIT stage_changed();
+}
+
+/// One flow on its worker. Has its own copies of all it reads; the race is only told of what has come.
+class ComparisonController::Lane {
+ public:
+  Lane(ComparisonController* race, int lane, EvolutionOptions base, std::shared_ptr<Post> post)
+      : race_(race),
+        at_(static_cast<std::size_t>(lane)),
+        flow_(race->flow(lane)),
+        start_(race->start_),
+        origin_(race->source_.origin),
+        base_(std::move(base)),
+        job_(race->job_),
+        post_(std::move(post)) {}
+
+  void go() const {
+    const auto on_step = [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); };
+    ComparedFlow run = run_compared(start_->patch, flow_, base_, on_step, job_->token());
+    if (job_->token().cancelled()) return;
+    show_end(run);
+    {
+      const std::lock_guard lock(post_->mutex);
+      post_->runs[at_] = std::move(run);
+      if (++post_->ended < post_->runs.size()) return;
+    }
+    describe_start(start_->patch, post_->comparison);
+    post_->comparison.runs = std::move(post_->runs);
+    add_profiles(post_->comparison);
+    job_->post([race = race_, post = post_] { race->end(post); });
+  }
+
+  void fail(const char* words) const {
+    job_->post([race = race_, text = QString::fromUtf8(words)] {
+      race->stop();
+      Q_EMIT race->failed(text);
+    });
+  }
+
+ private:
+  void show(const Evolution& evolution, const StepRecord& record) const {
+    if (job_->token().cancelled()) return;
+    const PatchEnergies energies = patch_energies(evolution.patch());
+    {
+      const std::lock_guard lock(post_->mutex);
+      post_->points[at_].push_back({record.step, energies});
+      if (post_->newest[at_]) return;  // the window has not taken the last one yet: nobody would see this one
+    }
+    auto state = seen(evolution.patch(), post_->edge, origin_);
+    state->stage = ComparedRun::Stage::moving;
+    state->steps = record.step;
+    state->energies = energies;
+    state->status = PatchStatus::ready;
+    state->energy = {evolution.initial_energy(), record.energy};
+    put(std::move(state));
+  }
+
+  void show_end(const ComparedFlow& run) const {
+    auto state = seen(run.outcome.patch, post_->edge, origin_);
+    static_cast<PatchResult&>(*state) = run.outcome;
+    state->stage = ComparedRun::Stage::ended;
+    state->energies = run.energies;
+    state->wide_jump = run.wide_jump;
+    put(std::move(state));
+  }
+
+  void put(std::shared_ptr<ComparedRun> state) const {
+    state->flow = flow_;
+    state->options = options_for(flow_, base_);
+    state->seconds.total = std::chrono::duration<double>(Clock::now() - began_).count();
+    {
+      const std::lock_guard lock(post_->mutex);
+      post_->newest[at_] = std::move(state);
+      if (std::exchange(post_->waiting, true)) return;
+    }
+    job_->post([race = race_, post = post_] { race->take_news(post); });
+  }
+
+  ComparisonController* race_;
+  std::size_t at_;
+  FlowKind flow_;
+  ComparedRunPtr start_;
+  Vec3 origin_;
+  EvolutionOptions base_;
+  JobPtr job_;
+  std::shared_ptr<Post> post_;
+  Clock::time_point began_ = Clock::now();
+};
+
+void ComparisonController::run(const EvolutionOptions& base) {
+  if (stage_ != Stage::ready) return;
+  forget_results();
+  job_ = std::make_shared<Job>(this);
+  auto post = std::make_shared<Post>(flows_.size());
+  post->edge = first_edge(start_->patch);
+  stage_ = Stage::running;
+  Q_EMIT stage_changed();
+  for (int lane = 0; lane < lanes(); ++lane)
+    tasks_.start([work = Lane(this, lane, base, post)] {
+      try {
+        work.go();
+      } catch (const std::exception& error) {
+        work.fail(error.what());
+      }
+    });
+}
+
+void ComparisonController::take_news(const std::shared_ptr<Post>& post) {
+  std::vector<ComparedRunPtr> news;
+  std::vector<std::vector<ComparisonPoint>> points;
+  {
+    const std::lock_guard lock(post->mutex);
+    news.assign(post->newest.size(), nullptr);
+    points.resize(post->points.size());
+    news.swap(post->newest);
+    points.swap(post->points);
+    post->waiting = false;
+  }
+  for (std::size_t lane = 0; lane < news.size(); ++lane) {
+    curves_[lane].insert(curves_[lane].end(), points[lane].begin(), points[lane].end());
+    if (!news[lane]) continue;
+    newest_[lane] = news[lane];
+    Q_EMIT lane_moved(static_cast<int>(lane));
+  }
+}
+
+void ComparisonController::end(const std::shared_ptr<Post>& post) {
+  take_news(post);
+  comparison_ = std::move(post->comparison);
+  for (std::size_t lane = 0; lane < newest_.size() && lane < comparison_->profiles.size(); ++lane) {
+    auto state = std::make_shared<ComparedRun>(*newest_[lane]);
+    state->profile = comparison_->profiles[lane];
+    newest_[lane] = std::move(state);
+  }
+  job_.reset();
+  stage_ = Stage::ready;
+  Q_EMIT stage_changed();
+}
+
+void ComparisonController::stop() {
+  if (stage_ != Stage::running) return;
+  job_->cancel();
+  job_.reset();
+  for (ComparedRunPtr& lane : newest_) {
+    if (lane->stage != ComparedRun::Stage::moving) continue;
+    auto state = std::make_shared<ComparedRun>(*lane);
+    state->stage = ComparedRun::Stage::stopped;
+    lane = std::move(state);
+  }
+  stage_ = Stage::ready;
+  Q_EMIT stage_changed();
+}
+
+bool ComparisonController::shut_down(std::chrono::milliseconds at_most) {
+  if (job_) job_->cancel();
+  return tasks_.wait(at_most);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several flows from one start, side by side, each on its own thread. The window hears of the newest state of each.
+#pragma once
+
+#include "jobs/task_runner.h"
+#include "pipeline/compare.h"
+#include "scene/surface_shape.h"
+
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+/// Where a race begins.
+struct ComparisonSource {
+  QString title;                                     ///< "Holes 1 and 3 of bunny.ply"
+  std::function<Patch(const CancelToken&)> start;    ///< called on a worker; may throw Error in words
+  std::shared_ptr<const SurfaceShape> surroundings;  ///< without what the patch replaces; null where there are none
+  Vec3 origin = Vec3::Zero();                        ///< of `surroundings`
+};
+
+/// One flow as far as it has come. Immutable.
+struct ComparedRun : PatchResult {
+  enum class Stage { start, moving, ended, stopped } stage = Stage::start;
+  EvolutionOptions options;  ///< that led here
+  PatchEnergies energies;
+  double wide_jump = 0;  ///< NaN until the flow has ended
+  std::vector<ProfilePoint> profile;
+  std::shared_ptr<const SurfaceShape> shape;
+};
+using ComparedRunPtr = std::shared_ptr<const ComparedRun>;
+
+/// A point of a lane's curves.
+struct ComparisonPoint {
+  int step = 0;
+  PatchEnergies energies;
+};
+
+class ComparisonController : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ComparisonController(ComparisonSource source, QObject* parent = nullptr);
+  ~ComparisonController() override;
+
+  enum class Stage { preparing, ready, running, failed };
+  Stage stage() const { return stage_; }
+  const QString& title() const { return source_.title; }
+
+  int lanes() const { return static_cast<int>(flows_.size()); }
+  FlowKind flow(int lane) const { return flows_[static_cast<std::size_t>(lane)]; }
+  /// Two to four flows, none twice. What was reached is forgotten. Nothing happens while they run.
+  void set_flows(const std::vector<FlowKind>& flows);
+
+  /// All lanes from the start. @param base  its flow does not count.
+  void run(const EvolutionOptions& base);
+  /// At once; each lane keeps the newest state that was seen.
+  void stop();
+
+  /// Null before the start is there.
+  const ComparedRunPtr& start() const { return start_; }
+  /// Of the surroundings, those near the patch; may be null.
+  const std::shared_ptr<const SurfaceShape>& surroundings() const { return surroundings_; }
+  /// The start until the lane moves.
+  const ComparedRunPtr& lane(int lane) const { return newest_[static_cast<std::size_t>(lane)]; }
+  const std::vector<ComparisonPoint>& curve(int lane) const { return curves_[static_cast<std::size_t>(lane)]; }
+  /// What `loopmend compare` would tell; once every lane has ended.
+  const std::optional<FlowComparison>& comparison() const { return comparison_; }
+  bool shut_down(std::chrono::milliseconds at_most);
+
+ Q_SIGNALS:
+  void stage_changed();
+  void lane_moved(int lane);
+  void failed(const QString& words);
+
+ private:
+  struct Post;
+  class Lane;
+  void prepare();
+  void forget_results();
+  void take_news(const std::shared_ptr<Post>& post);
+  void end(const std::shared_ptr<Post>& post);
+
+  ComparisonSource source_;
+  Stage stage_ = Stage::preparing;
+  std::vector<FlowKind> flows_{FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf};
+  std::shared_ptr<const SurfaceShape> surroundings_;
+  ComparedRunPtr start_;
+  std::vector<ComparedRunPtr> newest_;
+  std::vector<std::vector<ComparisonPoint>> curves_;
+  std::optional<FlowComparison> comparison_;
+  JobPtr job_;
+  TaskRunner tasks_{Yielding::as_it_can};
+};
+
+}  // namespace loopmend

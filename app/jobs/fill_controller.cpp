@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/fill_controller.h"
+
+#include "document/labels.h"
+#include "document/timeline.h"
+#include "jobs/state_making.h"
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
+
+Activity activity_of(Pace pace) {
+  switch (pace) {
+    case Pace::one_step: return Activity::stepping;
+    case Pace::run: return Activity::running;
+    case Pace::steady: return Activity::solving;
+  }
+  return Activity::idle;
+}
+
+std::set<int> loops_of(const std::vector<OpenPatch>& patches) {
+  std::set<int> loops;
+  for (const OpenPatch& patch : patches) loops.insert(patch.loops.begin(), patch.loops.end());
+  return loops;
+}
+
+std::set<int> loops_of(const OpenPatch& patch) { return {patch.loops.begin(), patch.loops.end()}; }
+
+}  // namespace
+
+FillController::FillController(Document& document, UndoHistory& undo, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      undo_(undo) {}
+
+FillController::~FillController() {
+  if (job_) job_->cancel();
+  if (preview_job_) preview_job_->cancel();
+}
+
+JobPtr FillController::begin(Activity activity, const QString& stage) {
+  drop_fill_preview();
+  job_ = std::make_shared<Job>(this);
+  activity_ = activity;
+  clock_.start();
+  Q_EMIT activity_changed();
+  Q_EMIT stage_changed(stage);
+  Q_EMIT progress_changed(0, 0);
+  return job_;
+}
+
+void FillController::end() {
+  job_.reset();
+  activity_ = Activity::idle;
+  document_.set_running({});
+  Q_EMIT stage_changed({});
+  Q_EMIT activity_changed();
+}
+
+void FillController::give_up(const QString& text) {
+  end();
+  report_failure(text);
+}
+
+void FillController::report_failure(const QString& words) {
+  Q_EMIT failed(words);
+  Q_EMIT logged(words);
+}
+
+ScanSitePtr FillController::site_of(int scan) {
+  ScanSitePtr& site = sites_[scan];
+  if (!site) site = std::make_shared<ScanSite>(document_.scan(scan)->model);
+  return site;
+}
+
+void FillController::push(std::vector<PatchChange::Pair> pairs, const QString& text) {
+  if (!pairs.empty()) undo_.push(std::make_unique<PatchChange>(document_, std::move(pairs), text));
+}
+
+std::vector<FillTask> FillController::fill_tasks(const std::set<int>& loops, const FillChoice& choice) {
+  std::map<int, FillTask> by_scan;
+  for (int loop : loops) {
+    if (document_.patch_of(loop) || !document_.present(loop)) continue;
+    const int scan = document_.scan_of(loop);
+    by_scan[scan].wanted.emplace(loop, document_.loop(loop));
+  }
+  std::vector<FillTask> tasks;
+  for (auto& [scan, task] : by_scan) {
+    task.scan = scan;
+    task.site = site_of(scan);
+    task.options.initial.density = choice.density;
+    task.options.islands = choice.islands;
+    task.first_loop = document_.first_loop_of(scan);
+    task.origin = document_.origin();
+    for (const OpenPatch& patch : document_.patches())
+      if (patch.scan == scan && patch.acceptance == Acceptance::pending)
+        for (int loop : patch.loops) task.filled.emplace(loop, document_.loop(loop));
+    tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+void FillController::fill(const std::set<int>& loops, const FillChoice& choice) {
+  if (busy()) return;
+  const std::vector<FillTask> tasks = fill_tasks(loops, choice);
+  std::set<int> wanted;
+  for (const FillTask& task : tasks)
+    for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
+  if (wanted.empty()) return;
+  const auto ready = preview_;
+  const JobPtr job = begin(Activity::filling, tr("Filling %1").arg(labels::holes(document_, wanted)));
+  if (ready && ready->loops == wanted && ready->choice == choice) {
+    on_filled(ready->result, wanted);
+    return;
+  }
+  const int total = static_cast<int>(wanted.size());
+  tasks_.run(
+      job,
+      [this, job, tasks, total] {
+        return make_initial_patches(
+            tasks, [&](int done) { job->post([this, done, total] { Q_EMIT progress_changed(done, total); }); },
+            job->token());
+      },
+      [this, wanted](FillResult result) { on_filled(std::move(result), wanted); },
+      [this](const QString& text) { give_up(text); });
+}
+
+void FillController::preview_fill(const std::set<int>& loops, const FillChoice& choice) {
+  if (busy()) return;
+  drop_fill_preview();
+  const std::vector<FillTask> tasks = fill_tasks(loops, choice);
+  std::set<int> wanted;
+  for (const FillTask& task : tasks)
+    for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
+  if (wanted.empty()) return;
+  preview_job_ = std::make_shared<Job>(this);
+  const JobPtr job = preview_job_;
+  tasks_.run(
+      job,
+      [job, tasks] {
+        return make_initial_patches(
+            tasks, [](int) {}, job->token());
+      },
+      [this, wanted, choice](FillResult result) {
+        std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
+        for (const OpenPatch& patch : result.patches) ghosts.push_back(patch.state->shape);
+        preview_ = std::make_shared<FillPreview>(FillPreview{wanted, choice, std::move(result)});
+        Q_EMIT ghosts_changed(ghosts);
+      },
+      [](const QString&) {});  // Fill will say it in words
+}
+
+void FillController::trim(const std::set<int>& loops) {
+  constexpr int rounds = 3;
+  if (busy()) return;
+  std::map<int, std::vector<BoundaryLoop>> by_scan;
+  for (int loop : loops)
+    if (document_.present(loop)) by_scan[document_.scan_of(loop)].push_back(document_.loop(loop));
+  if (by_scan.empty()) return;
+  struct Trimmed {
+    int scan = 0;
+    std::size_t removed = 0;
+    OpenedScanPtr made;
+  };
+  const JobPtr job = begin(Activity::filling, tr("Trimming %1").arg(labels::holes(document_, loops)));
+  std::map<int, std::shared_ptr<const OpenedScan>> opened;
+  for (const auto& [scan, chosen] : by_scan) opened[scan] = document_.scan(scan);
+  tasks_.run(
+      job,
+      [by_scan, opened] {
+        std::vector<Trimmed> all;
+        for (const auto& [scan, chosen] : by_scan) {
+          const OpenedScan& old = *opened.at(scan);
+          TrimmedModel trimmed = trim_rim(*old.model, chosen, rounds);
+          if (trimmed.removed.empty()) continue;
+          all.push_back({scan, trimmed.removed.size(), made_scan(std::move(trimmed.model.soup), old.name, old.origin)});
+        }
+        return all;
+      },
+      [this](const std::vector<Trimmed>& all) {
+        end();
+        for (const Trimmed& one : all) {
+          replace_scans({one.scan}, one.made, tr("Trim the boundaries of %1").arg(one.made->name));
+          Q_EMIT logged(tr("%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
+                            .arg(one.made->name)
+                            .arg(one.removed));
+        }
+        if (all.empty()) Q_EMIT notice(tr("There are no bad triangles at these boundaries."));
+      },
+      [this](const QString& text) { give_up(text); });
+}
+
+void FillController::drop_fill_preview() {
+  if (preview_job_) preview_job_->cancel();
+  preview_job_.reset();
+  if (!std::exchange(preview_, nullptr)) return;
+  Q_EMIT ghosts_changed({});
+}
+
+void FillController::on_filled(FillResult result, const std::set<int>& wanted) {
+  const qint64 milliseconds = clock_.elapsed();
+  end();
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> refilled;
+  std::size_t triangles = 0;
+  for (OpenPatch& patch : result.patches) {
+    for (int loop : patch.loops)
+      if (const OpenPatch* old = document_.patch_of(loop); old && refilled.insert(old->id).second)
+        pairs.push_back({*old, std::nullopt});
+    patch.id = document_.next_patch_id();
+    triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
+    pairs.push_back({std::nullopt, patch});
+  }
+  document_.forget_failures(wanted);
+  document_.add_failures(result.failures);
+  const std::set<int> done = loops_of(result.patches);
+  if (!done.empty()) {
+    const QString name = labels::holes(document_, done);
+    push(std::move(pairs), tr("Fill %1").arg(name));
+    Q_EMIT logged(
+        tr("Filled %1 with %2 triangles in %3 s.").arg(name, labels::count(triangles), seconds(milliseconds)));
+  }
+  if (!refilled.empty())
+    Q_EMIT logged(tr("Some of these holes lie so close to filled ones that both were filled anew, as one."));
+  say_fill_outcome(result, wanted);
+}
+
+void FillController::say_fill_outcome(const FillResult& result, const std::set<int>& wanted) {
+  constexpr std::size_t most_lines = 20;
+  std::size_t lines = 0;
+  for (const auto& [loop, words] : result.remarks)
+    if (lines++ < most_lines)
+      Q_EMIT logged(tr("Hole %1: %2").arg(labels::hole_name(document_, loop), QString::fromStdString(words)));
+  for (const auto& [loop, words] : result.failures)
+    if (lines++ < 2 * most_lines)
+      Q_EMIT logged(
+          tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), QString::fromStdString(words)));
+  if (!result.failures.empty())
+    Q_EMIT failed(tr("%1 of %2 holes could not be filled. The State column says why.")
+                      .arg(result.failures.size())
+                      .arg(wanted.size()));
+}
+
+void FillController::evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace) {
+  if (busy()) return;
+  EvolveTask task;
+  task.options = std::move(options);
+  task.options.mode = pace == Pace::steady ? EvolutionMode::steady : EvolutionMode::steps;
+  task.pace = pace;
+  task.origin = document_.origin();
+  run_start_.clear();
+  std::set<int> loops;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!patch || patch->acceptance == Acceptance::accepted) continue;
+    const auto session = sessions_.find(id);
+    const bool fits = session != sessions_.end() && session->second.state == patch->state;
+    EvolveTask::Item item{*patch, fits ? session->second.evolution : nullptr, site_of(patch->scan), {}};
+    for (int loop : patch->loops) item.loops.push_back(document_.loop(loop));
+    task.items.push_back(std::move(item));
+    run_start_.emplace(id, *patch);
+    loops.insert(patch->loops.begin(), patch->loops.end());
+    sessions_.erase(id);  // the worker has it now
+  }
+  if (task.items.empty()) return;
+  const QString name = labels::flow_name(task.options.flow), where = labels::holes(document_, loops);
+  run_name_ = pace == Pace::one_step ? tr("%1 step on %2").arg(name, where) : tr("%1 on %2").arg(name, where);
+  const JobPtr job = begin(activity_of(pace), run_name_);
+  std::set<int> running;
+  for (const auto& [id, patch] : run_start_) running.insert(id);
+  document_.set_running(running);
+  recorder_ = std::make_shared<RunRecorder>([this, job] { job->post([this] { take_records(); }); });
+  tasks_.run(
+      job, [job, task = std::move(task), recorder = recorder_] { return evolve_patches(task, *recorder, *job); },
+      [this](const EvolveResult& result) { on_evolved(result); },
+      [this](const QString& text) {
+        on_evolved({});
+        report_failure(text);
+      });
+}
+
+void FillController::take_records() {
+  if (!recorder_) return;
+  std::map<int, PatchStatePtr> newest;
+  for (const auto& [id, run] : recorder_->take()) {
+    const auto start = run_start_.find(id);
+    if (run.empty() || start == run_start_.end()) continue;
+    newest[id] = run.back();
+    document_.set_timeline(id, extended(*start->second.timeline, start->second.state, run, timeline_budget_));
+  }
+  document_.set_states(newest);
+}
+
+void FillController::on_evolved(const EvolveResult& result) {
+  take_records();
+  sessions_ = result.sessions;
+  record_run(result);
+  end();
+  for (const auto& [id, words] : result.failures) report_failure(QString::fromStdString(words));
+}
+
+QString FillController::run_words(const OpenPatch& before, const OpenPatch& now) const {
+  const PatchState& state = *now.state;
+  QString line = tr("%1, %2: %3 steps, energy %4 \u2192 %5, %6 s.")
+                     .arg(labels::sentence(labels::holes(document_, loops_of(now))), labels::flow_name(state.flow))
+                     .arg(state.steps - before.state->steps)
+                     .arg(labels::number(state.energy.initial), labels::number(state.energy.final))
+                     .arg(state.seconds.total, 0, 'f', 1);
+  if (!state.message.empty()) line += QLatin1Char(' ') + QString::fromStdString(state.message);
+  return line;
+}
+
+void FillController::record_run(const EvolveResult& result) {
+  std::vector<PatchChange::Pair> pairs;
+  for (const auto& [id, before] : run_start_) {
+    const OpenPatch* now = document_.patch(id);
+    if (!now) continue;
+    if (const auto split = result.splits.find(id); split != result.splits.end()) {
+      pairs.push_back({before, std::nullopt});
+      for (OpenPatch part : split->second) {
+        part.id = document_.next_patch_id();
+        Q_EMIT logged(run_words(part, part));
+        pairs.push_back({std::nullopt, std::move(part)});
+      }
+      Q_EMIT logged(tr("%1 could not be solved together; each was solved by itself.")
+                        .arg(labels::sentence(labels::holes(document_, loops_of(before)))));
+      continue;
+    }
+    if (now->state == before.state) continue;
+    Q_EMIT logged(run_words(before, *now));
+    pairs.push_back({before, *now});
+  }
+  run_start_.clear();
+  recorder_.reset();
+  push(std::move(pairs), run_name_);
+}
+
+void FillController::adopt(OpenPatch patch) {
+  if (busy() || !document_.scan(patch.scan)) return;
+  const JobPtr job = begin(Activity::filling, tr("Taking over %1").arg(labels::holes(document_, loops_of(patch))));
+  tasks_.run(
+      job, [patch, site = site_of(patch.scan)] { return judged(patch.state, &patch.timeline->front()->patch, *site); },
+      [this, patch](const PatchStatePtr& state) { on_judged(patch, state); },
+      [this](const QString& text) { give_up(text); });
+}
+
+void FillController::on_judged(OpenPatch patch, PatchStatePtr state) {
+  end();
+  patch.timeline = std::make_shared<Timeline>(Timeline{patch.timeline->front(), state});
+  patch.state = std::move(state);
+  patch.id = document_.next_patch_id();
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> replaced;
+  for (int loop : patch.loops)
+    if (const OpenPatch* old = document_.patch_of(loop); old && replaced.insert(old->id).second)
+      pairs.push_back({*old, std::nullopt});
+  const QString what =
+      tr("%1 on %2").arg(labels::flow_name(patch.state->flow), labels::holes(document_, loops_of(patch)));
+  document_.forget_failures(loops_of(patch));
+  Q_EMIT logged(run_words(patch, patch));
+  pairs.push_back({std::nullopt, std::move(patch)});
+  push(std::move(pairs), what);
+}
+
+void FillController::pause() {
+  if (!job_ || (activity_ != Activity::running && activity_ != Activity::solving)) return;
+  job_->ask_to_pause();
+  activity_ = Activity::pausing;
+  Q_EMIT activity_changed();
+  Q_EMIT stage_changed(tr("Pausing after this step"));
+}
+
+void FillController::cancel() {
+  if (!job_) return;
+  take_records();
+  const Activity what = activity_;
+  job_->cancel();
+  if (what == Activity::opening) Q_EMIT preview_dropped();
+  record_run({});
+  end();
+  const bool was_flow =
+      what == Activity::running || what == Activity::solving || what == Activity::stepping || what == Activity::pausing;
+  Q_EMIT logged(was_flow ? tr("Cancelled; the last accepted state is kept.") : tr("Cancelled."));
+}
+
+void FillController::set_acceptance(const std::set<int>& patch_ids, Acceptance acceptance) {
+  if (busy()) return;
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> loops;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!patch || patch->acceptance == acceptance) continue;
+    OpenPatch after = *patch;
+    after.acceptance = acceptance;
+    loops.insert(patch->loops.begin(), patch->loops.end());
+    pairs.push_back({*patch, std::move(after)});
+  }
+  const QString where = labels::holes(document_, loops);
+  push(std::move(pairs), acceptance == Acceptance::accepted ? tr("Accept %1").arg(where) : tr("Reopen %1").arg(where));
+}
+
+void FillController::reject(const std::set<int>& patch_ids) {
+  if (busy()) return;
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> loops;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!patch) continue;
+    loops.insert(patch->loops.begin(), patch->loops.end());
+    pairs.push_back({*patch, std::nullopt});
+  }
+  push(std::move(pairs), tr("Reject %1").arg(labels::holes(document_, loops)));
+}
+
+void FillController::scrub_to(const std::set<int>& patch_ids, std::size_t place) {
+  if (busy()) return;
+  std::map<int, PatchStatePtr> states;
+  for (int id : patch_ids) {
+    const OpenPatch* patch = document_.patch(id);
+    if (!patch || patch->acceptance == Acceptance::accepted) continue;
+    scrub_start_.emplace(id, *patch);
+    states[id] = (*patch->timeline)[std::min(place, patch->timeline->size() - 1)];
+  }
+  document_.set_states(states);
+}
+
+void FillController::end_scrub() {
+  std::vector<PatchChange::Pair> pairs;
+  std::set<int> loops;
+  for (const auto& [id, before] : std::exchange(scrub_start_, {})) {
+    const OpenPatch* now = document_.patch(id);
+    if (!now || now->state == before.state) continue;
+    loops.insert(now->loops.begin(), now->loops.end());
+    pairs.push_back({before, *now});
+  }
+  push(std::move(pairs), tr("Go back on %1").arg(labels::holes(document_, loops)));
+}
+
+bool FillController::shut_down(std::chrono::milliseconds at_most) {
+  if (job_) job_->cancel();
+  if (preview_job_) preview_job_->cancel();
+  return tasks_.wait(at_most);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one place where a wish of the person becomes a job, and a job's outcome becomes a change of the document.
+#pragma once
+
+#include "document/document.h"
+#include "document/session.h"
+#include "document/undo_history.h"
+#include "jobs/evolve_patches.h"
+#include "jobs/export_scene.h"
+#include "jobs/initial_patches.h"
+#include "jobs/load_scan.h"
+#include "jobs/run_recorder.h"
+#include "jobs/task_runner.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QStringList>
+
+#include <set>
+
+namespace loopmend {
+
+enum class Activity { idle, opening, filling, stepping, running, solving, pausing, writing };
+
+enum class OpenMode {
+  replace,  ///< another scene
+  add,      ///< into the scene; can be undone
+};
+
+/// How holes are filled.
+struct FillChoice {
+  double density = 1;  ///< InitialPatchOptions::density
+  FillOptions::Islands islands = FillOptions::Islands::cover;
+  bool operator==(const FillChoice&) const = default;
+};
+
+class FillController : public QObject {
+  Q_OBJECT
+
+ public:
+  FillController(Document& document, UndoHistory& undo, QObject* parent = nullptr);
+  ~FillController() override;
+
+  Activity activity() const { return activity_; }
+  bool busy() const { return activity_ != Activity::idle; }
+
+  void open(const QStringList& paths, OpenMode mode);
+  void open_sample();
+  void close_scan(int scan);
+  /// A surface that was made comes, in place of these scans and their patches; can be undone.
+  void replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text);
+  /// Surfaces that were made, as another scene. Nothing of it counts as work.
+  void open_made(const std::vector<OpenedScanPtr>& scans);
+  /// @param shown_as  what the scene is called when it comes from a copy that survived a crash; empty: `path` itself.
+  void open_session(const QString& path, const QString& shown_as = {});
+  void save_session(const QString& path);
+  /// All scans and patches as one mesh; the format follows the extension. Patches that cut are left out unless accepted.
+  void export_to(const QString& path);
+
+  /// Loops that have a patch already are passed over.
+  void fill(const std::set<int>& loops, const FillChoice& choice);
+  /// Computes what fill() would do and shows it as a ghost. A later call replaces the earlier one.
+  void preview_fill(const std::set<int>& loops, const FillChoice& choice);
+  void drop_fill_preview();
+  /// Takes bad triangles at the boundaries of these holes away, as `loopmend fill --trim-rim 3`: each scan is replaced by one
+  /// without them, and loses its patches; can be undone.
+  void trim(const std::set<int>& loops);
+  void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
+  void pause();
+  /// Comes back at once; what was accepted so far stays and can be undone.
+  void cancel();
+
+  /// A patch that was made elsewhere comes into its loops, in place of what is there; tested for cuts first.
+  void adopt(OpenPatch patch);
+  void set_acceptance(const std::set<int>& patch_ids, Acceptance acceptance);
+  void reject(const std::set<int>& patch_ids);
+  /// Shows the state at this place of each patch's timeline; end_scrub() makes it a change that can be undone.
+  void scrub_to(const std::set<int>& patch_ids, std::size_t place);
+  void end_scrub();
+
+  /// How the scene is looked at, for sessions.
+  void set_view_source(ViewSource view) { view_ = std::move(view); }
+  void set_timeline_budget(std::size_t bytes) { timeline_budget_ = bytes; }
+  /// For the end of the program. @returns whether every worker has ended.
+  bool shut_down(std::chrono::milliseconds at_most);
+
+ Q_SIGNALS:
+  void activity_changed();
+  void stage_changed(const QString& words);
+  void progress_changed(int done, int total);  ///< total 0: not known
+  void preview_ready(std::shared_ptr<const SurfaceShape> shape);
+  void preview_dropped();
+  void ghosts_changed(std::vector<std::shared_ptr<const SurfaceShape>> ghosts);
+  void failed(const QString& words);
+  void notice(const QString& words);
+  void logged(const QString& words);
+  void file_opened(const QString& path);    ///< a scan or a session
+  void session_saved(const QString& path);  ///< or restored from there
+  void view_restored(const SessionView& view);
+
+ private:
+  struct Restored;
+  struct FillPreview {
+    std::set<int> loops;
+    FillChoice choice;
+    FillResult result;
+  };
+
+  JobPtr begin(Activity activity, const QString& stage);
+  void end();
+  void report_failure(const QString& words);
+  /// The job has failed.
+  void give_up(const QString& text);
+  void load(const QStringList& paths, OpenMode mode, const QString& stage);
+  int on_opened(const OpenedScanPtr& scan, OpenMode mode);
+  void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);
+  Restored restore(const QString& path, const JobPtr& job) const;
+  void on_restored(Restored restored, const QString& path, const QString& shown_as);
+  std::vector<FillTask> fill_tasks(const std::set<int>& loops, const FillChoice& choice);
+  void on_judged(OpenPatch patch, PatchStatePtr state);
+  void on_exported(const ExportResult& result, const QString& path);
+  void on_filled(FillResult result, const std::set<int>& wanted);
+  void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
+  void take_records();
+  void on_evolved(const EvolveResult& result);
+  void record_run(const EvolveResult& result);
+  QString run_words(const OpenPatch& before, const OpenPatch& now) const;
+  ScanSitePtr site_of(int scan);
+  void push(std::vector<PatchChange::Pair> pairs, const QString& text);
+
+  Document& document_;
+  UndoHistory& undo_;
+  TaskRunner tasks_;
+  Activity activity_ = Activity::idle;
+  JobPtr job_;
+  JobPtr preview_job_;
+  std::shared_ptr<FillPreview> preview_;
+  QElapsedTimer clock_;
+  std::shared_ptr<RunRecorder> recorder_;
+  std::map<int, EvolutionSession> sessions_;
+  std::map<int, ScanSitePtr> sites_;
+  std::map<int, OpenPatch> run_start_;
+  std::map<int, OpenPatch> scrub_start_;
+  QString run_name_;
+  ViewSource view_;
+  std::size_t timeline_budget_ = std::size_t{256} << 20;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The controller's dealings with files: scans, sessions, exports.
+#include "document/labels.h"
+#include "document/timeline.h"
+#include "jobs/fill_controller.h"
+#include "jobs/state_making.h"
+
+#include "analysis/curvature_field.h"
+#include "core/error.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
+
+}  // namespace
+
+void FillController::open(const QStringList& paths, OpenMode mode) {
+  if (paths.isEmpty()) return;
+  load(paths, document_.has_scan() ? mode : OpenMode::replace,
+       paths.size() == 1 ? tr("Opening %1").arg(QFileInfo(paths.first()).fileName())
+                         : tr("Opening %1 files").arg(paths.size()));
+}
+
+void FillController::open_sample() { load({QString()}, OpenMode::replace, tr("Making the sample")); }
+
+void FillController::load(const QStringList& paths, OpenMode mode, const QString& stage) {
+  if (busy()) cancel();
+  const JobPtr job = begin(Activity::opening, stage);
+  std::optional<Vec3> origin;
+  if (mode == OpenMode::add) origin = document_.origin();
+  LoadStages stages;
+  stages.stage = [this, job](const QString& words) { job->post([this, words] { Q_EMIT stage_changed(words); }); };
+  tasks_.start([this, job, stages, paths, mode, origin]() mutable {
+    OpenMode next = mode;
+    for (const QString& path : paths) {
+      try {
+        if (next == OpenMode::replace)
+          stages.picture = [this, job](auto shape) { job->post([this, shape] { Q_EMIT preview_ready(shape); }); };
+        stages.opened = [this, job, next](const OpenedScanPtr& scan) {
+          job->post([this, scan, next] {
+            on_opened(scan, next);
+            Q_EMIT logged(labels::import_summary(*scan) + tr(" Opened in %1 s.").arg(seconds(clock_.elapsed())));
+            if (scan->loops.empty()) Q_EMIT notice(tr("This surface is closed: there is no hole to fill."));
+          });
+        };
+        const OpenedScanPtr scan = load_scan(path, origin, stages, job->token());
+        if (!scan) return;
+        origin = origin.value_or(scan->origin);
+        next = OpenMode::add;
+        stages.picture = nullptr;
+        stages.stage(tr("Computing curvature"));
+        const auto shape = colored_shape(*scan, job->token());
+        job->post([this, scan, shape] { show_color(scan, shape); });
+      } catch (const std::exception& error) {
+        job->post([this, words = QString::fromUtf8(error.what())] {
+          Q_EMIT preview_dropped();
+          report_failure(words);
+        });
+      }
+    }
+    job->post([this] { end(); });
+  });
+}
+
+int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
+  if (mode == OpenMode::replace) {
+    sessions_.clear();
+    sites_.clear();
+    undo_.clear();
+    document_.clear();
+  }
+  const int index = document_.add_scan(scan);
+  if (mode == OpenMode::add) undo_.push(std::make_unique<AddScan>(document_, index, tr("Add %1").arg(scan->name)));
+  if (mode == OpenMode::replace) undo_.mark_saved();
+  Q_EMIT file_opened(scan->path);
+  return index;
+}
+
+void FillController::show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape) {
+  for (int index : document_.scans())
+    if (document_.held_scan(index) == scan) document_.set_shape(index, shape);
+}
+
+void FillController::close_scan(int scan) {
+  if (busy() || !document_.scan(scan)) return;
+  undo_.push(std::make_unique<CloseScan>(document_, scan, tr("Close %1").arg(document_.scan(scan)->name)));
+}
+
+/// What a worker read of a session.
+struct FillController::Restored {
+  std::vector<OpenedScanPtr> scans;
+  std::vector<OpenPatch> patches;  ///< loops by index within their scan; ids not set
+  std::optional<SessionView> view;
+};
+
+FillController::Restored FillController::restore(const QString& path, const JobPtr& job) const {
+  const Session session = session_from_file(path);
+  Restored restored;
+  restored.view = session.view;
+  std::optional<Vec3> origin;
+  for (const SessionScan& wanted : session.scans) {
+    if (wanted.made) {
+      const Vec3 middle = origin.value_or(scene_origin(*wanted.made));
+      restored.scans.push_back(made_scan(*wanted.made, wanted.name, middle));
+      origin = middle;
+      continue;
+    }
+    const OpenedScanPtr scan = load_scan(wanted.path, origin, {}, job->token());
+    if (!scan) return {};
+    if (scan->fingerprint != wanted.fingerprint)
+      throw ReadError(wanted.path.toStdString(), "this file has changed since the session was saved", "",
+                      "Put the old file back to restore the session, or open the new one by itself.");
+    origin = origin.value_or(scan->origin);
+    restored.scans.push_back(scan);
+  }
+  for (const SessionPatch& saved : session.patches) {
+    if (job->token().cancelled()) return {};
+    const auto& loops = restored.scans[static_cast<std::size_t>(saved.scan)]->loops;
+    OpenPatch patch;
+    patch.scan = saved.scan;
+    for (int number : saved.loop_numbers) {
+      const auto found =
+          std::find_if(loops.begin(), loops.end(), [&](const auto& loop) { return loop.number == number; });
+      if (found == loops.end())
+        throw ReadError(path.toStdString(), "a patch belongs to a hole that does not exist", "",
+                        "Open the scan itself instead; the session file is damaged.");
+      patch.loops.push_back(static_cast<int>(found - loops.begin()));
+    }
+    auto state = std::make_shared<PatchState>(*saved.state);
+    state->shape = std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), *origin));
+    state->rim = rim_knowledge(state->patch);
+    patch.state = state;
+    patch.timeline = start_timeline(patch.state);
+    patch.acceptance = saved.acceptance;
+    restored.patches.push_back(std::move(patch));
+  }
+  return restored;
+}
+
+void FillController::open_session(const QString& path, const QString& shown_as) {
+  if (busy()) cancel();
+  const JobPtr job = begin(Activity::opening, tr("Opening %1").arg(QFileInfo(path).fileName()));
+  tasks_.start([this, job, path, shown_as] {
+    try {
+      auto restored = std::make_shared<Restored>(restore(path, job));
+      job->post([this, restored, path, shown_as] { on_restored(*restored, path, shown_as); });
+      for (const OpenedScanPtr& scan : restored->scans) {
+        if (!scan->shape->H.empty()) continue;
+        const auto shape = colored_shape(*scan, job->token());
+        job->post([this, scan, shape] { show_color(scan, shape); });
+      }
+      job->post([this] { end(); });
+    } catch (const std::exception& error) {
+      job->post([this, words = QString::fromUtf8(error.what())] {
+        end();
+        report_failure(words);
+      });
+    }
+  });
+}
+
+void FillController::on_restored(Restored restored, const QString& path, const QString& shown_as) {
+  OpenMode mode = OpenMode::replace;
+  std::vector<int> index;
+  for (const OpenedScanPtr& scan : restored.scans) {
+    if (mode == OpenMode::replace) {
+      index.push_back(on_opened(scan, mode));
+    } else {
+      index.push_back(document_.add_scan(scan));
+    }
+    mode = OpenMode::add;
+  }
+  for (OpenPatch& patch : restored.patches) {
+    patch.scan = index[static_cast<std::size_t>(patch.scan)];
+    for (int& loop : patch.loops) loop += document_.first_loop_of(patch.scan);
+    patch.id = document_.next_patch_id();
+  }
+  document_.replace({}, restored.patches);
+  if (restored.view) Q_EMIT view_restored(*restored.view);
+  const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;
+  Q_EMIT logged(
+      tr("Restored %1: %2 patches, in %3 s.").arg(name).arg(restored.patches.size()).arg(seconds(clock_.elapsed())));
+  if (shown_as.isEmpty()) {
+    undo_.mark_saved();
+    Q_EMIT session_saved(path);
+  } else {
+    undo_.mark_unsaved();
+  }
+}
+
+void FillController::replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text) {
+  if (busy()) return;
+  std::vector<std::unique_ptr<Change>> parts;
+  parts.push_back(std::make_unique<AddScan>(document_, document_.add_scan(come), text));
+  for (int index : gone)
+    if (document_.scan(index)) parts.push_back(std::make_unique<CloseScan>(document_, index, text));
+  undo_.push(std::make_unique<ChangeGroup>(std::move(parts), text));
+}
+
+void FillController::open_made(const std::vector<OpenedScanPtr>& scans) {
+  if (busy()) cancel();
+  on_opened(scans.front(), OpenMode::replace);
+  for (std::size_t k = 1; k < scans.size(); ++k) document_.add_scan(scans[k]);
+}
+
+void FillController::save_session(const QString& path) {
+  if (busy() || !document_.has_scan()) return;
+  const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
+  tasks_.run(
+      job,
+      [session = session_of(document_, view_), path] {
+        write_session(session, path);
+        return true;
+      },
+      [this, path](bool) {
+        end();
+        undo_.mark_saved();
+        Q_EMIT logged(tr("Saved the session as %1.").arg(QDir::toNativeSeparators(path)));
+        Q_EMIT session_saved(path);
+      },
+      [this](const QString& text) { give_up(text); });
+}
+
+void FillController::export_to(const QString& path) {
+  if (busy() || !document_.has_scan()) return;
+  const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
+  tasks_.run(
+      job, [job, task = export_task(document_, path.toStdString())] { return export_scene(task, job->token()); },
+      [this, path](const ExportResult& result) { on_exported(result, path); },
+      [this](const QString& text) { give_up(text); });
+}
+
+void FillController::on_exported(const ExportResult& result, const QString& path) {
+  end();
+  undo_.mark_saved();
+  QString text = tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), labels::count(result.triangles));
+  if (!result.not_kept.empty()) text += tr(" Not in it: %1.").arg(labels::not_kept(result.not_kept));
+  if (result.largest_rounding > 0)
+    text += tr(" STL rounds: vertices were moved by up to %1; PLY keeps every digit.")
+                .arg(labels::number(result.largest_rounding));
+  if (!result.left_open.empty())
+    text += tr(" Left open, because the patch cuts the surface: %1.").arg(labels::holes(document_, result.left_open));
+  Q_EMIT logged(text);
+  Q_EMIT notice(text);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/problem_controller.h"
+
+#include "analysis/curvature_field.h"
+#include "document/labels.h"
+#include "jobs/near_shape.h"
+#include "jobs/problem_base.h"
+
+#include <algorithm>
+#include <mutex>
+
+namespace loopmend {
+namespace {
+
+std::shared_ptr<const SurfaceShape> shape_of_patch(const Patch& patch, const Vec3& origin) {
+  return std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+}
+
+/// The surface that stays when the patch is taken out.
+std::shared_ptr<const SurfaceShape> around(const ProblemBase& base, const PosedProblem& posed) {
+  if (posed.replaced.empty()) return base.shape;
+  std::vector<char> own(base.model->soup.triangles.size(), 0);
+  for (int f : posed.replaced) own[static_cast<std::size_t>(f)] = 1;
+  std::vector<char> left_out(base.model->soup_face.size());
+  for (std::size_t f = 0; f < left_out.size(); ++f)
+    left_out[f] = own[static_cast<std::size_t>(base.model->soup_face[f])];
+  return without_triangles(*base.shape, left_out);
+}
+
+std::vector<PatchStatePtr> patches_of(const Document& document, const std::vector<int>& scans) {
+  std::vector<PatchStatePtr> states;
+  for (const OpenPatch& patch : document.patches())
+    if (std::find(scans.begin(), scans.end(), patch.scan) != scans.end()) states.push_back(patch.state);
+  return states;
+}
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+}  // namespace
+
+/// The newest state of a flow at work; the window takes it when it has time.
+struct ProblemController::Post {
+  std::mutex mutex;
+  std::shared_ptr<const SurfaceShape> newest;
+  int step = 0;
+  double energy = 0;
+  int free_vertices = 0;
+};
+
+ProblemController::ProblemController(Document& document, FillController& controller, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      controller_(controller) {
+  connect(&document_, &Document::scans_changed, this, &ProblemController::watch_scans);
+  connect(&document_, &Document::patches_changed, this, &ProblemController::watch_scans);
+  connect(&document_, &Document::patch_moved, this, &ProblemController::watch_scans);
+  connect(&document_, &Document::opened, this, &ProblemController::discard);
+}
+
+ProblemController::~ProblemController() {
+  if (job_) job_->cancel();
+}
+
+void ProblemController::go_to(Stage stage, const QString& words) {
+  stage_ = stage;
+  words_ = words;
+  Q_EMIT stage_changed();
+}
+
+void ProblemController::forget() {
+  if (job_) job_->cancel();
+  job_.reset();
+  base_.reset();
+  posed_.reset();
+  start_shape_.reset();
+  solution_.reset();
+  made_.reset();
+  models_.clear();
+  patches_.clear();
+  picture_ = {};
+}
+
+void ProblemController::discard() {
+  if (stage_ == Stage::none) return;
+  forget();
+  go_to(Stage::none, {});
+  Q_EMIT picture_changed();
+}
+
+/// What a trial was posed on must still be there, as it was.
+void ProblemController::watch_scans() {
+  if (stage_ == Stage::none) return;
+  for (std::size_t k = 0; k < wish_.scans.size(); ++k) {
+    const auto scan = document_.scan(wish_.scans[k]);
+    if (!scan || (k < models_.size() && scan->model != models_[k])) {
+      discard();
+      return;
+    }
+  }
+  if (patches_of(document_, wish_.scans) != patches_) discard();
+}
+
+void ProblemController::fail(const QString& words, Stage back_to) {
+  job_.reset();
+  go_to(back_to, {});
+  Q_EMIT failed(labels::sentence(words));
+}
+
+void ProblemController::pose(ProblemRequest wish) {
+  forget();
+  Q_EMIT picture_changed();
+  wish_ = std::move(wish);
+  for (int index : wish_.scans) models_.push_back(document_.scan(index)->model);
+  patches_ = patches_of(document_, wish_.scans);
+  job_ = std::make_shared<Job>(this);
+  go_to(Stage::posing, tr("Making the start\u2026"));
+  tasks_.start([this, job = job_, parts = parts_of(document_, wish_.scans), wish = wish_] {
+    try {
+      const auto base = std::make_shared<const ProblemBase>(make_base(parts));
+      if (job->token().cancelled()) return;
+      const auto posed = std::make_shared<const PosedProblem>(wish.pose(*base, job->token()));
+      if (job->token().cancelled()) return;
+      const auto start = shape_of_patch(posed->problem.start, parts.origin);
+      const auto backdrop = wish.around == ProblemRequest::Around::shown ? around(*base, *posed) : nullptr;
+      job->post([this, base, posed, start, backdrop] { on_posed(base, posed, start, backdrop); });
+    } catch (const std::exception& error) {
+      job->post([this, words = QString::fromUtf8(error.what())] {
+        forget();
+        fail(words, Stage::none);
+      });
+    }
+  });
+}
+
+void ProblemController::on_posed(std::shared_ptr<const ProblemBase> base, std::shared_ptr<const PosedProblem> posed,
+                                 std::shared_ptr<const SurfaceShape> start,
+                                 std::shared_ptr<const SurfaceShape> backdrop) {
+  job_.reset();
+  base_ = std::move(base);
+  posed_ = std::move(posed);
+  start_shape_ = std::move(start);
+  picture_.hidden_scans = {wish_.scans.begin(), wish_.scans.end()};
+  picture_.backdrop = std::move(backdrop);
+  picture_.patch = start_shape_;
+  picture_.arrival = Arrival::at_once;
+  QString words = tr("%1 free vertices.").arg(labels::count(static_cast<std::size_t>(free_vertices())));
+  if (!posed_->remark.empty()) words += QLatin1Char(' ') + labels::sentence(text(posed_->remark)) + QLatin1Char('.');
+  go_to(Stage::posed, words);
+  Q_EMIT picture_changed();
+}
+
+void ProblemController::evolve(const EvolutionOptions& options) {
+  if (!posed_ || busy()) return;
+  solution_.reset();
+  made_.reset();
+  job_ = std::make_shared<Job>(this);
+  picture_.patch = start_shape_;
+  picture_.arrival = Arrival::at_once;
+  Q_EMIT picture_changed();
+  go_to(Stage::evolving, tr("%1 at work\u2026").arg(labels::flow_name(options.flow)));
+  tasks_.start([this, job = job_, posed = posed_, options, origin = document_.origin(), name = wish_.made_name] {
+    const auto post = std::make_shared<Post>();
+    const auto on_step = [&](const Evolution& evolution, const StepRecord& record) {
+      {
+        const std::lock_guard lock(post->mutex);
+        if (post->newest || job->token().cancelled()) return;  // the last one has not been drawn yet
+      }
+      const auto shape = shape_of_patch(evolution.patch(), origin);
+      {
+        const std::lock_guard lock(post->mutex);
+        post->newest = shape;
+        post->step = record.step;
+        post->energy = record.energy;
+        post->free_vertices = evolution.patch().free_count;
+      }
+      job->post([this, post] { show_state(post); });
+    };
+    try {
+      auto solution = std::make_shared<Solution>(posed->solve(options, on_step, job->token()));
+      if (job->token().cancelled()) return;
+      OpenedScanPtr made;
+      if (solution->refusal.empty()) made = made_scan(solution->surface, name, origin);
+      const auto shape = shape_of_patch(solution->outcome.patch, origin);
+      job->post([this, solution, made, shape] { on_solved(solution, made, shape); });
+    } catch (const std::exception& error) {
+      job->post([this, words = QString::fromUtf8(error.what())] { fail(words, Stage::posed); });
+    }
+  });
+}
+
+void ProblemController::show_state(const std::shared_ptr<Post>& post) {
+  int step = 0, vertices = 0;
+  double energy = 0;
+  {
+    const std::lock_guard lock(post->mutex);
+    picture_.patch = std::exchange(post->newest, nullptr);
+    picture_.arrival = Arrival::with_the_next;
+    step = post->step;
+    energy = post->energy;
+    vertices = post->free_vertices;
+  }
+  go_to(Stage::evolving, tr("Step %1, energy %2, %3 vertices").arg(step).arg(labels::number(energy)).arg(vertices));
+  Q_EMIT picture_changed();
+}
+
+void ProblemController::on_solved(std::shared_ptr<const Solution> solution, const OpenedScanPtr& made,
+                                  std::shared_ptr<const SurfaceShape> shape) {
+  job_.reset();
+  if (!made) {
+    picture_.patch = start_shape_;
+    picture_.arrival = Arrival::at_once;
+    fail(text(solution->refusal) + QLatin1Char('.'), Stage::posed);
+    Q_EMIT picture_changed();
+    return;
+  }
+  solution_ = std::move(solution);
+  made_ = made;
+  picture_.patch = std::move(shape);
+  picture_.arrival = Arrival::soon;
+  const bool rest = solution_->outcome.status == PatchStatus::converged;
+  QString words =
+      (rest ? tr("Converged after %1 steps, energy %2 \u2192 %3.") : tr("%1 steps, energy %2 \u2192 %3."))
+          .arg(solution_->outcome.steps)
+          .arg(labels::number(solution_->outcome.energy.initial), labels::number(solution_->outcome.energy.final));
+  if (!solution_->outcome.message.empty())
+    words += QLatin1Char(' ') + labels::sentence(text(solution_->outcome.message)) + QLatin1Char('.');
+  go_to(Stage::solved, words);
+  Q_EMIT picture_changed();
+}
+
+void ProblemController::cancel() {
+  if (!busy()) return;
+  job_->cancel();
+  job_.reset();
+  if (!posed_) {
+    discard();
+    return;
+  }
+  picture_.patch = start_shape_;
+  picture_.arrival = Arrival::at_once;
+  go_to(Stage::posed, tr("Cancelled."));
+  Q_EMIT picture_changed();
+}
+
+void ProblemController::accept() {
+  if (stage_ != Stage::solved || controller_.busy()) return;
+  const OpenedScanPtr made = made_;
+  const std::vector<int> scans = wish_.scans;
+  const QString words = wish_.name;
+  discard();
+  controller_.replace_scans(scans, made, words);
+  Q_EMIT accepted(tr("%1: taken over. Ctrl+Z takes it back.").arg(words));
+}
+
+ComparisonSource ProblemController::race_source() const {
+  return {wish_.name, [start = posed_->problem.start](const CancelToken&) { return start; }, picture_.backdrop,
+          document_.origin()};
+}
+
+QString ProblemController::adopt(const ComparedRun& lane) {
+  if (!posed_ || busy() || controller_.busy()) return tr("The main window is busy, or has gone on to something else.");
+  job_ = std::make_shared<Job>(this);
+  go_to(Stage::evolving, tr("Taking over\u2026"));
+  struct Taken {
+    std::shared_ptr<const Solution> solution;
+    OpenedScanPtr made;
+    std::shared_ptr<const SurfaceShape> shape;
+  };
+  tasks_.run(
+      job_,
+      [posed = posed_, lane, origin = document_.origin(), name = wish_.made_name] {
+        auto solution = std::make_shared<Solution>();
+        solution->outcome = lane;
+        solution->surface = posed->problem.surface(lane.patch);
+        const OpenedScanPtr made = made_scan(solution->surface, name, origin);
+        return Taken{std::move(solution), made, lane.shape};
+      },
+      [this](const Taken& taken) {
+        on_solved(taken.solution, taken.made, taken.shape);
+        accept();
+      },
+      [this](const QString& text) { fail(text, Stage::posed); });
+  return tr("%1 was taken over into the main window; Ctrl+Z there takes it back.").arg(labels::flow_name(lane.flow));
+}
+
+bool ProblemController::shut_down(std::chrono::milliseconds at_most) {
+  if (job_) job_->cancel();
+  return tasks_.wait(at_most);
+}
+
+}  // namespace loopmend

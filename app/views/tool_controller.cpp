@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/tool_controller.h"
+
+#include "document/labels.h"
+#include "jobs/problem_base.h"
+#include "problems/facing_loops.h"
+#include "views/mesh_view.h"
+
+#include <algorithm>
+
+namespace loopmend {
+
+ToolController::ToolController(Document& document, HoleSelection& selection, FillController& controller, MeshView& view,
+                               QObject* parent)
+    : QObject(parent),
+      document_(document),
+      selection_(selection),
+      view_(view),
+      region_(new RegionTool(document, this)),
+      points_(new PointsTool(document, this)),
+      part_(new PartTool(document, this)),
+      trial_(new ProblemController(document, controller, this)),
+      place_(new PlacePart(document, controller, this)),
+      points_box_(new PointsBox(document, *points_)),
+      blend_box_(new BlendBox(document, selection, *part_)),
+      trial_box_(new ProblemBox(*trial_)),
+      panel_(new ToolsPanel(new RegionBox(*region_), points_box_, blend_box_, trial_box_)) {
+  connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
+  connect(region_, &RegionTool::changed, this, [this] {
+    give_up_trial();
+    show_region();
+  });
+  connect(points_box_, &PointsBox::changed, this, [this] {
+    if (panel_->tool() == Tool::points) give_up_trial();
+    view_.update_tool();
+  });
+  connect(blend_box_, &BlendBox::changed, this, [this] {
+    if (panel_->tool() == Tool::blend) give_up_trial();
+    view_.update_tool();
+  });
+  connect(blend_box_, &BlendBox::select_facing_wanted, this, &ToolController::select_facing);
+  connect(part_, &PartTool::placed, this, [this] {
+    give_up_trial();
+    view_.place_scan(part_->scan(), part_->placement().matrix());
+  });
+  connect(part_, &PartTool::released, this, [this] {
+    if (part_->is_moved()) place_->place(part_->scan(), part_->placement());
+  });
+  connect(place_, &PlacePart::placed, this, &ToolController::on_placed);
+  connect(place_, &PlacePart::failed, this, &ToolController::failed);
+  connect(trial_, &ProblemController::picture_changed, this, [this] {
+    view_.show_trial(trial_->picture());
+    // What is shown now is not what the handle holds.
+    if (panel_->tool() == Tool::blend) view_.set_tool(trial_->picture().patch ? nullptr : part_);
+    show_region();
+  });
+  connect(trial_, &ProblemController::stage_changed, this, &ToolController::on_stage);
+  connect(trial_, &ProblemController::failed, this, &ToolController::failed);
+  connect(trial_, &ProblemController::accepted, this, &ToolController::notice);
+  connect(trial_box_, &ProblemBox::preview_wanted, this, [this] { pose(Then::look); });
+  connect(trial_box_, &ProblemBox::evolve_wanted, this, [this] { pose(Then::evolve); });
+  connect(trial_box_, &ProblemBox::compare_wanted, this, [this] { pose(Then::compare); });
+  connect(trial_box_, &ProblemBox::cancel_wanted, trial_, &ProblemController::cancel);
+  connect(trial_box_, &ProblemBox::accept_wanted, trial_, &ProblemController::accept);
+  connect(trial_box_, &ProblemBox::discard_wanted, trial_, &ProblemController::discard);
+  connect(trial_box_, &ProblemBox::copy_wanted, this, &ToolController::copy_command);
+}
+
+void ToolController::take(Tool tool) { panel_->choose(tool); }
+
+void ToolController::on_tool(Tool tool) {
+  give_up_trial();
+  if (tool != Tool::blend) part_->set_scan(-1);
+  switch (tool) {
+    case Tool::none: view_.set_tool(nullptr); break;
+    case Tool::region: view_.set_tool(region_); break;
+    case Tool::points: view_.set_tool(points_); break;
+    case Tool::blend: view_.set_tool(part_); break;
+  }
+  show_region();
+  update_wanting();
+  Q_EMIT tool_changed(tool);
+}
+
+bool ToolController::step_back() {
+  if (trial_->busy()) {
+    trial_->cancel();
+  } else if (trial_->stage() != ProblemController::Stage::none) {
+    trial_->discard();
+  } else if (panel_->tool() != Tool::none) {
+    take(Tool::none);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// What was posed is no longer what is chosen.
+void ToolController::give_up_trial() {
+  current_ = false;
+  trial_->discard();
+  update_wanting();
+}
+
+void ToolController::update_wanting() {
+  QString words;
+  switch (panel_->tool()) {
+    case Tool::none: break;
+    case Tool::region: words = region_->count() > 0 ? QString() : tr("Paint a region first."); break;
+    case Tool::points: words = points_box_->wanting(); break;
+    case Tool::blend: words = blend_box_->wanting(); break;
+  }
+  trial_box_->set_wanting(words);
+}
+
+/// The painted triangles, until what becomes of them is shown.
+void ToolController::show_region() {
+  const bool shown = panel_->tool() == Tool::region && trial_->picture().patch == nullptr;
+  view_.show_marked(shown ? region_->shape() : nullptr);
+}
+
+void ToolController::pose(Then then) {
+  then_ = then;
+  if (current_ && trial_->can_compare()) {
+    on_stage();
+    return;
+  }
+  if (panel_->tool() == Tool::none) return;
+  trial_->pose(wish());
+  current_ = true;
+}
+
+ProblemRequest ToolController::wish() const {
+  switch (panel_->tool()) {
+    case Tool::none: break;
+    case Tool::region: return region_wish();
+    case Tool::points: return points_wish();
+    case Tool::blend: return blend_wish();
+  }
+  return {};
+}
+
+void ToolController::copy_command() {
+  if (panel_->tool() != Tool::none)
+    Q_EMIT notice(copy_to_clipboard(solving_command(wish().command, trial_box_->options())));
+}
+
+void ToolController::on_stage() {
+  if (trial_->stage() == ProblemController::Stage::none) current_ = false;
+  if (!trial_->can_compare()) return;
+  switch (std::exchange(then_, Then::look)) {
+    case Then::look: break;
+    case Then::evolve: trial_->evolve(trial_box_->options()); break;
+    case Then::compare: Q_EMIT compare_wanted(); break;
+  }
+}
+
+ProblemRequest ToolController::region_wish() const {
+  ProblemRequest wish;
+  const QString scan = document_.scan(region_->scan())->name;
+  wish.name = tr("Region of %1").arg(scan);
+  wish.made_name = scan;
+  wish.scans = {region_->scan()};
+  wish.command = region_words(document_, region_->scan(), region_->vertices());
+  wish.pose = [vertices = region_->vertices()](const ProblemBase& base, const CancelToken&) {
+    return pose_region(base.model, vertices);
+  };
+  return wish;
+}
+
+ProblemRequest ToolController::points_wish() const {
+  ProblemRequest wish;
+  const QString scan = document_.scan(points_->scan())->name;
+  wish.name = tr("Surface through the points of %1").arg(scan);
+  wish.made_name = scan;
+  wish.scans = {points_->scan()};
+  wish.command = points_words(document_, points_->scan(), points_box_->options());
+  wish.pose = [options = points_box_->options()](const ProblemBase& base, const CancelToken&) {
+    return pose_points(base.model, options);
+  };
+  wish.around = ProblemRequest::Around::hidden;
+  return wish;
+}
+
+ProblemRequest ToolController::blend_wish() const {
+  struct Chosen {
+    std::size_t part;
+    std::shared_ptr<const OpenedScan> scan;
+    BoundaryLoop loop;
+  };
+  ProblemRequest wish;
+  std::vector<Chosen> chosen;
+  const std::vector<int> loops = blend_box_->loops();
+  for (int loop : loops) {
+    const int scan = document_.scan_of(loop);
+    auto at = std::find(wish.scans.begin(), wish.scans.end(), scan);
+    if (at == wish.scans.end()) at = wish.scans.insert(wish.scans.end(), scan);
+    chosen.push_back({static_cast<std::size_t>(at - wish.scans.begin()), document_.scan(scan), document_.loop(loop)});
+  }
+  QStringList names;
+  for (int scan : wish.scans) names << document_.scan(scan)->name;
+  wish.name = tr("Blend of %1").arg(labels::holes(document_, {loops.begin(), loops.end()}));
+  wish.made_name = names.join(QStringLiteral(" + "));
+  wish.command = blend_words(document_, loops, blend_box_->density());
+  wish.pose = [chosen, density = blend_box_->density()](const ProblemBase& base, const CancelToken& cancel) {
+    std::vector<BoundaryLoop> ends;
+    for (const Chosen& one : chosen) ends.push_back(loop_in_base(base, one.part, *one.scan, one.loop));
+    return pose_bridge(base.model, ends, InitialPatchOptions{density}, cancel);
+  };
+  return wish;
+}
+
+void ToolController::select_facing() {
+  std::vector<FacingPart> parts;
+  const std::vector<int> scans = document_.scans();
+  for (int index : scans) {
+    const auto scan = document_.scan(index);
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : scan->model->soup.points) sum += p;
+    parts.push_back({scan->model.get(), scan->loops,
+                     sum / static_cast<double>(std::max<std::size_t>(1, scan->model->soup.points.size()))});
+  }
+  try {
+    std::set<int> loops;
+    const std::vector<std::size_t> best = facing_loops(parts);
+    for (std::size_t k = 0; k < best.size(); ++k)
+      loops.insert(document_.first_loop_of(scans[k]) + static_cast<int>(best[k]));
+    selection_.select(loops);
+  } catch (const std::exception& error) {
+    Q_EMIT failed(labels::sentence(QString::fromUtf8(error.what())));
+  }
+}
+
+/// The part is another scan now; what was selected on it stays selected.
+void ToolController::on_placed(int old_scan, int new_scan) {
+  std::set<int> loops;
+  for (int loop : selection_.selected()) {
+    if (document_.scan_of(loop) != old_scan) {
+      loops.insert(loop);
+      continue;
+    }
+    const int number = document_.loop(loop).number;
+    for (int k = document_.first_loop_of(new_scan); k < document_.loop_count() && document_.scan_of(k) == new_scan; ++k)
+      if (document_.loop(k).number == number) loops.insert(k);
+  }
+  selection_.select(loops);
+  part_->set_scan(new_scan);
+  blend_box_->follow();
+  view_.update_tool();
+}
+
+bool ToolController::shut_down(std::chrono::milliseconds at_most) {
+  const bool tried = trial_->shut_down(at_most);
+  return place_->shut_down(at_most) && tried;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Region, points, blend: wires the tools in hand, the box they end in, and the picture.
+#pragma once
+
+#include "jobs/place_part.h"
+#include "jobs/problem_controller.h"
+#include "tools/tools_panel.h"
+
+#include <QObject>
+
+namespace loopmend {
+
+class MeshView;
+
+class ToolController : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolController(Document& document, HoleSelection& selection, FillController& controller, MeshView& view,
+                 QObject* parent);
+
+  ToolsPanel* panel() { return panel_; }
+  ProblemController& trial() { return *trial_; }
+  RegionTool& region() { return *region_; }
+  PointsTool& points() { return *points_; }
+  PartTool& part() { return *part_; }
+
+  void take(Tool tool);
+  /// As the buttons do.
+  void evolve() { pose(Then::evolve); }
+  void compare() { pose(Then::compare); }
+  /// Of each part the loop that looks at the others most.
+  void select_facing();
+  /// Esc: @returns whether there was something to step back from.
+  bool step_back();
+  bool shut_down(std::chrono::milliseconds at_most);
+
+ Q_SIGNALS:
+  void tool_changed(Tool tool);
+  void compare_wanted();
+  void failed(const QString& words);
+  void notice(const QString& words);
+
+ private:
+  enum class Then { look, evolve, compare };
+  void on_tool(Tool tool);
+  void pose(Then then);
+  void on_stage();
+  void give_up_trial();
+  void update_wanting();
+  void show_region();
+  ProblemRequest wish() const;
+  void copy_command();
+  void on_placed(int old_scan, int new_scan);
+  ProblemRequest region_wish() const;
+  ProblemRequest points_wish() const;
+  ProblemRequest blend_wish() const;
+
+  Document& document_;
+  HoleSelection& selection_;
+  MeshView& view_;
+  RegionTool* region_;
+  PointsTool* points_;
+  PartTool* part_;
+  ProblemController* trial_;
+  PlacePart* place_;
+  PointsBox* points_box_;
+  BlendBox* blend_box_;
+  ProblemBox* trial_box_;
+  ToolsPanel* panel_;
+  Then then_ = Then::look;
+  bool current_ = false;  ///< the trial is of what is chosen now
+};
+
+}  // namespace loopmend

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filling/loop_patch.h"
+
+#include "core/error.h"
+#include "filling/fairing.h"
+#include "filling/triangulate_loop.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
+#include "remeshing/constrained_remesher.h"
+#include "remeshing/patch_remesh.h"
+#include "remeshing/size_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int longest_for_cubic_first = 100;
+constexpr int longest_for_cubic = 350;  // docs/dev/filling.md, "Triangulation"
+constexpr int longest_for_all_methods = 5000;
+constexpr std::size_t from_coarse_to_fine = 200;  // vertices
+constexpr int beyond_the_cache = 5000;            // free vertices on the last coarse level
+constexpr double most_vertices = 2e6;             // some 13 GB of solver memory
+
+/// Everything the initial patch needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
+struct LoopSite {
+  int n = 0;
+  Points points;             ///< the loop, then the rings around it
+  Triangles surroundings;    ///< over `points`
+  std::vector<double> size;  ///< n: mean length of the edges of the surroundings at each loop vertex
+  RimNormals rim_normals;
+  Patch frame;  ///< an empty patch: its centre and scale
+};
+
+LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
+  LoopSite site;
+  LoopPatch empty;
+  for (int v : loop.vertices) empty.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  site.frame = make_patch(model, {loop}, {empty});
+  site.n = loop.edges();
+  site.points = site.frame.positions;  // no free vertices, and ring 1 comes first: the loop in its own order
+  site.surroundings = site.frame.triangles;
+
+  std::vector<double> sum(site.points.size(), 0), count(site.points.size(), 0);
+  std::set<std::pair<int, int>> rim;
+  for (int i = 0; i < site.n; ++i) rim.insert({i, (i + 1) % site.n});
+  for (const Triangle& t : site.surroundings)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      const double length = (site.points[a] - site.points[b]).norm();
+      for (int v : {a, b}) {
+        sum[v] += length;
+        count[v] += 1;
+      }
+      if (rim.count({b, a}))
+        site.rim_normals[{b, a}] = unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+    }
+  for (int i = 0; i < site.n; ++i) site.size.push_back(sum[i] / std::max(1.0, count[i]));
+  return site;
+}
+
+/// A triangulation on its way to a initial patch: the loop's n points first, then new ones.
+struct Candidate {
+  Points points;
+  Triangles triangles;
+  Validity quality;
+
+  int badness() const { return quality.folds + quality.intersections; }
+  /// Bad enough to try another triangulation: the folds on a rim that turns back are nobody's fault.
+  bool wants_another(int rim) const { return quality.intersections > 0 || (quality.folds > 0 && quality.folds < rim); }
+};
+
+/// Patch and surroundings in one list, the patch's triangles first.
+void join(const LoopSite& site, const Candidate& c, Points& points, Triangles& triangles) {
+  points = c.points;
+  points.insert(points.end(), site.points.begin() + site.n, site.points.end());
+  triangles = c.triangles;
+  const int shift = static_cast<int>(c.points.size()) - site.n;
+  for (Triangle t : site.surroundings) {
+    for (int& v : t) v = v < site.n ? v : v + shift;
+    triangles.push_back(t);
+  }
+}
+
+Validity assess(const LoopSite& site, const Candidate& c) {
+  Points points;
+  Triangles triangles;
+  join(site, c, points, triangles);
+  const int count = static_cast<int>(c.triangles.size());
+  Validity quality;
+  quality.folds = count_folds(points, triangles, count);
+  quality.intersections = static_cast<int>(self_intersections(points, triangles, count).size());
+  quality.min_angle_deg = min_angle_deg(points, triangles, count);
+  return quality;
+}
+
+/// The triangulations to try, best first; stops at the first that is neither folded nor cut.
+std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelToken& cancel) {
+  std::vector<TriangulationMethod> methods;
+  if (site.n <= longest_for_cubic_first)
+    methods = {TriangulationMethod::cubic, TriangulationMethod::delaunay, TriangulationMethod::planar};
+  else if (site.n <= longest_for_cubic)
+    methods = {TriangulationMethod::delaunay_only, TriangulationMethod::cubic, TriangulationMethod::planar};
+  else if (site.n <= longest_for_all_methods)
+    methods = {TriangulationMethod::delaunay_only, TriangulationMethod::planar};
+  else
+    methods = {TriangulationMethod::planar, TriangulationMethod::delaunay_only};
+  std::vector<int> loop(site.n);
+  for (int i = 0; i < site.n; ++i) loop[i] = i;
+  std::vector<Candidate> candidates;
+  for (TriangulationMethod method : methods) {
+    if (cancel.cancelled()) break;
+    Candidate c;
+    c.triangles = triangulate_loop(site.points, site.surroundings, loop, method);
+    if (c.triangles.empty()) continue;
+    c.points.assign(site.points.begin(), site.points.begin() + site.n);
+    c.quality = assess(site, c);
+    candidates.push_back(std::move(c));
+    if (!candidates.back().wants_another(site.n)) break;
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.badness() < b.badness(); });
+  return candidates;
+}
+
+ConstrainedRemesher guarded(const LoopSite& site, const SizeField& size, const Candidate& c) {
+  return ConstrainedRemesher(c.points, c.triangles, site.n, site.rim_normals,
+                             [&size](const Vec3& p) { return size.at(p); });
+}
+
+Candidate harvest(const LoopSite& site, const ConstrainedRemesher& mesh) {
+  Candidate c;
+  c.points = mesh.points();
+  c.triangles = mesh.triangles();
+  c.quality = assess(site, c);
+  return c;
+}
+
+constexpr int remesh_rounds = 5;
+constexpr int relax_rounds = 8;
+constexpr double still = 0.05;  ///< relaxation that wants no vertex further, in target lengths, is done
+
+bool relax_once(ConstrainedRemesher& mesh) {
+  const double wanted = mesh.move_towards(minimal_surface_step(mesh.points(), mesh.triangles(), mesh.locked()));
+  mesh.flip_to_delaunay();
+  mesh.smooth_tangentially();
+  return wanted > still;
+}
+
+/// The same, on a mesh that its splits would scatter over the memory.
+bool remesh_sorted(ConstrainedRemesher& mesh) {
+  if (mesh.free_count() > beyond_the_cache) {
+    mesh.split_long_edges();
+    mesh.sort_in_space();
+  }
+  return remesh_once(mesh);
+}
+
+/// The same for all but small patches: the shape is found on coarse meshes, where a round costs little.
+void coarse_to_fine(ConstrainedRemesher& mesh, InitialShape shape, const CancelToken& cancel) {
+  for (double coarser : {8.0, 4.0, 2.0}) {
+    mesh.scale_sizes(coarser);
+    remesh_sorted(mesh);
+    remesh_once(mesh);
+    if (cancel.cancelled()) return;
+    if (shape == InitialShape::minimal) relax_once(mesh);
+    mesh.scale_sizes(1 / coarser);
+    if (cancel.cancelled()) return;
+  }
+  if (remesh_sorted(mesh) && !cancel.cancelled()) remesh_once(mesh);
+  if (shape == InitialShape::minimal && !cancel.cancelled()) relax_once(mesh);
+}
+
+/// Runs a phase on a copy; keeps its result unless it is worse than what was.
+template <class Phase>
+bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, const Phase& phase) {
+  ConstrainedRemesher mesh = guarded(site, size, best);
+  phase(mesh);
+  Candidate next = harvest(site, mesh);
+  if (next.badness() > best.badness()) return false;
+  best = std::move(next);
+  return true;
+}
+
+/// Where a round would make a patch worse that cuts nothing: those parts of it that do not. Splits leave the shape as it is,
+/// only that there are more edges to count along its folds.
+void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& best, const CancelToken& cancel) {
+  if (best.quality.intersections > 0 || cancel.cancelled()) return;
+  ConstrainedRemesher mesh = guarded(site, size, best);
+  mesh.split_long_edges();
+  best = harvest(site, mesh);
+  const auto keep_if_no_worse = [&](const auto& part) {
+    if (!cancel.cancelled()) try_phase(site, size, best, part);
+  };
+  keep_if_no_worse([](ConstrainedRemesher& m) { m.flip_to_delaunay(); });
+  keep_if_no_worse([](ConstrainedRemesher& m) { m.collapse_short_edges(); });
+  keep_if_no_worse([](ConstrainedRemesher& m) { m.smooth_tangentially(); });
+}
+
+/// Refinement, remeshing and relaxation (docs/dev/filling.md, "Remeshing and relaxation"). A phase that makes the patch
+/// worse is tried again in its first round only, then left out or, if it is the remeshing, taken apart.
+Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, InitialShape shape, bool large,
+                 const CancelToken& cancel) {
+  const auto rounds = [&](int count, bool (*round)(ConstrainedRemesher&)) {
+    return [=, &cancel](ConstrainedRemesher& mesh) {
+      for (int k = 0; k < count && !cancel.cancelled(); ++k)
+        if (!round(mesh)) break;
+    };
+  };
+  if (large && try_phase(site, size, best, [&](ConstrainedRemesher& mesh) { coarse_to_fine(mesh, shape, cancel); }))
+    return best;
+  if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)) &&
+      !try_phase(site, size, best, rounds(1, remesh_once)))
+    remesh_bit_by_bit(site, size, best, cancel);
+  const int most = shape == InitialShape::triangulated ? 0 : large ? 2 : relax_rounds;
+  if (most > 0 && !try_phase(site, size, best, rounds(most, relax_once)))
+    try_phase(site, size, best, rounds(1, relax_once));
+  for (int attempt = 0; attempt < 3 && best.badness() > 0 && !cancel.cancelled(); ++attempt) {
+    const int before = best.badness();
+    try_phase(site, size, best, [](ConstrainedRemesher& mesh) {
+      mesh.untangle();
+      remesh_once(mesh);
+    });
+    if (best.badness() == before) break;
+  }
+  return best;
+}
+
+/// A loop of three edges whose triangle is there already, on the other side: an isolated triangle, not a hole.
+bool closes_a_lone_triangle(const LoopSite& site) {
+  return site.n == 3 && std::any_of(site.surroundings.begin(), site.surroundings.end(), [](const Triangle& t) {
+           return std::max({t[0], t[1], t[2]}) < 3;
+         });
+}
+
+std::string reason_not_to_fill(const BoundaryLoop& loop) {
+  if (!(loop.diameter > 0)) return "all vertices of the loop are in one place";
+  switch (loop.kind) {
+    case LoopKind::hole:
+    case LoopKind::outer_rim: return "";
+    case LoopKind::touching:
+      return "the loop touches another loop, or itself, at a vertex: which way round to fill it is not determined";
+    case LoopKind::crack:
+      return "a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them; welding "
+             "the vertices joins them";
+    case LoopKind::cut:
+      return "no hole: it runs where the surface had to be cut, along an edge with more than two faces or because the "
+             "surface is one-sided";
+  }
+  return "";
+}
+
+/// Vertices of equilateral triangles with the rim's mean edge length over the loop's area.
+double expected_vertices(double area, const std::vector<double>& sizes) {
+  double mean = 0;
+  for (double size : sizes) mean += size / static_cast<double>(sizes.size());
+  return area / (0.866 * mean * mean);
+}
+
+std::string why_no_triangulation(const LoopSite& site) {
+  int without_length = 0;
+  for (int i = 0; i < site.n; ++i) without_length += site.points[i] == site.points[(i + 1) % site.n];
+  if (without_length > 0)
+    return std::to_string(without_length) + " edges of this loop have no length; welding their vertices would help";
+  return "no valid triangulation of this loop was found";
+}
+
+std::string remaining_faults(const Validity& quality) {
+  std::string text;
+  if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
+  if (quality.intersections > 0)
+    text += (text.empty() ? "" : " and ") + std::to_string(quality.intersections) + " self-intersections";
+  return text.empty() ? text : "the filler has " + text + " left";
+}
+
+}  // namespace
+
+void check(const InitialPatchOptions& options) {
+  if (!(options.density >= 0.1 && options.density <= 10))
+    throw InvalidArgument("the density must lie between 0.1 and 10, not " + std::to_string(options.density));
+}
+
+LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const InitialPatchOptions& options,
+                           const CancelToken& cancel) {
+  check(options);
+  LoopPatchOutcome outcome;
+  outcome.message = reason_not_to_fill(loop);
+  if (!outcome.message.empty()) return outcome;
+  const LoopSite site = make_site(model, loop);
+  if (closes_a_lone_triangle(site)) {
+    outcome.message = "the loop is the rim of a single triangle";
+    return outcome;
+  }
+  std::vector<double> sizes = site.size;
+  for (double& size : sizes) size /= options.density;
+  const double vertices = expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
+  if (vertices > most_vertices) {
+    outcome.message = "the patch would need about " + std::to_string(static_cast<long>(vertices / 1e6)) +
+                      " million vertices: a lower density needs fewer";
+    return outcome;
+  }
+  const std::vector<Candidate> candidates = first_triangulations(site, cancel);
+  if (candidates.empty()) {
+    if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
+    return outcome;
+  }
+  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
+  Candidate best;
+  for (const Candidate& candidate : candidates) {
+    Candidate refined = refine(site, size, candidate, options.shape, vertices > from_coarse_to_fine, cancel);
+    if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
+    if (!best.wants_another(site.n) || cancel.cancelled()) break;
+  }
+  if (cancel.cancelled()) return outcome;
+
+  LoopPatch filler;
+  for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  for (std::size_t i = site.n; i < best.points.size(); ++i) filler.points.push_back(site.frame.to_mesh(best.points[i]));
+  filler.triangles = std::move(best.triangles);
+  outcome.patch = std::move(filler);
+  outcome.quality = best.quality;
+  outcome.message = remaining_faults(best.quality);
+  return outcome;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a boundary loop to the initial patch: triangulate, refine to the density of the surroundings, remesh, relax.
+#pragma once
+
+#include "core/cancel.h"
+#include "mesh/patch.h"
+#include "mesh/validity.h"
+
+#include <optional>
+#include <string>
+
+namespace loopmend {
+
+enum class InitialShape {
+  minimal,       ///< relaxed to a minimal surface
+  triangulated,  ///< as the loop's triangulation lies in space, with its creases: nearer to bulging surroundings
+};
+
+struct InitialPatchOptions {
+  double density = 1;  ///< edges per length relative to the surroundings, 0.1..10: 2 halves the edge length
+  InitialShape shape = InitialShape::minimal;
+};
+
+/// @throws InvalidArgument if an option is out of range.
+void check(const InitialPatchOptions& options);
+
+struct LoopPatchOutcome {
+  std::optional<LoopPatch> patch;  ///< empty when there is no valid triangulation, or when cancelled
+  std::string message;             ///< why there is none, or what is left to wish; empty when all is well
+  Validity quality;
+};
+
+/// Reads the model, never changes it. No new vertex lies on the loop.
+/// @throws InvalidArgument if the density is out of range.
+LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const InitialPatchOptions& options,
+                           const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remeshing/size_field.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+
+namespace loopmend {
+
+namespace {
+
+namespace bg = boost::geometry;
+using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
+
+/// By how much the target may fall per length of way from the rim.
+constexpr double steepest_fall = 0.4;
+
+}  // namespace
+
+struct SizeField::Rim {
+  bg::index::rtree<TreePoint, bg::index::quadratic<16>> tree;
+
+  double distance(const Vec3& p) const {
+    const TreePoint place(p.x(), p.y(), p.z());
+    return bg::distance(place, *tree.qbegin(bg::index::nearest(place, 1)));
+  }
+};
+
+SizeField::SizeField(const Points& places, const std::vector<double>& sizes, const Grading& grading)
+    : grading_(grading) {
+  const std::size_t stride = 1 + places.size() / 256;
+  double mean = 0;
+  for (std::size_t i = 0; i < places.size(); i += stride) {
+    place_.push_back(places[i]);
+    size_.push_back(sizes[i]);
+    mean += sizes[i];
+  }
+  mean /= static_cast<double>(place_.size());
+  floor_ = 0.01 * mean * mean;
+  if (grading.density <= 1 && grading.growth == 0) return;
+  std::vector<TreePoint> points;
+  for (const Vec3& p : places) points.emplace_back(p.x(), p.y(), p.z());
+  rim_ = std::make_unique<Rim>();
+  rim_->tree = decltype(rim_->tree)(points);
+}
+
+SizeField::~SizeField() = default;
+SizeField::SizeField(SizeField&&) noexcept = default;
+SizeField& SizeField::operator=(SizeField&&) noexcept = default;
+
+double SizeField::at(const Vec3& p) const {
+  double sum = 0, total = 0;
+  for (std::size_t k = 0; k < place_.size(); ++k) {
+    const double d = (p - place_[k]).squaredNorm() + floor_;
+    const double weight = 1 / (d * d);
+    sum += weight * size_[k];
+    total += weight;
+  }
+  const double rim = sum / total;
+  if (!rim_) return rim / grading_.density;
+  const double way = rim_->distance(p);
+  if (grading_.growth > 0) return std::max(rim, std::min(rim + grading_.growth * way, grading_.longest));
+  return std::max(rim / grading_.density, rim - steepest_fall * way);
+}
+
+}  // namespace loopmend
