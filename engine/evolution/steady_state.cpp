@@ -217,9 +217,22 @@ void SteadyState::after_step(EvolvingPatch& patch, int rejections, double energy
   patch.improve_mesh(std::min(1.2 * patch.state.measure, energy_before));
 }
 
+namespace {
+
+/// Large patches do with about the slowest decay rate: that itself takes as long as a step.
+double damping_unit_of(const EvolvingPatch& patch) {
+  constexpr int most_for_exact = 20'000;  // free vertices
+  const Patch& present = patch.state.patch;
+  const double rate = present.free_count > most_for_exact ? rough_decay_rate(patch.options.flow, present)
+                                                          : slowest_decay_rate(patch.options.flow, present);
+  return rate > 0 ? rate : 1;
+}
+
+}  // namespace
+
 void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& cancel) {
   Stopwatch watch;
-  if (unit_ == 0) unit_ = rough_decay_rate(patch.options.flow, patch.state.patch);
+  if (unit_ == 0) unit_ = damping_unit_of(patch);
   if (!(mu_ > 0)) mu_ = unit_ / (2 * first_sigma);
   add_weights(patch.state, patch.objective, patch.stencil);
   DampedStep damped(patch, solver_);
