@@ -282,12 +282,12 @@
             <translation>Das Hauptfenster ist beschäftigt. Danach noch einmal versuchen.</translation>
         </message>
         <message>
-            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
-            <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
-        </message>
-        <message>
             <source>Take this surface over into the document, in place of what it came from; can be undone</source>
             <translation>Diese Fläche ins Dokument übernehmen, anstelle dessen, woraus sie entstand; lässt sich rückgängig machen</translation>
+        </message>
+        <message>
+            <source>%1 was applied in the main window; Ctrl+Z there undoes it.</source>
+            <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
         </message>
     </context>
     <context>
@@ -659,20 +659,12 @@
     <context>
         <name>loopmend::DecisionBox</name>
         <message>
-            <source>the filler</source>
-            <translation>der Füller</translation>
-        </message>
-        <message>
             <source>3  Look back, decide</source>
             <translation>3  Zurückschauen, entscheiden</translation>
         </message>
         <message>
             <source>Timeline</source>
             <translation>Zeitleiste</translation>
-        </message>
-        <message>
-            <source>Go back to any recorded state, from the filler on the left to the latest</source>
-            <translation>Zu jedem aufgezeichneten Zustand zurück, vom Füller links bis zum letzten</translation>
         </message>
         <message>
             <source>&amp;Accept</source>
@@ -725,6 +717,14 @@
         <message>
             <source>step %1</source>
             <translation>Schritt %1</translation>
+        </message>
+        <message>
+            <source>the initial patch</source>
+            <translation>die erste Fläche</translation>
+        </message>
+        <message>
+            <source>Go back to any recorded state, from the initial patch on the left to the latest</source>
+            <translation>Zu jedem aufgezeichneten Zustand zurück, von der ersten Fläche links bis zum letzten</translation>
         </message>
     </context>
     <context>
@@ -1102,8 +1102,8 @@
             <translation> STL rundet: Ecken wurden um bis zu %1 verschoben; PLY behält jede Stelle.</translation>
         </message>
         <message>
-            <source> Left open, because the patch cuts the surface: %1.</source>
-            <translation> Offen gelassen, weil der Flicken die Fläche schneidet: %1.</translation>
+            <source> Left open, because the patch cuts the surface or another patch: %1.</source>
+            <translation> Offen gelassen, weil der Flicken die Fläche oder einen anderen schneidet: %1.</translation>
         </message>
     </context>
     <context>
@@ -2376,10 +2376,6 @@
             <translation>Abgebrochen.</translation>
         </message>
         <message>
-            <source>%1: taken over. Ctrl+Z takes it back.</source>
-            <translation>%1: übernommen. Strg+Z nimmt es zurück.</translation>
-        </message>
-        <message>
             <source>The main window is busy, or has gone on to something else.</source>
             <translation>Das Hauptfenster ist beschäftigt oder schon bei etwas anderem.</translation>
         </message>
@@ -2388,7 +2384,11 @@
             <translation>Wird übernommen…</translation>
         </message>
         <message>
-            <source>%1 was taken over into the main window; Ctrl+Z there takes it back.</source>
+            <source>%1: applied. Ctrl+Z undoes it.</source>
+            <translation>%1: übernommen. Strg+Z nimmt es zurück.</translation>
+        </message>
+        <message>
+            <source>%1 was applied in the main window; Ctrl+Z there undoes it.</source>
             <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
         </message>
     </context>
@@ -2568,8 +2568,8 @@
             <translation>Flicken</translation>
         </message>
         <message>
-            <source>filler</source>
-            <translation>Füller</translation>
+            <source>initial patch</source>
+            <translation>erste Fläche</translation>
         </message>
     </context>
     <context>
@@ -3471,9 +3471,6 @@
             <source>Will not be saved: %1.</source>
             <translation>Wird nicht gespeichert: %1.</translation>
         </message>
-    </context>
-    <context>
-        <name>loopmend::words</name>
         <message>
             <source>%1 polygons cut into triangles</source>
             <translation>%1 Vielecke in Dreiecke zerlegt</translation>
