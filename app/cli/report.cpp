@@ -83,7 +83,8 @@ Json loop_json(const HoleResult& result) {
   json["method"] = result.method();
   json["reason"] = result.reason();
   json["attempts"] = patch.attempts;
-  if (result.patch) {
+  json["made_by"] = patch.made_by;
+  if (is_filled(result.status)) {
     const Proportion proportion = result.proportion();
     json["proportion"] = {
         {"area", number(proportion.area)}, {"depth", number(proportion.depth)}, {"energy", number(proportion.energy)}};

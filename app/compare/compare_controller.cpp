@@ -96,7 +96,7 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
       for (int loop = document_.first_loop_of(scan); loop < document_.loop_count(); ++loop)
         if (document_.scan_of(loop) == scan && document_.loop(loop).number == number) patch.loops.push_back(loop);
     controller_.adopt(std::move(patch));
-    return tr("%1 was taken over into the main window; Ctrl+Z there takes it back.").arg(labels::flow_name(lane.flow));
+    return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(lane.flow));
   };
   return compare(std::move(task), look);
 }

@@ -12,7 +12,7 @@
 namespace loopmend::labels {
 namespace {
 
-QString tr(const char* text, int n = -1) { return QCoreApplication::translate("loopmend::words", text, nullptr, n); }
+QString tr(const char* text, int n = -1) { return QCoreApplication::translate("loopmend::labels", text, nullptr, n); }
 
 // One sided fits on a triangulated scan differ by about this much even when the surface is smooth.
 constexpr double tangent_seen_deg = 2.0;
@@ -200,19 +200,19 @@ QString import_summary(const OpenedScan& scan) {
   const auto note = [&notes](std::size_t n, const char* words) {
     if (n > 0) notes << tr(words).arg(count(n));
   };
-  note(in.polygons_triangulated, QT_TRANSLATE_NOOP("loopmend::words", "%1 polygons cut into triangles"));
-  note(mended.reoriented_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 faces turned round"));
-  note(mended.degenerate_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 degenerate faces left aside"));
-  note(mended.duplicate_faces, QT_TRANSLATE_NOOP("loopmend::words", "%1 duplicate faces left aside"));
-  note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend::words", "cut along %1 non-manifold edges"));
-  note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend::words", "split at %1 non-manifold vertices"));
-  note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend::words", "%1 vertices that no face uses"));
-  note(in.missing_colors, QT_TRANSLATE_NOOP("loopmend::words", "%1 vertices without a colour, made white"));
+  note(in.polygons_triangulated, QT_TRANSLATE_NOOP("loopmend::labels", "%1 polygons cut into triangles"));
+  note(mended.reoriented_faces, QT_TRANSLATE_NOOP("loopmend::labels", "%1 faces turned round"));
+  note(mended.degenerate_faces, QT_TRANSLATE_NOOP("loopmend::labels", "%1 degenerate faces left aside"));
+  note(mended.duplicate_faces, QT_TRANSLATE_NOOP("loopmend::labels", "%1 duplicate faces left aside"));
+  note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend::labels", "cut along %1 non-manifold edges"));
+  note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend::labels", "split at %1 non-manifold vertices"));
+  note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend::labels", "%1 vertices that no face uses"));
+  note(in.missing_colors, QT_TRANSLATE_NOOP("loopmend::labels", "%1 vertices without a colour, made white"));
   int coincident = 0;
   for (const BoundaryLoop& loop : scan.loops) coincident += loop.kind == LoopKind::cut ? 0 : loop.coincident;
   if (in.coincident_vertices > 0)
     note(static_cast<std::size_t>(coincident),
-         QT_TRANSLATE_NOOP("loopmend::words",
+         QT_TRANSLATE_NOOP("loopmend::labels",
                            "%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill "
                            "--weld` joins them)"));
   if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));
@@ -222,21 +222,21 @@ QString import_summary(const OpenedScan& scan) {
 
 QString not_kept(const std::vector<NotKept>& list) {
   // Those that have a name of their own in the file, such as a property, are told as the reader calls them.
-  static const char* const known[] = {QT_TRANSLATE_NOOP("loopmend::words", "normals"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "face normals"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "texture coordinates"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "texture coordinates of faces"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "face colours"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "vertex colours"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "alpha values"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "vertices without faces"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "materials"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "material libraries"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "objects"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "groups"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "smoothing groups"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "lines"),
-                                      QT_TRANSLATE_NOOP("loopmend::words", "points")};
+  static const char* const known[] = {QT_TRANSLATE_NOOP("loopmend::labels", "normals"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "face normals"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "texture coordinates"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "texture coordinates of faces"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "face colours"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "vertex colours"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "alpha values"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "vertices without faces"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "materials"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "material libraries"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "objects"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "groups"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "smoothing groups"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "lines"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "points")};
   QStringList words;
   for (const NotKept& entry : list) {
     const auto word =

@@ -121,10 +121,7 @@ class Drive {
       parallel_for(0, static_cast<int>(task_.items.size()), 1,
                    [this](int k) { settle(task_.items[static_cast<std::size_t>(k)]); });
     } else {
-      // Each takes every so-manieth: no patch waits for another one's end.
-      const int strands = thread_budget();
-      parallel_for(0, strands, 1,
-                   [&](int first) { step_on(static_cast<std::size_t>(first), static_cast<std::size_t>(strands)); });
+      step_all();
     }
     return std::move(result_);
   }
@@ -147,7 +144,7 @@ class Drive {
   }
 
   void settle(const EvolveTask::Item& item) {
-    if (stopped()) return;
+    if (stopped() || rigid(item)) return;
     try {
       std::vector<OpenPatch> parts = SteadyRun(task_, item, recorder_, job_).run();
       const std::lock_guard lock(mutex_);
@@ -157,10 +154,11 @@ class Drive {
     }
   }
 
-  void step_on(std::size_t first, std::size_t stride) {
+  /// In rounds: one step of every patch that is not at its end.
+  void step_all() {
     std::vector<std::pair<int, Stepper>> steppers;
-    for (std::size_t k = first; k < task_.items.size() && !stopped(); k += stride) {
-      const EvolveTask::Item& item = task_.items[k];
+    for (const EvolveTask::Item& item : task_.items) {
+      if (stopped()) break;
       if (rigid(item)) continue;
       try {
         steppers.emplace_back(item.patch.id, Stepper(task_, item, recorder_));
@@ -168,21 +166,19 @@ class Drive {
         fail(item.patch.id, error.what());
       }
     }
-    bool moving = !steppers.empty();
-    while (moving && !stopped()) {
-      moving = false;
-      for (auto& [id, stepper] : steppers) {
-        if (stopped()) break;
-        if (stepper.at_rest()) continue;
-        stepper.step(job_.token());
-        moving = moving || !stepper.at_rest();
-      }
+    const auto moving = [&] {
+      return std::any_of(steppers.begin(), steppers.end(), [](const auto& entry) { return !entry.second.at_rest(); });
+    };
+    while (moving() && !stopped()) {
+      parallel_for(0, static_cast<int>(steppers.size()), 1, [&](int k) {
+        Stepper& stepper = steppers[static_cast<std::size_t>(k)].second;
+        if (!stopped() && !stepper.at_rest()) stepper.step(job_.token());
+      });
       if (task_.pace == Pace::one_step) break;
     }
     for (auto& [id, stepper] : steppers) {
       if (job_.token().cancelled()) return;
       stepper.judge();
-      const std::lock_guard lock(mutex_);
       result_.sessions[id] = stepper.session();
     }
   }

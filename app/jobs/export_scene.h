@@ -28,7 +28,8 @@ struct ExportResult {
   std::set<int> left_open;      ///< loops of the document whose patches intersect the surface or one another
 };
 
-/// The scene as it is. Patches that are `invalid` come along only where a person has accepted them.
+/// The scene as it is. Patches that are `invalid` come along only where a person has accepted them; one that intersects
+/// another patch is left out in any case.
 ExportTask export_task(const Document& document, const std::string& path);
 
 /// @throws WriteError. @returns without a file when cancelled.

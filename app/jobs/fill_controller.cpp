@@ -95,9 +95,16 @@ std::vector<FillTask> FillController::fill_tasks(const std::set<int>& loops, con
     task.options.islands = choice.islands;
     task.first_loop = document_.first_loop_of(scan);
     task.origin = document_.origin();
-    for (const OpenPatch& patch : document_.patches())
-      if (patch.scan == scan && patch.acceptance == Acceptance::pending)
-        for (int loop : patch.loops) task.filled.emplace(loop, document_.loop(loop));
+    for (const OpenPatch& patch : document_.patches()) {
+      if (patch.scan != scan) continue;
+      const bool may_change =
+          patch.acceptance == Acceptance::pending && patch.state->recipe.start == PatchRecipe::Start::holes;
+      for (int loop : patch.loops)
+        if (may_change)
+          task.filled.emplace(loop, document_.loop(loop));
+        else
+          task.taken.insert(loop);
+    }
     tasks.push_back(std::move(task));
   }
   return tasks;

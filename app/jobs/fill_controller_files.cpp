@@ -245,7 +245,7 @@ void FillController::on_exported(const ExportResult& result, const QString& path
     text += tr(" STL rounds: vertices were moved by up to %1; PLY keeps every digit.")
                 .arg(labels::number(result.largest_rounding));
   if (!result.left_open.empty())
-    text += tr(" Left open, because the patch cuts the surface: %1.").arg(labels::holes(document_, result.left_open));
+    text += tr(" Left open, because the patch cuts the surface or another patch: %1.").arg(labels::holes(document_, result.left_open));
   Q_EMIT logged(text);
   Q_EMIT notice(text);
 }

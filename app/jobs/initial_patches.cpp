@@ -7,8 +7,8 @@
 #include "jobs/state_making.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
+#include <new>
 
 namespace loopmend {
 namespace {
@@ -34,6 +34,8 @@ std::vector<Group> bridges_of(const FillTask& task) {
   for (std::vector<BoundaryLoop>& loops : holes_with_islands(task.site->model(), wanted_loops(task))) {
     Group group{&task, PatchRecipe::Start::bridge, {}, std::move(loops)};
     for (const BoundaryLoop& loop : group.loops) group.indices.push_back(task.first_loop + loop.number - 1);
+    // An island that has a patch of its own stays as it is.
+    if (std::any_of(group.indices.begin(), group.indices.end(), [&](int k) { return task.taken.contains(k); })) continue;
     groups.push_back(std::move(group));
   }
   return groups;
@@ -122,6 +124,14 @@ void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
     add_patch(group, std::move(filled), std::move(*initial.patch), initial.message(), result);
 }
 
+/// What goes wrong in one group leaves the others alone.
+FillResult failed(const Group& group, const char* why) {
+  FillResult result;
+  for (int index : group.indices)
+    if (group.task->wanted.contains(index)) result.failures[index] = why;
+  return result;
+}
+
 }  // namespace
 
 FillResult make_initial_patches(const std::vector<FillTask>& tasks, const std::function<void(int)>& progress,
@@ -138,7 +148,13 @@ FillResult make_initial_patches(const std::vector<FillTask>& tasks, const std::f
     const Group& group = groups[static_cast<std::size_t>(k)];
     if (cancel.cancelled()) return;
     FillResult one;
-    group.start == PatchRecipe::Start::bridge ? bridge(group, cancel, one) : fill(group, cancel, one);
+    try {
+      group.start == PatchRecipe::Start::bridge ? bridge(group, cancel, one) : fill(group, cancel, one);
+    } catch (const std::bad_alloc&) {
+      one = failed(group, no_memory_message);
+    } catch (const std::exception& error) {
+      one = failed(group, error.what());
+    }
     const std::lock_guard lock(mutex);
     std::move(one.patches.begin(), one.patches.end(), std::back_inserter(result.patches));
     result.failures.merge(one.failures);

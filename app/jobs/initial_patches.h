@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 namespace loopmend {
 
@@ -20,6 +21,7 @@ struct FillTask {
   /// know of each other otherwise.
   std::map<int, BoundaryLoop> filled;
   FillOptions options;
+  std::set<int> taken;  ///< loops that have a patch which stays
   int first_loop = 0;  ///< index of the scan's first loop in the document
   Vec3 origin = Vec3::Zero();
 };

@@ -249,7 +249,7 @@ void ProblemController::accept() {
   const QString words = wish_.name;
   discard();
   controller_.replace_scans(scans, made, words);
-  Q_EMIT accepted(tr("%1: taken over. Ctrl+Z takes it back.").arg(words));
+  Q_EMIT accepted(tr("%1: applied. Ctrl+Z undoes it.").arg(words));
 }
 
 ComparisonSource ProblemController::race_source() const {
@@ -280,7 +280,7 @@ QString ProblemController::adopt(const ComparedRun& lane) {
         accept();
       },
       [this](const QString& text) { fail(text, Stage::posed); });
-  return tr("%1 was taken over into the main window; Ctrl+Z there takes it back.").arg(labels::flow_name(lane.flow));
+  return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(lane.flow));
 }
 
 bool ProblemController::shut_down(std::chrono::milliseconds at_most) {

@@ -10,7 +10,7 @@ namespace loopmend {
 /// How far the surroundings of a patch can be trusted.
 std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch);
 
-/// The state of a initial patch.
+/// The state of an initial patch.
 PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin);
 
 /// The state with another patch in it: shape and seam are made anew.

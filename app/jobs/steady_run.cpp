@@ -97,12 +97,19 @@ std::vector<OpenPatch> SteadyRun::run() {
       [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
   if (job_.token().cancelled() || job_.asked_to_pause()) return {};
   if (group.patches.empty()) throw InvalidArgument(group.holes.front().message);
-  if (group.patches.size() > 1 || group.patches.front()->patch.loops.size() < start.patch.loops.size()) {
-    std::vector<OpenPatch> parts;
-    for (const auto& result : group.patches) parts.push_back(part(*result));
-    return parts;
+  if (group.patches.size() == 1 && group.patches.front()->patch.loops.size() == start.patch.loops.size()) {
+    finish(*group.patches.front());
+    return {};
   }
-  const PatchResult& result = *group.patches.front();
+  std::vector<OpenPatch> parts;
+  for (const auto& result : group.patches) parts.push_back(part(result->patch.loop_numbers, result.get(), ""));
+  for (const HoleResult& hole : group.holes)
+    if (!hole.patch) parts.push_back(part({hole.loop.number}, nullptr, hole.message));
+  if (job_.pause_token().cancelled()) return {};
+  return parts;
+}
+
+void SteadyRun::finish(const PatchResult& result) {
   PatchStatePtr state = state_of(result, *last_);
   if (result.status == PatchStatus::filled) {
     recorder_.restart(item_.patch.id);
@@ -110,7 +117,6 @@ std::vector<OpenPatch> SteadyRun::run() {
   } else {
     recorder_.amend(item_.patch.id, std::move(state));
   }
-  return {};
 }
 
 std::vector<OpenPatch> SteadyRun::run_bridge() {
@@ -123,7 +129,7 @@ std::vector<OpenPatch> SteadyRun::run_bridge() {
       [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
   if (job_.token().cancelled() || job_.asked_to_pause()) return {};
   if (result.status == PatchStatus::failed) throw InvalidArgument(result.message);
-  recorder_.amend(item_.patch.id, state_of(result, *last_));
+  finish(result);
   return {};
 }
 
@@ -134,20 +140,21 @@ std::vector<BoundaryLoop> SteadyRun::loops_of(const std::vector<int>& numbers) c
   return loops;
 }
 
-OpenPatch SteadyRun::part(const PatchResult& result) {
+OpenPatch SteadyRun::part(const std::vector<int>& numbers, const PatchResult* result, const std::string& why_not) {
   const double density = item_.patch.state->recipe.density;
-  const std::vector<BoundaryLoop> loops = loops_of(result.patch.loop_numbers);
+  const std::vector<BoundaryLoop> loops = loops_of(numbers);
   OpenPatch part;
   part.scan = item_.patch.scan;
   for (std::size_t k = 0; k < item_.loops.size(); ++k)
     for (const BoundaryLoop& loop : loops)
       if (loop.number == item_.loops[k].number) part.loops.push_back(item_.patch.loops[k]);
-  InitialPatch initial =
-      make_initial_patch(item_.site->model(), loops, InitialPatchOptions{density}, job_.pause_token());
-  const PatchStatePtr first =
-      first_state(initial.patch ? std::move(*initial.patch) : result.patch, initial.message(), density, task_.origin);
-  part.state = state_of(result, *first);
-  part.timeline = std::make_shared<Timeline>(Timeline{first, part.state});
+  InitialPatch initial = make_initial_patch(item_.site->model(), loops, InitialPatchOptions{density}, job_.pause_token());
+  Patch first_patch = initial.patch ? std::move(*initial.patch) : result ? result->patch : Patch();
+  auto first = std::make_shared<PatchState>(
+      *first_state(std::move(first_patch), initial.message(), density, task_.origin));
+  if (!result) first->message = why_not;
+  part.state = result ? state_of(*result, *first) : first;
+  part.timeline = std::make_shared<Timeline>(result ? Timeline{first, part.state} : Timeline{first});
   return part;
 }
 

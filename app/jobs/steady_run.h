@@ -22,7 +22,9 @@ class SteadyRun {
   std::vector<OpenPatch> run_bridge();
   void show(const Evolution& evolution, const StepRecord& record);
   PatchStatePtr state_of(const PatchResult& result, const PatchState& from);
-  OpenPatch part(const PatchResult& result);
+  void finish(const PatchResult& result);
+  /// Some of the loops as a patch of their own. @param result  null: the initial patch, and `why_not`.
+  OpenPatch part(const std::vector<int>& numbers, const PatchResult* result, const std::string& why_not);
   std::vector<BoundaryLoop> loops_of(const std::vector<int>& numbers) const;
 
   const EvolveTask& task_;

@@ -93,7 +93,7 @@ SectionView::SectionView(QWidget* parent)
   plot_->set_axis(Plot::Side::left, Plot::Scale::linear);
   plot_->add_graph(Plot::Side::left, tr("H of scan"), Plot::Line::solid, grey);
   plot_->add_graph(Plot::Side::left, tr("patch"), Plot::Line::solid, orange);
-  plot_->add_graph(Plot::Side::left, tr("filler"), Plot::Line::dotted, blue);
+  plot_->add_graph(Plot::Side::left, tr("initial patch"), Plot::Line::dotted, blue);
   plot_->add_graph(Plot::Side::left, tr("\u00b1\u03c3"), Plot::Line::solid, grey);
   plot_->add_graph(Plot::Side::left, QString(), Plot::Line::solid, grey);
   plot_->make_band(band_low, band_high);

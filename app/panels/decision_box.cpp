@@ -21,7 +21,7 @@ namespace {
 
 /// What is known of a state, in one line.
 QString state_words(const PatchState& state) {
-  if (state.steps == 0) return DecisionBox::tr("the filler");
+  if (state.steps == 0) return DecisionBox::tr("the initial patch");
   return DecisionBox::tr("step %1").arg(state.steps);
 }
 
@@ -50,7 +50,7 @@ void DecisionBox::build() {
   timeline_ = new QSlider(Qt::Horizontal);
   timeline_->setObjectName(QStringLiteral("timeline"));
   timeline_->setPageStep(1);
-  explain(timeline_, tr("Timeline"), tr("Go back to any recorded state, from the filler on the left to the latest"));
+  explain(timeline_, tr("Timeline"), tr("Go back to any recorded state, from the initial patch on the left to the latest"));
   place_ = make_note("timelinePlace");
   accept_ = make_button("accept", tr("&Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
   reject_ = make_button("reject", tr("R&eject"), tr("Throw this patch away; the hole is open again (Delete)"));

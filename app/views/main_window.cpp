@@ -52,7 +52,7 @@ MainWindow::MainWindow(QWidget* parent)
   status_ = new StatusLine(document_, controller_);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(status_, 1);
-  connect_workbench();
+  connect_controller();
   connect_document();
   connect_leisure();
   connect_panels();
@@ -126,7 +126,7 @@ void MainWindow::build_docks() {
   resizeDocks({bottom}, {214}, Qt::Vertical);
 }
 
-void MainWindow::connect_workbench() {
+void MainWindow::connect_controller() {
   connect(&controller_, &FillController::failed, banner_, &Banner::show_problem);
   connect(&controller_, &FillController::notice, banner_, &Banner::show_notice);
   connect(&controller_, &FillController::logged, inspect_, &InspectPanel::log);

@@ -63,7 +63,7 @@ class MainWindow : public QMainWindow {
  private:
   void build_centre();
   void build_docks();
-  void connect_workbench();
+  void connect_controller();
   void connect_document();
   void connect_leisure();
   void connect_panels();

@@ -4,6 +4,7 @@
 
 namespace loopmend {
 
+/// Sessions store it by number, up to `step_limit`: these keep their places.
 enum class PatchStatus {
   filled,      ///< the initial patch alone: asked for, or because the flow would have spoilt it (see the message)
   ready,       ///< some steps of a flow; more can be taken

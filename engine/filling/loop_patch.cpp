@@ -62,7 +62,7 @@ LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
   return site;
 }
 
-/// A triangulation on its way to a initial patch: the loop's n points first, then new ones.
+/// A triangulation on its way to an initial patch: the loop's n points first, then new ones.
 struct Candidate {
   Points points;
   Triangles triangles;
@@ -273,7 +273,7 @@ std::string remaining_faults(const Validity& quality) {
   if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
   if (quality.intersections > 0)
     text += (text.empty() ? "" : " and ") + std::to_string(quality.intersections) + " self-intersections";
-  return text.empty() ? text : "the filler has " + text + " left";
+  return text.empty() ? text : "the initial patch has " + text + " left";
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ Surroundings collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>&
 
 void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopPatch>& fillers) {
   if (loops.size() != fillers.size() || loops.empty())
-    throw InvalidArgument("a patch needs one filler for each loop, and at least one loop");
+    throw InvalidArgument("a patch needs one initial patch for each loop, and at least one loop");
   for (std::size_t k = 0; k < loops.size(); ++k)
     if (fillers[k].points.size() < loops[k].vertices.size())
-      throw InvalidArgument("a filler has fewer points than its loop");
+      throw InvalidArgument("an initial patch has fewer points than its loop");
 }
 
 }  // namespace

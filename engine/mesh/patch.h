@@ -10,7 +10,7 @@
 
 namespace loopmend {
 
-/// A initial patch for one loop: the loop's vertices first, in loop order, then the new ones.
+/// An initial patch for one loop: the loop's vertices first, in loop order, then the new ones.
 struct LoopPatch {
   Points points;        ///< mesh units
   Triangles triangles;  ///< oriented like the surroundings

@@ -38,7 +38,7 @@ PatchResult flow_between(const PatchProblem& problem, const EvolutionOptions& op
                     ? "the patch of the flow itself was out of proportion; with bending energy mixed in it is not"
                     : "the flow itself did not converge; with bending energy mixed in it did";
   bent.attempts.insert(bent.attempts.begin(), pure.attempts.begin(), pure.attempts.end());
-  bent.attempts.back() = "mixed order 5";
+  bent.attempts.back() = bent.made_by = "mixed order 5";
   return bent;
 }
 
@@ -98,7 +98,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   blend.outcome.seconds.initial_patch = bridge_seconds;
   blend.outcome.seconds.total = seconds_since(begin);
   if (cancel.cancelled() || blend.outcome.status == PatchStatus::failed) return blend;
-  if (!options.evolution) blend.outcome.message = outcome.message;
+  if (blend.outcome.status == PatchStatus::filled && blend.outcome.message.empty()) blend.outcome.message = outcome.message;
   const std::string fault = paste_patches(agreed, {&blend.outcome.patch}).front();
   if (!fault.empty()) throw InvalidArgument(fault);
   check_exterior(model.soup, agreed.soup, blend.turned_faces);

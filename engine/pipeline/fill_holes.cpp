@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <new>
 #include <numeric>
 #include <set>
 
@@ -49,7 +50,9 @@ std::vector<HoleResult> pasted(SurfaceModel& model, std::size_t loops, const std
     for (std::size_t k = 0; k < groups[g].size(); ++k) {
       HoleResult& result = results[groups[g][k]] = std::move(solved[g].holes[k]);
       const auto fault = fault_of.find(result.patch.get());
-      if (fault != fault_of.end()) result = open_hole(result.loop, PatchStatus::failed, fault->second);
+      if (fault == fault_of.end()) continue;
+      result.status = PatchStatus::failed;
+      result.message = fault->second;
     }
   return results;
 }
@@ -82,7 +85,7 @@ std::vector<HoleResult> fill_groups(SurfaceModel& model, const std::vector<Bound
     state.loop_number = group.front().number;
     if (progress) progress(state);
   };
-  with_thread_budget(options.threads, [&] { parallel_for(0, static_cast<int>(groups.size()), 1, solve); });
+  parallel_for(0, static_cast<int>(groups.size()), 1, solve);
   return cancel.cancelled() ? std::vector<HoleResult>() : pasted(model, loops.size(), groups, solved);
 }
 
@@ -140,11 +143,11 @@ void check(const FillOptions& options) {
   if (options.evolution) check(*options.evolution);
 }
 
-std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                   const FillOptions& options, const OnFillProgress& progress,
-                                   const CancelToken& cancel) {
-  check(options);
-  if (options.islands == FillOptions::Islands::cover) return fill_groups(model, loops, options, progress, cancel);
+namespace {
+
+std::vector<HoleResult> fill_and_join(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                      const FillOptions& options, const OnFillProgress& progress,
+                                      const CancelToken& cancel) {
   SurfaceModel work = model;
   std::vector<Place> places;
   for (std::vector<BoundaryLoop>& ends : holes_with_islands(model, loops)) places.emplace_back(model, std::move(ends));
@@ -158,9 +161,17 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
   const auto put = [&](std::vector<HoleResult> results) {
     for (HoleResult& result : results) by_number[result.loop.number] = std::move(result);
   };
-  if (!others.empty()) put(fill_groups(work, others, options, progress, cancel));
+  FillProgress state;
+  state.loops_total = static_cast<int>(others.size() + joined.size());
+  const auto report = [&](const FillProgress& groups) {
+    state.loops_done = groups.loops_done;
+    state.loop_number = groups.loop_number;
+    if (progress) progress(state);
+  };
+  if (!others.empty()) put(fill_groups(work, others, options, report, cancel));
   for (const Place& place : places) {
     if (cancel.cancelled()) return {};
+    report({state.loops_done + static_cast<int>(place.loops.size()), 0, place.loops.front().number});
     put(joined_islands(work, place, options, cancel));
   }
   if (cancel.cancelled()) return {};
@@ -172,6 +183,19 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
   }
   for (auto& [number, result] : by_number) results.push_back(std::move(result));
   return results;
+}
+
+}  // namespace
+
+std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                   const FillOptions& options, const OnFillProgress& progress,
+                                   const CancelToken& cancel) {
+  check(options);
+  const bool joins = options.islands == FillOptions::Islands::join;
+  return with_thread_budget(options.threads, [&] {
+    return joins ? fill_and_join(model, loops, options, progress, cancel)
+                 : fill_groups(model, loops, options, progress, cancel);
+  });
 }
 
 std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& model,

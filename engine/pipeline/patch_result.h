@@ -20,7 +20,8 @@ struct PatchResult {
   Method method = Method::initial_patch;  ///< what shaped the patch
   std::string message;                    ///< for a person: what is to be known of the patch; empty when all is well
   std::string reason;  ///< why it was not the flow that was asked for, and how to get that; empty if it was
-  std::vector<std::string> attempts;  ///< names of the attempts that were made, in order; the last one made the patch
+  std::vector<std::string> attempts;  ///< of the strategy's table, those that were made, in order
+  std::string made_by;  ///< the attempt that made the patch; empty where it is the initial patch
   Patch patch;
   int steps = 0;                    ///< accepted steps, over all runs that made the patch
   double bending = 0;               ///< EvolutionOptions::bending that was used

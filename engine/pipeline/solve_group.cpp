@@ -71,8 +71,11 @@ class GroupSolver {
     GroupResult result = failed_group(initial.loops, "");
     for (const std::vector<int>& members : parts_of(known)) {
       if (cancel_.cancelled()) return result;
+      std::vector<BoundaryLoop> loops;
+      for (int k : members) loops.push_back(known.loops[k]);
       const bool all = members.size() == known.loops.size();
-      put(part(all ? known : part_of(scan_.model, known, members, options_.initial)), members, result);
+      put(guarded(loops, [&] { return part(all ? known : part_of(scan_.model, known, members, options_.initial)); }), members,
+          result);
     }
     return result;
   }
@@ -132,7 +135,10 @@ class GroupSolver {
     PatchResult made = solved(initial);
     if (cancel_.cancelled()) return result;
     const bool valid = made.validity.intersections == 0;
-    if (!valid) made.status = PatchStatus::invalid;
+    if (!valid) {
+      made.status = PatchStatus::invalid;
+      made.message = why_left_open(scan_, initial.loops.front(), made.validity.intersections);
+    }
     const auto patch = std::make_shared<const PatchResult>(std::move(made));
     result.patches.push_back(patch);
     const std::vector<int> free = free_vertices_per_loop(patch->patch);
@@ -141,6 +147,9 @@ class GroupSolver {
         return h.loop.number == patch->patch.loop_numbers[p];
       });
       hole->seconds = patch->seconds.total;
+      hole->patch = patch;
+      hole->place = static_cast<int>(p);
+      hole->free_vertices = free[p];
       if (!valid) {
         hole->message = why_left_open(scan_, hole->loop, patch->validity.intersections_of_loop[p]);
         continue;
@@ -148,9 +157,6 @@ class GroupSolver {
       hole->status = patch->status;
       // What the initial patch lacked is past once the flow has mended it.
       if (patch->status != PatchStatus::filled || !patch->message.empty()) hole->message = patch->message;
-      hole->patch = patch;
-      hole->place = static_cast<int>(p);
-      hole->free_vertices = free[p];
     }
     return result;
   }

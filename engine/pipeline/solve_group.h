@@ -18,7 +18,9 @@ struct HoleResult {
   BoundaryLoop loop;
   PatchStatus status = PatchStatus::skipped;  ///< of its patch, or why there is none
   std::string message;                        ///< what is to be known of this hole; empty when all is well
-  std::shared_ptr<const PatchResult> patch;  ///< null where it was left open; shared by holes that were filled together
+  /// Shared by holes that were solved together; null where there is none. Where the hole was left open all the same, `status`
+  /// and `message` say so, and this is what was not pasted.
+  std::shared_ptr<const PatchResult> patch;
   int place = 0;                             ///< of the hole among the patch's loops
   int free_vertices = 0;                     ///< of the part of the patch that the hole bounds
   double seconds = 0;                        ///< from the group's start to this result
@@ -29,8 +31,8 @@ struct HoleResult {
     return patch ? *patch : none;
   }
   /// The word of reports for what shaped the patch; empty where there is none.
-  std::string method() const { return method_name(outcome()); }
-  std::string reason() const { return outcome().reason; }
+  std::string method() const { return is_filled(status) ? method_name(outcome()) : std::string(); }
+  std::string reason() const { return is_filled(status) ? outcome().reason : std::string(); }
   int steps() const { return outcome().steps; }
   /// Zero where there is no patch, or where nobody measured.
   SeamReport seam_before() const { return entry(&PatchResult::seams_before); }

@@ -6,6 +6,7 @@
 #include "pipeline/rough_neighborhood.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -151,6 +152,7 @@ PatchResult first_that_holds(const Situation& s) {
     if (s.context.cancel.cancelled()) result.status = PatchStatus::cancelled;
     if (!holds && !s.context.cancel.cancelled()) continue;
     result.reason = reason;
+    if (holds) result.made_by = attempt.name;
     result.attempts = std::move(tried);
     return result;
   }
@@ -175,14 +177,16 @@ double total_energy(const PatchResult& result) {
 bool replace_by_flatter(const Situation& s, PatchResult& result) {
   for (const Attempt& attempt : flatter) {
     PatchResult next;
+    if (!attempt.applies(s)) continue;
     result.attempts.emplace_back(attempt.name);
-    if (!attempt.applies(s) || !attempt.run(s, next)) continue;
+    if (!attempt.run(s, next)) continue;
     next.proportions = proportions_of(next.patch, s.initial());
     if (total_energy(next) > worth_its_area * total_energy(result)) continue;
     if (out_of_proportion(next.proportions) || !next.validity.is_clean()) continue;
     next.reason = "the patch of " + method_name(result.method, s.options.flow) +
                   " was out of proportion: " + describe(*out_of_proportion(result.proportions));
     next.attempts = std::move(result.attempts);
+    next.made_by = attempt.name;
     result = std::move(next);
     return true;
   }

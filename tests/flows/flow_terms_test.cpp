@@ -38,7 +38,7 @@ TEST(FlowTerms, ConstantMeanCurvatureIsStationaryForMmcvfSdfAndTheSphereForWf) {
   EXPECT_NEAR(flow_velocity(FlowKind::mcf, sphere).mean(), -exact.patch.scale, 0.01 * exact.patch.scale);
 }
 
-/// The upper part of a bumpy sphere, with the triangles of the icosphere: a initial patch's irregular ones would blur the sixth
+/// The upper part of a bumpy sphere, with the triangles of the icosphere: an initial patch's irregular ones would blur the sixth
 /// order by as much as one of its terms.
 Patch bumpy_region() {
   TriangleSoup ball = make_icosphere(5);

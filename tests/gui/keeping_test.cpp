@@ -15,6 +15,7 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFile>
@@ -292,17 +293,35 @@ void KeepingTest::where_the_flow_must_give_way() {
 
 void KeepingTest::window_and_command_line_give_the_same_bits_data() {
   QTest::addColumn<QString>("scan");
-  QTest::newRow("sample") << sample_file(folder_);
+  QTest::addColumn<QStringList>("options");
+  QTest::newRow("sample") << sample_file(folder_) << QStringList();
   for (const char* name : {"bunny.ply", "head_holes.ply", "plane_holes.obj"})
-    QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name);
+    QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList();
+  const QString island = folder_.filePath(QStringLiteral("island.ply"));
+  write_mesh(island.toStdString(), cut(make_icosphere(5), [](const Vec3& p) {
+               return p.z() > 0.7 && (p - Vec3(0.2, 0, 0.98).normalized()).norm() > 0.15;
+             }));
+  QTest::newRow("island") << island << QStringList{QStringLiteral("--bridge-islands")};
+  const QString ragged = folder_.filePath(QStringLiteral("ragged.ply"));
+  write_mesh(ragged.toStdString(), cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; }));
+  QTest::newRow("ragged boundary") << ragged << QStringList{QStringLiteral("--trim-rim"), QStringLiteral("3")};
 }
 
 /// Everything that a person gets who fills all holes, runs the flow and exports, against the command's file.
 void KeepingTest::window_and_command_line_give_the_same_bits() {
   QFETCH(QString, scan);
+  QFETCH(QStringList, options);
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
   Shown shown({scan});
   MainWindow& window = shown.window;
+  if (options.contains(QStringLiteral("--trim-rim"))) {
+    const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
+    press(window, "trim");
+    QVERIFY(wait_idle(window));
+    const int trimmed = window.document().scans().front();
+    QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
+  }
+  part<QCheckBox>(window, "islands")->setChecked(options.contains(QStringLiteral("--bridge-islands")));
   press(window, "fill");
   QVERIFY(wait_idle(window));
   press(window, "steady");
@@ -312,7 +331,8 @@ void KeepingTest::window_and_command_line_give_the_same_bits() {
   window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));
   QProcess program;
-  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
+  program.start(QStringLiteral(LOOPMEND_PROGRAM),
+                QStringList{QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script} + options);
   QVERIFY(program.waitForFinished(240000));
   QFile ours(by_hand), theirs(by_script);
   QVERIFY(ours.open(QIODevice::ReadOnly) && theirs.open(QIODevice::ReadOnly));

@@ -83,6 +83,18 @@ TEST(Outcome, OutliersAreToldOfBetweenTheMethodsToo) {
   EXPECT_EQ(result.message.find("one vertex at the rim stands off"), 0u) << result.message;
 }
 
+TEST(Outcome, TheAttemptsAreNamed) {
+  FillOptions none;
+  none.evolution.reset();
+  SurfaceModel flat = test::open_sphere(3, 0.8), model = flat;
+  const HoleResult initial = fill_holes(flat, find_boundary_loops(flat), none, nullptr, {}).at(0);
+  EXPECT_TRUE(initial.outcome().attempts.empty());
+  EXPECT_EQ(initial.outcome().made_by, "");
+  const HoleResult flow = fill_holes(model, find_boundary_loops(model), {}, nullptr, {}).at(0);
+  EXPECT_EQ(flow.outcome().attempts, std::vector<std::string>{"flow"});
+  EXPECT_EQ(flow.outcome().made_by, "flow");
+}
+
 TEST(Outcome, ARobustFairingIsNotCalledConverged) {
   TriangleSoup soup = trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.9; }));
   for (Vec3& p : soup.points) p *= 1 + 2 * relief_of_scans(p);

@@ -216,7 +216,7 @@ FigureRun run_fig53() {
   run.verdict = good && after < 0.15 * before ? Verdict::reproduced : good ? Verdict::partly : Verdict::not_reproduced;
   run.why =
       "The jump of H falls to " + text("%.2g", after / before) +
-      " of the filler's. The head is our own, since the paper's is not published; its table says 10 steps, the caption "
+      " of the initial patch's. The head is our own, since the paper's is not published; its table says 10 steps, the caption "
       "of the figure 50.";
   return run;
 }

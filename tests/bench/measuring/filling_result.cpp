@@ -29,7 +29,7 @@ bool starts_with(const TriangleSoup& longer, const TriangleSoup& shorter) {
 }
 
 std::string last_attempt(const HoleResult& result) {
-  return result.patch && !result.patch->attempts.empty() ? result.patch->attempts.back() : "none";
+  return is_filled(result.status) && !result.outcome().made_by.empty() ? result.outcome().made_by : "none";
 }
 
 int severity(PatchStatus status) {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/paste.h"
+
+#include "pipeline/fill_holes.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace loopmend {
+namespace {
+
+/// A sphere with a hole at each pole.
+SurfaceModel open_at_both_poles() {
+  return make_surface_model(cut(make_icosphere(3), [](const Vec3& p) { return std::abs(p.z()) > 0.85; }));
+}
+
+std::vector<Patch> patches_of(const SurfaceModel& model) {
+  std::vector<Patch> patches;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    patches.push_back(*make_initial_patch(model, {loop}, {}, {}).patch);
+  return patches;
+}
+
+TEST(PastePatches, TheOrderInWhichTheyComeDoesNotMatter) {
+  const SurfaceModel open = open_at_both_poles();
+  const std::vector<Patch> patches = patches_of(open);
+  ASSERT_EQ(patches.size(), 2u);
+  SurfaceModel one = open, other = open;
+  EXPECT_EQ(paste_patches(one, {&patches[0], &patches[1]}), std::vector<std::string>(2));
+  EXPECT_EQ(paste_patches(other, {&patches[1], &patches[0]}), std::vector<std::string>(2));
+  EXPECT_EQ(one.soup.points, other.soup.points);
+  EXPECT_EQ(one.soup.triangles, other.soup.triangles);
+  EXPECT_TRUE(find_boundary_loops(one).empty());
+}
+
+TEST(PastePatches, OneThatIntersectsAnEarlierOneIsLeftOut) {
+  const SurfaceModel open = open_at_both_poles();
+  std::vector<Patch> patches = patches_of(open);
+  // The second is pulled through the first.
+  Patch& second = patches[1];
+  const Vec3 far = second.to_frame(patches[0].to_mesh(Vec3::Zero()) * 3);
+  second.positions[0] = far;
+  SurfaceModel model = open;
+  const std::vector<std::string> faults = paste_patches(model, {&second, &patches[0]});
+  EXPECT_EQ(faults[1], "");
+  EXPECT_NE(faults[0].find("another loop"), std::string::npos) << faults[0];
+  EXPECT_EQ(find_boundary_loops(model).size(), 1u);
+}
+
+TEST(CheckExterior, SeesAMovedPointAndAWrongNumberOfTurnedTriangles) {
+  const TriangleSoup before = make_icosphere(1);
+  TriangleSoup now = before;
+  EXPECT_NO_THROW(check_exterior(before, now, 0));
+  now.points.push_back(Vec3(1, 2, 3));
+  now.triangles.push_back({0, 1, static_cast<int>(now.points.size()) - 1});
+  EXPECT_NO_THROW(check_exterior(before, now, 0));
+  EXPECT_THROW(check_exterior(before, now, 1), std::logic_error);
+  std::swap(now.triangles[3][1], now.triangles[3][2]);
+  EXPECT_THROW(check_exterior(before, now, 0), std::logic_error);
+  EXPECT_NO_THROW(check_exterior(before, now, 1));
+  now.points[5].x() = std::nextafter(now.points[5].x(), 2.0);
+  EXPECT_THROW(check_exterior(before, now, 1), std::logic_error);
+}
+
+}  // namespace
+}  // namespace loopmend
