@@ -3,6 +3,7 @@
 
 #include "operators/vertex_normals.h"
 #include "samples/analytic_surfaces.h"
+#include "surfaces/roughen.h"
 #include "samples/random.h"
 
 #include <gtest/gtest.h>
