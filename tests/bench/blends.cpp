@@ -2,6 +2,7 @@
 // loopmend_blends: random sets of tubes joined by default settings, their seams under refinement, and ring-shaped gaps.
 #include "analysis/seam_profile.h"
 #include "pipeline/blend.h"
+#include "pipeline/fill_holes.h"
 #include "pipeline/evolve_patch.h"
 #include "flows/flow_terms.h"
 #include "mesh/quality.h"
