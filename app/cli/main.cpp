@@ -104,13 +104,13 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
 
 void take_words(const FillWords& words, FillCommand& command) {
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
-  command.fill.islands = words.bridge_islands ? FillOptions::Islands::join : FillOptions::Islands::cover;
   command.verbosity = words.flow.verbosity();
   command.encoding = words.flow.encoding();
   command.report = words.flow.report;
   const int threads = command.fill.threads;
   command.fill = options_of(words.flow);
   command.fill.threads = threads;
+  command.fill.islands = words.bridge_islands ? FillOptions::Islands::join : FillOptions::Islands::cover;
 }
 
 void add_render(CLI::App& app, RenderCommand& command) {

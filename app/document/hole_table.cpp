@@ -11,6 +11,7 @@
 namespace loopmend {
 
 HoleTable::HoleTable(const Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
+  rows_ = document.loop_count();
   connect(&document, &Document::opened, this, &HoleTable::follow_rows);
   connect(&document, &Document::scans_changed, this, &HoleTable::follow_rows);
   connect(&document, &Document::holes_changed, this, [this] {
