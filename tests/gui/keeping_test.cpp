@@ -303,7 +303,16 @@ void KeepingTest::window_and_command_line_give_the_same_bits_data() {
              }));
   QTest::newRow("island") << island << QStringList{QStringLiteral("--bridge-islands")};
   const QString ragged = folder_.filePath(QStringLiteral("ragged.ply"));
-  write_mesh(ragged.toStdString(), cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; }));
+  TriangleSoup dangling = cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; });
+  const SurfaceModel open = make_surface_model(dangling);
+  const BoundaryLoop loop = find_boundary_loops(open).front();
+  const int a = open.soup_vertex[static_cast<std::size_t>(loop.vertices[0])];
+  const int b = open.soup_vertex[static_cast<std::size_t>(loop.vertices[1])];
+  // A triangle on one edge of the boundary, beyond the surface.
+  const Vec3 &from = dangling.points[static_cast<std::size_t>(a)], &to = dangling.points[static_cast<std::size_t>(b)];
+  dangling.points.push_back((from + to) / 2 + (loop.center - (from + to) / 2) * 0.1);
+  dangling.triangles.push_back({a, b, static_cast<int>(dangling.points.size()) - 1});
+  write_mesh(ragged.toStdString(), dangling);
   QTest::newRow("ragged boundary") << ragged << QStringList{QStringLiteral("--trim-rim"), QStringLiteral("3")};
 }
 
