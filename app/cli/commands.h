@@ -43,7 +43,10 @@ struct FillCommand {
   std::optional<double> max_diameter;  ///< mesh units
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
-  int trim_rounds = 0;  ///< rings of bad rim triangles to be removed first, 0..100
+  enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
+  enum class Repair { no, yes } repair = Repair::no;  ///< make an oriented manifold of the mesh first
+  std::vector<std::string> bridges;                   ///< "A,B": input vertices between which a strip is laid first
+  int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100
   std::string report;   ///< file or "-"; empty: none
   Encoding encoding = Encoding::binary;
   Verbosity verbosity = Verbosity::normal;

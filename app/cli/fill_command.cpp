@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
 #include "exit_codes.h"
+#include "interrupt.h"
 #include "loop_selection.h"
 #include "open_model.h"
 #include "outputs.h"
@@ -8,8 +9,10 @@
 
 #include "core/version.h"
 #include "io/atomic_file.h"
-#include "mesh/pieces.h"
+#include "pipeline/hand_bridge.h"
 #include "pipeline/paste.h"
+#include "repair/repair_surface.h"
+#include "repair/stitch_boundaries.h"
 #include "rim/trim_rim.h"
 
 #include <sys/resource.h>
@@ -19,6 +22,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace loopmend {
 
@@ -80,18 +85,101 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
   return outcome;
 }
 
+/// What was done to the mesh before any loop was looked at.
+struct Preparation {
+  std::optional<StitchedSurface> stitched;  ///< without its soup
+  std::optional<RepairCounts> repaired;
+  std::size_t bridges = 0;
+};
+
+/// @throws UsageError unless the text is two whole numbers of input vertices.
+std::pair<int, int> bridge_ends(const std::string& text, const SurfaceModel& model) {
+  int a = 0, b = 0, used = 0;
+  const int count = static_cast<int>(model.soup.points.size());
+  if (std::sscanf(text.c_str(), "%d,%d%n", &a, &b, &used) != 2 || used != static_cast<int>(text.size()))
+    throw UsageError("--bridge takes two input vertices such as 17,230, not '" + text + "'");
+  if (a < 0 || b < 0 || a >= count || b >= count)
+    throw UsageError("--bridge " + text + ": the mesh has " + std::to_string(count) + " vertices, numbered from 0");
+  return {a, b};
+}
+
+/// The mesh is replaced by the prepared one, with which the output is compared then.
+Preparation prepare(OpenedModel& opened, const FillCommand& command) {
+  Preparation done;
+  const auto replace = [&](TriangleSoup soup) {
+    opened.as_read = std::move(soup);
+    opened.model = model_of(command.input, opened.as_read);
+  };
+  if (command.stitch == FillCommand::Stitch::yes) {
+    done.stitched = stitch_boundaries(opened.model);
+    replace(std::move(done.stitched->soup));
+  }
+  if (command.repair == FillCommand::Repair::yes) {
+    RepairedSurface repaired = repair_surface(opened.as_read);
+    done.repaired = repaired.counts;
+    replace(std::move(repaired.soup));
+  }
+  for (const std::string& text : command.bridges) {
+    const auto [a, b] = bridge_ends(text, opened.model);
+    try {
+      replace(with_bridge(opened.model, a, b));
+    } catch (const InvalidArgument& error) {
+      throw UsageError("--bridge " + text + ": " + error.what());
+    }
+    ++done.bridges;
+  }
+  return done;
+}
+
+void print_preparation(std::FILE* out, const Preparation& done) {
+  if (done.stitched)
+    std::fprintf(out, "Stitched: %zu vertices joined to others, %zu faces split; the output is compared with the stitched mesh.\n",
+                 done.stitched->joined_vertices, done.stitched->split_faces);
+  if (done.bridges > 0)
+    std::fprintf(out, "%zu %s laid across holes.\n", done.bridges, done.bridges == 1 ? "strip was" : "strips were");
+  if (!done.repaired) return;
+  const RepairCounts& c = *done.repaired;
+  if (!c.any()) {
+    std::fprintf(out, "Repair: nothing to do.\n");
+    return;
+  }
+  std::fprintf(out,
+               "Repaired: %zu edges and %zu vertices separated, %zu faces turned, %zu degenerate and %zu duplicate faces and "
+               "%zu crumbs (%zu faces) removed; the output is compared with the repaired mesh.\n",
+               c.separated_edges, c.separated_vertices, c.turned_faces, c.degenerate_faces, c.duplicate_faces,
+               c.removed_pieces, c.removed_faces);
+}
+
+nlohmann::ordered_json preparation_json(const Preparation& done) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (done.stitched)
+    json["stitched"] = {{"joined_vertices", done.stitched->joined_vertices},
+                        {"split_faces", done.stitched->split_faces},
+                        {"removed_faces", done.stitched->removed_faces}};
+  if (done.repaired)
+    json["repaired"] = {{"separated_edges", done.repaired->separated_edges},
+                        {"separated_vertices", done.repaired->separated_vertices},
+                        {"turned_faces", done.repaired->turned_faces},
+                        {"degenerate_faces", done.repaired->degenerate_faces},
+                        {"duplicate_faces", done.repaired->duplicate_faces},
+                        {"removed_pieces", done.repaired->removed_pieces},
+                        {"removed_faces", done.repaired->removed_faces}};
+  if (done.bridges > 0) json["bridges"] = done.bridges;
+  return json;
+}
+
 /// What would help where no loop is a hole.
 void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<BoundaryLoop>& loops) {
   const auto count = [&](auto is) { return std::count_if(loops.begin(), loops.end(), is); };
   const auto cut = count([](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
   const auto split = count([](const BoundaryLoop& loop) { return loop.kind != LoopKind::cut && loop.coincident > 0; });
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
-  if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --weld.", split);
+  if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
   if (cut > 0)
     std::fprintf(
         out,
-        " %td run along edges with more than two faces (%zu edges) or where the surface is one-sided: remove the "
-        "surplus faces first, for example with MeshLab's Repair Non Manifold Edges.",
+        " %td run along edges with more than two faces (%zu edges) or where the surface is one-sided: fill again with "
+        "--repair.",
         cut, repairs.non_manifold_edges);
   std::fprintf(out, "\n");
 }
@@ -121,20 +209,10 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
   std::fprintf(out, "; %s written in %.2f s\n", command.output.c_str(), seconds);
 }
 
-/// Pieces of surface that are covered because nobody asked for anything else.
-std::size_t covered_islands(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                            const std::vector<LoopChoice>& choices, const FillCommand& command) {
-  constexpr std::size_t most_loops = 500;  // a remark is not worth a search among thousands
-  if (command.fill.islands == FillOptions::Islands::join || loops.size() > most_loops) return 0;
-  std::size_t count = 0;
-  for (const HoleWithIslands& place : find_islands(model, loops))
-    if (choices[place.hole].fill) count += place.islands.size();
-  return count;
-}
-
 /// The selected loops are worked on; the others get a result that says they were left.
 std::vector<HoleResult> fill_selected(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                      const std::vector<LoopChoice>& choices, const FillCommand& command) {
+                                      const std::vector<LoopChoice>& choices, const FillCommand& command,
+                                      const CancelToken& cancel) {
   std::vector<BoundaryLoop> selected;
   for (std::size_t k = 0; k < loops.size(); ++k)
     if (choices[k].fill) selected.push_back(loops[k]);
@@ -143,7 +221,7 @@ std::vector<HoleResult> fill_selected(SurfaceModel& model, const std::vector<Bou
     ProgressLine progress(command.verbosity);
     progress.say("filling " + std::to_string(selected.size()) + (selected.size() == 1 ? " loop" : " loops"));
     const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
-    for (HoleResult& result : fill_holes(model, selected, command.fill, show, CancelToken()))
+    for (HoleResult& result : fill_holes(model, selected, command.fill, show, cancel))
       filled[result.loop.number] = std::move(result);
   }
   std::vector<HoleResult> results;
@@ -162,7 +240,7 @@ nlohmann::ordered_json faces_json(const std::vector<BadRimFace>& faces) {
   return json;
 }
 
-/// What --trim-rim did, or would find.
+/// What --trim-boundary did, or would find.
 struct RimWork {
   std::vector<BadRimFace> removed;  ///< faces of the input
   std::vector<BadRimFace> bad;      ///< left at the rims that are filled
@@ -209,16 +287,18 @@ RimWork trim_chosen(OpenedModel& opened, std::vector<BoundaryLoop>& loops, std::
 }
 
 nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ModelRepairs& repairs,
-                                   const std::vector<HoleResult>& results, const RimWork& rims) {
+                                   const std::vector<HoleResult>& results, const RimWork& rims,
+                                   const Preparation& preparation) {
   nlohmann::ordered_json json;
   json["version"] = version();
   json["command_line"] = command.command_line;
   json["input"] = input_json(command.input, import, repairs);
+  json["prepared"] = preparation_json(preparation);
   json["trimmed_faces"] = faces_json(rims.removed);
   json["bad_rim_faces"] = faces_json(rims.bad);
   if (!rims.bad.empty() && command.trim_rounds == 0)
     json["suggestion"] = std::to_string(rims.bad.size()) +
-                         " bad triangles at the rims: --trim-rim 3 would remove them and what they leave behind";
+                         " bad triangles at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
   for (const HoleResult& result : results) json["loops"].push_back(loop_json(result));
   return json;
@@ -234,13 +314,16 @@ int run_fill(const FillCommand& command) {
       .writes_report("--report", command.report)
       .check();
   OpenedModel opened = open_model(command.input, command.coincident);
+  const Preparation preparation = prepare(opened, command);
   SurfaceModel& model = opened.model;
   std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   std::vector<LoopChoice> choices = choose_loops(model, loops, command);
   const RimWork rims = trim_chosen(opened, loops, choices, command.trim_rounds);
 
-  const std::size_t covered = covered_islands(model, loops, choices, command);
-  const std::vector<HoleResult> results = fill_selected(model, loops, choices, command);
+  const CancelToken cancel;
+  if (command.fill.on_cancel == FillOptions::OnCancel::keep_finished) cancel_on_interrupt(cancel);
+  const std::vector<HoleResult> results = fill_selected(model, loops, choices, command, cancel);
+  const bool stopped = cancel.cancelled();
   check_exterior(opened.as_read, model.soup, model.repairs.reoriented_faces);
   OutputTransaction outputs;
   write_mesh(outputs, command.output, model.soup, command.encoding);
@@ -249,9 +332,10 @@ int run_fill(const FillCommand& command) {
   const Outcome outcome = outcome_of(results, choices);
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results, rims);
+  nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results, rims, preparation);
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
   json["output"] = losses_json(losses);
+  json["stopped"] = stopped;
   json["peak_memory_mb"] = peak_memory_mb();
   json["total_seconds"] = seconds;
   commit_with_report(outputs, command.report, json);
@@ -260,16 +344,14 @@ int run_fill(const FillCommand& command) {
     if (command.coincident == CoincidentVertices::weld)
       std::fprintf(out, "%zu vertices were welded; the output is compared with the welded mesh.\n",
                    opened.import.vertices_welded);
+    print_preparation(out, preparation);
     if (model.repairs.reoriented_faces > 0)
       std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n",
                    model.repairs.reoriented_faces);
     if (!rims.removed.empty())
-      std::fprintf(out, "%zu bad triangles were removed at the rims.\n", rims.removed.size());
+      std::fprintf(out, "%zu bad triangles were removed at the boundaries.\n", rims.removed.size());
     else if (!rims.bad.empty())
-      std::fprintf(out, "%zu bad triangles at the rims; --trim-rim 3 would remove them.\n", rims.bad.size());
-    if (covered > 0)
-      std::fprintf(out, "%zu %s of surface within holes; --bridge-islands would join %s.\n", covered,
-                   covered == 1 ? "piece" : "pieces", covered == 1 ? "it" : "them");
+      std::fprintf(out, "%zu bad triangles at the boundaries; --trim-boundary 3 would remove them.\n", rims.bad.size());
     if (loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else
@@ -279,7 +361,7 @@ int run_fill(const FillCommand& command) {
     print_coincident(out, opened.import, loops);
     if (outcome.in_vain()) print_cure(out, model.repairs, loops);
   }
-  return outcome.exit_code();
+  return stopped ? exit_cancelled : outcome.exit_code();
 }
 
 }  // namespace loopmend

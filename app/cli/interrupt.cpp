@@ -31,14 +31,34 @@ void leave(int) {
   _exit(exit_cancelled);
 }
 
-}  // namespace
-
-void exit_on_interrupt() {
+void handle(void (*handler)(int)) {
   struct sigaction action {};
-  action.sa_handler = leave;
+  action.sa_handler = handler;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
+
+/// A handler has no other way to what it acts on. Set once, before the handler is.
+CancelToken* to_cancel = nullptr;
+
+void finish_early(int) {
+  to_cancel->cancel();  // a lock-free store
+  handle(leave);
+  say("\nloopmend: stopping; what is finished will be written (Ctrl-C again: nothing will)\n");
+}
+
+}  // namespace
+
+void cancel_on_interrupt(const CancelToken& token) {
+  static CancelToken shared;
+  shared = token;
+  to_cancel = &shared;
+  handle(finish_early);
+}
+
+void exit_on_interrupt() {
+  handle(leave);
   // A file that grows beyond `ulimit -f` then fails with an error that can be told, in place of a signal.
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loop_selection.h"
 
-#include "mesh/pieces.h"
-
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -75,22 +73,21 @@ std::set<std::size_t> named_loops(const SurfaceModel& model, const std::vector<B
 
 /// Why nothing can be filled at a loop that nobody named; empty where something can.
 std::string why_no_hole(const BoundaryLoop& loop, FillCommand::OuterRim outer_rim) {
-  if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut";
+  if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut (--repair makes a hole of it, or nothing)";
+  if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
+    return "crack: a face at the same place covers it already";
   if (loop.kind == LoopKind::crack)
-    return "crack: nothing is missing, its sides are only not joined (--weld joins them)";
+    return "crack: nothing is missing, its sides are only not joined (--stitch joins them)";
   if (loop.kind == LoopKind::outer_rim && outer_rim == FillCommand::OuterRim::leave && loop.coincident > 0)
     return "rim that lies on another along " + std::to_string(loop.coincident) +
-           " edges: the mesh is split there (--weld joins it)";
+           " edges: the mesh is split there (--stitch joins it)";
   return "";
 }
 
 /// Why a loop is left that could be filled; empty where it is not left.
-std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command, bool named, bool round_piece) {
-  const bool rim = bounds_a_sheet(loop) || (loop.kind == LoopKind::touching && round_piece);
-  if (!named && rim && command.outer_rim == FillCommand::OuterRim::leave)
-    return loop.kind == LoopKind::touching
-               ? "outer rim that touches itself or another loop at a vertex: left open, with what it touches"
-               : "outer rim of an open sheet: left open (--include-outer-rim fills it)";
+std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command, bool named) {
+  if (!named && loop.kind == LoopKind::outer_rim && command.outer_rim == FillCommand::OuterRim::leave)
+    return "outer rim of an open sheet, since " + why_outer_rim(loop) + ": left open (--include-outer-rim fills it)";
   if (command.max_edges && loop.edges() > *command.max_edges)
     return "has more than " + std::to_string(*command.max_edges) + " edges (--max-edges)";
   if (command.max_diameter && loop.diameter > *command.max_diameter) return "is wider than --max-diameter";
@@ -102,7 +99,6 @@ std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command
 std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                      const FillCommand& command) {
   const std::set<std::size_t> named = named_loops(model, loops, command);
-  const std::vector<char> round_piece = loops_round_pieces(model, loops);
   std::vector<LoopChoice> choices(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
     LoopChoice& choice = choices[k];
@@ -113,9 +109,9 @@ std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vecto
     }
     if (!is_named) choice.why_not = why_no_hole(loops[k], command.outer_rim);
     if (!choice.why_not.empty()) choice.left = LoopChoice::Left::no_hole;
-    if (choice.why_not.empty()) choice.why_not = reason_to_leave(loops[k], command, is_named, round_piece[k] != 0);
+    if (choice.why_not.empty()) choice.why_not = reason_to_leave(loops[k], command, is_named);
     choice.fill = choice.why_not.empty();
-    choice.is_rim = bounds_a_sheet(loops[k]) || round_piece[k] != 0;
+    choice.is_rim = loops[k].kind == LoopKind::outer_rim;
   }
   return choices;
 }

@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <new>
 #include <thread>
 
@@ -63,7 +64,8 @@ void add_info(CLI::App& app, InfoCommand& command) {
 /// Options whose types need a word-to-value table or a lambda.
 struct FillWords {
   FlowWords flow;
-  bool include_outer_rim = false, bridge_islands = false;
+  bool include_outer_rim = false, stitch = false, repair = false, keep_partial = false;
+  FillOptions::Islands islands = FillOptions::Islands::join;
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
@@ -80,16 +82,31 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
       ->check(between(1e-300, 1e300));
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
-  fill->add_flag("--bridge-islands", words.bridge_islands,
-                 "Join a hole to the pieces of surface that lie within it, instead of covering these");
-  fill->add_option("--trim-rim", command.trim_rounds,
-                   "First remove up to N rings of bad rim triangles (dangling, slivers, spikes, flipped)")
+  fill->add_option("--islands", words.islands,
+                   "Pieces of surface within a hole: join them to its patch, or cover them with it")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, FillOptions::Islands>{{"join", FillOptions::Islands::join},
+                                                      {"cover", FillOptions::Islands::cover}}))
+      ->type_name("TEXT:{join,cover}=join");
+  fill->add_flag("--stitch", words.stitch, "Zip boundaries that lie within a tenth of their edges of each other first");
+  fill->add_flag("--repair", words.repair,
+                 "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, remove "
+                 "degenerate and duplicate faces and crumbs");
+  fill->add_option("--bridge", command.bridges,
+                   "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")
+      ->type_name("A,B")
+      ->expected(1)
+      ->take_all();
+  fill->add_option("--trim-rim", command.trim_rounds)->check(between(0, 100))->group("");  // its name before
+  fill->add_option("--trim-boundary", command.trim_rounds,
+                   "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped, crossing)")
       ->check(between(0, 100))
       ->type_name("N");
   add_flow_options(*fill, words.flow, DensityOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))
       ->capture_default_str();
+  fill->add_flag("--keep-partial", words.keep_partial, "Write what is finished when stopped by Ctrl-C");
   fill->footer(
       "All holes are filled by default; the outer rim of an open sheet is left.\n"
       "The input's vertices and faces come first in the output, in their order, bit-identical.\n"
@@ -110,7 +127,10 @@ void take_words(const FillWords& words, FillCommand& command) {
   const int threads = command.fill.threads;
   command.fill = options_of(words.flow);
   command.fill.threads = threads;
-  command.fill.islands = words.bridge_islands ? FillOptions::Islands::join : FillOptions::Islands::cover;
+  command.fill.islands = words.islands;
+  if (words.keep_partial) command.fill.on_cancel = FillOptions::OnCancel::keep_finished;
+  if (words.stitch) command.stitch = FillCommand::Stitch::yes;
+  if (words.repair) command.repair = FillCommand::Repair::yes;
 }
 
 void add_render(CLI::App& app, RenderCommand& command) {

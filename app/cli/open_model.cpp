@@ -5,14 +5,18 @@
 
 namespace loopmend {
 
-OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident) {
-  ImportedMesh imported = read_mesh(path, coincident);
+SurfaceModel model_of(const std::filesystem::path& path, const TriangleSoup& soup) {
   try {
-    SurfaceModel model = make_surface_model(imported.soup);
-    return {std::move(imported.soup), std::move(model), std::move(imported.report)};
+    return make_surface_model(soup);
   } catch (const InvalidArgument& error) {
     throw ReadError(path, error.what(), "", "Check the mesh in the program that made it.");
   }
+}
+
+OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident) {
+  ImportedMesh imported = read_mesh(path, coincident);
+  SurfaceModel model = model_of(path, imported.soup);
+  return {std::move(imported.soup), std::move(model), std::move(imported.report)};
 }
 
 }  // namespace loopmend

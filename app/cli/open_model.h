@@ -15,6 +15,9 @@ struct OpenedModel {
   ImportReport import;
 };
 
+/// The view of a soup that was read from this file. @throws ReadError where it holds no usable face.
+SurfaceModel model_of(const std::filesystem::path& path, const TriangleSoup& soup);
+
 /// @throws ReadError, also where the file is sound but holds no usable face.
 OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep);
 

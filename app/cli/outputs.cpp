@@ -132,7 +132,7 @@ void print_coincident(std::FILE* out, const ImportReport& import, const std::vec
   std::fprintf(
       out,
       "%d boundary edges lie exactly on another one, and %zu vertices on an earlier one: the mesh is split there, "
-      "as along the seams of a texture. --weld joins them.\n",
+      "as along the seams of a texture. fill --stitch joins them.\n",
       edges, import.coincident_vertices);
 }
 

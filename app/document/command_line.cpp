@@ -3,6 +3,7 @@
 
 #include "document/labels.h"
 #include "document/shell_words.h"
+#include "pipeline/fill_holes.h"
 
 #include <QCoreApplication>
 
@@ -18,7 +19,6 @@ QString tr(const char* text) { return QCoreApplication::translate("loopmend::Sca
 QString options_of(const PatchRecipe& recipe) {
   QString text;
   if (recipe.density != 1) text += QStringLiteral(" --density ") + shell::exact(recipe.density);
-  if (recipe.start == PatchRecipe::Start::bridge) text += QStringLiteral(" --bridge-islands");
   if (recipe.runs.empty()) return text + QStringLiteral(" --flow none");
   const RunRecipe& run = recipe.runs.back();
   text += QStringLiteral(" --flow ") + shell::word(run.flow);
@@ -52,7 +52,9 @@ class ScanCommands {
 
   void add(const OpenPatch& patch, QStringList& remarks) {
     const PatchRecipe& recipe = patch.state->recipe;
-    auto& loops = by_options_[options_of(recipe)];
+    QString options = options_of(recipe);
+    if (recipe.start == PatchRecipe::Start::holes && covers_islands(patch)) options += QStringLiteral(" --islands cover");
+    auto& loops = by_options_[options];
     loops.insert(patch.loops.begin(), patch.loops.end());
     const QString name = labels::sentence(labels::holes(document_, {patch.loops.begin(), patch.loops.end()}));
     if (patch.state->status == PatchStatus::invalid)
@@ -87,12 +89,18 @@ class ScanCommands {
   }
 
  private:
+  /// Whether the command, which joins islands, would do something else at one of the loops.
+  bool covers_islands(const OpenPatch& patch) const {
+    std::vector<BoundaryLoop> loops;
+    for (int loop : patch.loops) loops.push_back(document_.loop(loop));
+    return !holes_with_islands(*scan_.model, loops).empty();
+  }
+
   QString by_number(const std::set<int>& loops) const {
     bool all = true;
     for (int loop = document_.first_loop_of(index_); loop < document_.loop_count(); ++loop) {
       if (document_.scan_of(loop) != index_) break;
-      const LoopKind kind = document_.loop(loop).kind;
-      all = all && loops.contains(loop) == (kind == LoopKind::hole || kind == LoopKind::touching);
+      all = all && loops.contains(loop) == (document_.loop(loop).kind == LoopKind::hole);
     }
     if (all) return {};
     QStringList numbers;

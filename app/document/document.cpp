@@ -82,8 +82,7 @@ QString Document::message(int loop) const {
 bool Document::fillable(int loop) const {
   if (!present(loop)) return false;
   const LoopKind kind = this->loop(loop).kind;
-  return kind == LoopKind::hole || kind == LoopKind::touching ||
-         (kind == LoopKind::outer_rim && outer_rims_ == OuterRims::include);
+  return kind == LoopKind::hole || (kind == LoopKind::outer_rim && outer_rims_ == OuterRims::include);
 }
 
 void Document::set_outer_rims(OuterRims rule) {

@@ -43,7 +43,6 @@ QString kind(LoopKind kind) {
   switch (kind) {
     case LoopKind::hole: return tr("hole");
     case LoopKind::outer_rim: return tr("outer rim");
-    case LoopKind::touching: return tr("touching");
     case LoopKind::crack: return tr("crack");
     case LoopKind::cut: return tr("cut");
   }
@@ -55,7 +54,6 @@ QString kind_help(LoopKind kind) {
     case LoopKind::hole: return tr("A hole in the surface.");
     case LoopKind::outer_rim:
       return tr("The rim of an open sheet. It is left out unless you select it yourself and press Fill.");
-    case LoopKind::touching: return tr("This loop passes twice through one vertex, or meets another loop there.");
     case LoopKind::crack:
       return tr(
           "A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.");
@@ -213,8 +211,7 @@ QString import_summary(const OpenedScan& scan) {
   if (in.coincident_vertices > 0)
     note(static_cast<std::size_t>(coincident),
          QT_TRANSLATE_NOOP("loopmend::labels",
-                           "%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill "
-                           "--weld` joins them)"));
+                           "%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)"));
   if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));
   if (!in.not_kept.empty()) text += QLatin1Char(' ') + tr("Will not be saved: %1.").arg(not_kept(in.not_kept));
   return text;

@@ -27,10 +27,17 @@ enum class OpenMode {
   add,      ///< into the scene; can be undone
 };
 
+/// What is done to a scan before it is filled, as by the options of `loopmend fill`.
+enum class Mending {
+  trim,    ///< --trim-boundary 3: bad triangles at the boundaries of these holes are removed
+  stitch,  ///< --stitch: boundaries that nearly coincide are zipped, all over the scan
+  repair,  ///< --repair: the scan becomes an oriented manifold
+};
+
 /// How holes are filled.
 struct FillChoice {
   double density = 1;  ///< InitialPatchOptions::density
-  FillOptions::Islands islands = FillOptions::Islands::cover;
+  FillOptions::Islands islands = FillOptions::Islands::join;
   bool operator==(const FillChoice&) const = default;
 };
 
@@ -62,9 +69,9 @@ class FillController : public QObject {
   /// Computes what fill() would do and shows it as a ghost. A later call replaces the earlier one.
   void preview_fill(const std::set<int>& loops, const FillChoice& choice);
   void drop_fill_preview();
-  /// Takes bad triangles at the boundaries of these holes away, as `loopmend fill --trim-rim 3`: each scan is replaced by one
-  /// without them, and loses its patches; can be undone.
-  void trim(const std::set<int>& loops);
+  /// Each scan that has one of these loops, or all scans where there are none, is replaced by a mended one without patches; can
+  /// be undone. Where there is nothing to mend, that is told.
+  void mend(Mending what, const std::set<int>& loops);
   void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
   void pause();
   /// Comes back at once; what was accepted so far stays and can be undone.

@@ -80,26 +80,6 @@ void add_patch(const Group& group, std::vector<int> loops, Patch patch, const st
   result.patches.push_back(std::move(open));
 }
 
-void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
-  const SurfaceModel& model = group.task->site->model();
-  BridgeOutcome outcome;
-  try {
-    if (find_opposed_loops(model, group.loops).empty())
-      outcome = bridge_loops(model, group.loops, group.task->options.initial, cancel);
-    else
-      outcome.message = "an island faces the hole with its inside; the Blend tool turns it round";
-  } catch (const std::exception& error) {
-    outcome.message = error.what();
-  }
-  if (cancel.cancelled()) return;
-  if (!outcome.bridge) {
-    result.failures[group.indices.front()] = outcome.message;
-    return;
-  }
-  if (!outcome.message.empty()) result.remarks[group.indices.front()] = outcome.message;
-  add_patch(group, group.indices, std::move(outcome.bridge->membrane), outcome.message, result);
-}
-
 void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
   const FillTask& task = *group.task;
   InitialPatch initial = make_initial_patch(task.site->model(), group.loops, task.options.initial, cancel);
@@ -122,6 +102,25 @@ void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
     result.remarks.clear();
   else
     add_patch(group, std::move(filled), std::move(*initial.patch), initial.message(), result);
+}
+
+/// Where no bridge is found, the hole's patch covers the islands.
+void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
+  const SurfaceModel& model = group.task->site->model();
+  BridgeOutcome outcome;
+  try {
+    outcome = bridge_loops(model, group.loops, group.task->options.initial, cancel);
+  } catch (const std::exception& error) {
+    outcome.message = error.what();
+  }
+  if (cancel.cancelled()) return;
+  if (!outcome.bridge) {
+    fill({group.task, PatchRecipe::Start::holes, {group.indices.front()}, {group.loops.front()}}, cancel, result);
+    result.remarks[group.indices.front()] = island_not_joined(outcome.message);
+    return;
+  }
+  if (!outcome.message.empty()) result.remarks[group.indices.front()] = outcome.message;
+  add_patch(group, group.indices, std::move(outcome.bridge->membrane), outcome.message, result);
 }
 
 /// What goes wrong in one group leaves the others alone.

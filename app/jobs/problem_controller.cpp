@@ -90,14 +90,14 @@ void ProblemController::discard() {
 /// What a trial was posed on must still be there, as it was.
 void ProblemController::watch_scans() {
   if (stage_ == Stage::none) return;
-  for (std::size_t k = 0; k < wish_.scans.size(); ++k) {
-    const auto scan = document_.scan(wish_.scans[k]);
+  for (std::size_t k = 0; k < request_.scans.size(); ++k) {
+    const auto scan = document_.scan(request_.scans[k]);
     if (!scan || (k < models_.size() && scan->model != models_[k])) {
       discard();
       return;
     }
   }
-  if (patches_of(document_, wish_.scans) != patches_) discard();
+  if (patches_of(document_, request_.scans) != patches_) discard();
 }
 
 void ProblemController::fail(const QString& words, Stage back_to) {
@@ -106,22 +106,22 @@ void ProblemController::fail(const QString& words, Stage back_to) {
   Q_EMIT failed(labels::sentence(words));
 }
 
-void ProblemController::pose(ProblemRequest wish) {
+void ProblemController::pose(ProblemRequest request) {
   forget();
   Q_EMIT picture_changed();
-  wish_ = std::move(wish);
-  for (int index : wish_.scans) models_.push_back(document_.scan(index)->model);
-  patches_ = patches_of(document_, wish_.scans);
+  request_ = std::move(request);
+  for (int index : request_.scans) models_.push_back(document_.scan(index)->model);
+  patches_ = patches_of(document_, request_.scans);
   job_ = std::make_shared<Job>(this);
   go_to(Stage::posing, tr("Making the start\u2026"));
-  tasks_.start([this, job = job_, parts = parts_of(document_, wish_.scans), wish = wish_] {
+  tasks_.start([this, job = job_, parts = parts_of(document_, request_.scans), request = request_] {
     try {
       const auto base = std::make_shared<const ProblemBase>(make_base(parts));
       if (job->token().cancelled()) return;
-      const auto posed = std::make_shared<const PosedProblem>(wish.pose(*base, job->token()));
+      const auto posed = std::make_shared<const PosedProblem>(request.pose(*base, job->token()));
       if (job->token().cancelled()) return;
       const auto start = shape_of_patch(posed->problem.start, parts.origin);
-      const auto backdrop = wish.around == ProblemRequest::Around::shown ? around(*base, *posed) : nullptr;
+      const auto backdrop = request.around == ProblemRequest::Around::shown ? around(*base, *posed) : nullptr;
       job->post([this, base, posed, start, backdrop] { on_posed(base, posed, start, backdrop); });
     } catch (const std::exception& error) {
       job->post([this, words = QString::fromUtf8(error.what())] {
@@ -139,7 +139,7 @@ void ProblemController::on_posed(std::shared_ptr<const ProblemBase> base, std::s
   base_ = std::move(base);
   posed_ = std::move(posed);
   start_shape_ = std::move(start);
-  picture_.hidden_scans = {wish_.scans.begin(), wish_.scans.end()};
+  picture_.hidden_scans = {request_.scans.begin(), request_.scans.end()};
   picture_.backdrop = std::move(backdrop);
   picture_.patch = start_shape_;
   picture_.arrival = Arrival::at_once;
@@ -158,7 +158,7 @@ void ProblemController::evolve(const EvolutionOptions& options) {
   picture_.arrival = Arrival::at_once;
   Q_EMIT picture_changed();
   go_to(Stage::evolving, tr("%1 at work\u2026").arg(labels::flow_name(options.flow)));
-  tasks_.start([this, job = job_, posed = posed_, options, origin = document_.origin(), name = wish_.made_name] {
+  tasks_.start([this, job = job_, posed = posed_, options, origin = document_.origin(), name = request_.made_name] {
     const auto post = std::make_shared<Post>();
     const auto on_step = [&](const Evolution& evolution, const StepRecord& record) {
       {
@@ -245,15 +245,15 @@ void ProblemController::cancel() {
 void ProblemController::accept() {
   if (stage_ != Stage::solved || controller_.busy()) return;
   const OpenedScanPtr made = made_;
-  const std::vector<int> scans = wish_.scans;
-  const QString words = wish_.name;
+  const std::vector<int> scans = request_.scans;
+  const QString words = request_.name;
   discard();
   controller_.replace_scans(scans, made, words);
   Q_EMIT accepted(tr("%1: applied. Ctrl+Z undoes it.").arg(words));
 }
 
 ComparisonSource ProblemController::race_source() const {
-  return {wish_.name, [start = posed_->problem.start](const CancelToken&) { return start; }, picture_.backdrop,
+  return {request_.name, [start = posed_->problem.start](const CancelToken&) { return start; }, picture_.backdrop,
           document_.origin()};
 }
 
@@ -268,7 +268,7 @@ QString ProblemController::adopt(const ComparedRun& lane) {
   };
   tasks_.run(
       job_,
-      [posed = posed_, lane, origin = document_.origin(), name = wish_.made_name] {
+      [posed = posed_, lane, origin = document_.origin(), name = request_.made_name] {
         auto solution = std::make_shared<Solution>();
         solution->outcome = lane;
         solution->surface = posed->problem.surface(lane.patch);

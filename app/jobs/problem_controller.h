@@ -42,14 +42,14 @@ class ProblemController : public QObject {
   enum class Stage { none, posing, posed, evolving, solved };
   Stage stage() const { return stage_; }
   bool busy() const { return stage_ == Stage::posing || stage_ == Stage::evolving; }
-  const QString& name() const { return wish_.name; }
+  const QString& name() const { return request_.name; }
   /// What is worth knowing now: remarks, figures; in words.
   const QString& words() const { return words_; }
   const ProblemPicture& picture() const { return picture_; }
   int free_vertices() const { return posed_ ? posed_->problem.start.free_count : 0; }
   const Solution* solution() const { return solution_.get(); }
 
-  void pose(ProblemRequest wish);
+  void pose(ProblemRequest request);
   /// From the posed start. Each accepted state is shown.
   void evolve(const EvolutionOptions& options);
   /// Comes back at once: what was under way is given up.
@@ -61,7 +61,7 @@ class ProblemController : public QObject {
   /// The same problem for a comparison of flows; its winner comes into the document likewise.
   bool can_compare() const { return posed_ != nullptr && !busy(); }
   ComparisonSource race_source() const;
-  const ProblemWords& command() const { return wish_.command; }
+  const ProblemWords& command() const { return request_.command; }
   /// @returns what to tell the person.
   QString adopt(const ComparedRun& lane);
   bool shut_down(std::chrono::milliseconds at_most);
@@ -87,8 +87,8 @@ class ProblemController : public QObject {
   Document& document_;
   FillController& controller_;
   Stage stage_ = Stage::none;
-  ProblemRequest wish_;
-  std::vector<ModelPtr> models_;        ///< of the wish's scans, as they were
+  ProblemRequest request_;
+  std::vector<ModelPtr> models_;        ///< of the request's scans, as they were
   std::vector<PatchStatePtr> patches_;  ///< of their patches, likewise
   QString words_;
   ProblemPicture picture_;

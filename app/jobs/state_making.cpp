@@ -34,10 +34,10 @@ std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch
   return next;
 }
 
-PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site) {
+PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanSite& site) {
   const Validity validity = validate(site.site(), state->patch);
   const bool cuts = validity.intersections > 0;
-  const bool worse = filler && !no_worse(validity, validate(site.site(), *filler));
+  const bool worse = initial && !no_worse(validity, validate(site.site(), *initial));
   if (!cuts && !worse) return state;
   auto marked = std::make_shared<PatchState>(*state);
   marked->status = PatchStatus::invalid;

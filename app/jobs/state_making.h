@@ -16,8 +16,8 @@ PatchStatePtr first_state(Patch patch, const std::string& message, double densit
 /// The state with another patch in it: shape and seam are made anew.
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin);
 
-/// The state, marked as cutting where its patch is worse than its `initial patch`, or cuts at all where there is none.
-PatchStatePtr judged(PatchStatePtr state, const Patch* filler, ScanSite& site);
+/// The state, marked as invalid where its patch is worse than `initial`, or cuts at all where there is none.
+PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanSite& site);
 
 /// The state, marked as doubtful where its patch is out of proportion to its initial patch.
 PatchStatePtr in_proportion(PatchStatePtr state, const Patch& initial);

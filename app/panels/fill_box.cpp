@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -32,7 +33,9 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
   preview_timer_.setInterval(preview_delay_ms);
   connect(&preview_timer_, &QTimer::timeout, this, &FillBox::preview_now);
   connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
-  connect(trim_, &QPushButton::clicked, this, &FillBox::trim);
+  connect(trim_, &QPushButton::clicked, this, [this] { mend(Mending::trim); });
+  connect(stitch_, &QPushButton::clicked, this, [this] { mend(Mending::stitch); });
+  connect(repair_, &QPushButton::clicked, this, [this] { mend(Mending::repair); });
   connect(preview_, &QCheckBox::toggled, this, &FillBox::preview_now);
   connect(islands_, &QCheckBox::toggled, this, &FillBox::preview_soon);
   connect(density_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
@@ -64,21 +67,30 @@ void FillBox::build() {
   explain(preview_, tr("Preview"), tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
   islands_ = new QCheckBox(tr("&Join islands"));
   islands_->setObjectName(QStringLiteral("islands"));
+  islands_->setChecked(true);
   explain(islands_, tr("Join islands"),
           tr("Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them"));
   trim_ =
       make_button("trim", tr("&Trim"),
-                  tr("Remove dangling, folded and needle-like triangles at the boundaries of these holes, up to three "
-                     "rings of them, before they are filled; Ctrl+Z brings them back"));
+                  tr("Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to "
+                     "three rings of them, before they are filled; Ctrl+Z brings them back"));
+  stitch_ = make_button("stitch", tr("&Stitch"),
+                        tr("Zip boundaries that lie within a tenth of their edges of each other, such as cracks and the seams "
+                           "between tiles; Ctrl+Z takes it back"));
+  repair_ = make_button("repair", tr("&Repair"),
+                        tr("Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove "
+                           "degenerate and duplicate faces and crumbs; Ctrl+Z takes it back"));
   fill_ = make_button("fill", tr("&Fill"), tr("Close the selected holes, or all holes when none is selected (Ctrl+F)"));
   grid->addWidget(target_, 0, 0, 1, 3);
   grid->addWidget(density_label, 1, 0);
   grid->addWidget(density_, 1, 1);
   grid->addWidget(preview_, 1, 2);
-  grid->addWidget(islands_, 2, 0, 1, 2);
-  grid->addWidget(trim_, 2, 2);
-  grid->addWidget(estimate_, 3, 0, 1, 3);
-  grid->addWidget(fill_, 4, 0, 1, 3);
+  grid->addWidget(islands_, 2, 0, 1, 3);
+  auto* mending = new QHBoxLayout;
+  for (QPushButton* button : {trim_, stitch_, repair_}) mending->addWidget(button);
+  grid->addLayout(mending, 3, 0, 1, 3);
+  grid->addWidget(estimate_, 4, 0, 1, 3);
+  grid->addWidget(fill_, 5, 0, 1, 3);
   grid->setColumnStretch(1, 1);
 }
 
@@ -92,7 +104,10 @@ FillChoice FillBox::choice() const {
   return {density_->value(), islands_->isChecked() ? FillOptions::Islands::join : FillOptions::Islands::cover};
 }
 
-void FillBox::trim() { controller_.trim(loops_to_fill(document_, selection_)); }
+void FillBox::mend(Mending what) {
+  // Stitching and repairing concern the whole of the scans, whatever is filled already.
+  controller_.mend(what, what == Mending::trim ? loops_to_fill(document_, selection_) : selection_.selected());
+}
 
 void FillBox::preview_soon() {
   if (preview_->isChecked()) preview_timer_.start();
@@ -149,6 +164,8 @@ void FillBox::update_state() {
   density_->setEnabled(idle && document_.has_scan());
   islands_->setEnabled(idle && document_.has_scan());
   trim_->setEnabled(idle && !loops.empty());
+  stitch_->setEnabled(idle && document_.has_scan());
+  repair_->setEnabled(idle && document_.has_scan());
   preview_->setEnabled(idle && !loops.empty() && loops.size() <= most_previewed);
 }
 

@@ -17,6 +17,7 @@ namespace loopmend {
 class Document;
 class HoleSelection;
 class FillController;
+enum class Mending;
 struct FillChoice;
 
 class FillBox : public QGroupBox {
@@ -27,7 +28,7 @@ class FillBox : public QGroupBox {
           QWidget* parent = nullptr);
 
   void fill();
-  void trim();
+  void mend(Mending what);
   void fill_holes(const std::set<int>& loops);
   void update_state();
 
@@ -45,7 +46,7 @@ class FillBox : public QGroupBox {
   QLabel *target_ = nullptr, *estimate_ = nullptr;
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;
-  QPushButton *fill_ = nullptr, *trim_ = nullptr;
+  QPushButton *fill_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr, *repair_ = nullptr;
   QTimer preview_timer_;
 };
 

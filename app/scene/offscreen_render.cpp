@@ -55,7 +55,7 @@ std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<Boun
       const Vec3 p = model.mesh.point(model.mesh.vertex_handle(static_cast<unsigned>(v))) - origin;
       for (double x : {p.x(), p.y(), p.z()}) line.points.push_back(static_cast<float>(x));
     }
-    line.style = loop.kind == LoopKind::hole || loop.kind == LoopKind::touching ? LoopStyle::open : LoopStyle::left_out;
+    line.style = loop.kind == LoopKind::hole ? LoopStyle::open : LoopStyle::left_out;
     lines.push_back(std::move(line));
   }
   return lines;

@@ -76,7 +76,7 @@ Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& 
   Vec3 sum = Vec3::Zero(), largest = Vec3::Zero();
   double largest_perimeter = 0;
   for (const BoundaryLoop& loop : loops) {
-    if (loop.kind != LoopKind::hole && loop.kind != LoopKind::touching) continue;
+    if (loop.kind != LoopKind::hole) continue;
     const Vec3 d = facing(model, loop);
     sum += loop.perimeter * d;
     if (loop.perimeter > largest_perimeter) {

@@ -126,11 +126,11 @@ void ToolController::pose(Then then) {
     return;
   }
   if (panel_->tool() == Tool::none) return;
-  trial_->pose(wish());
+  trial_->pose(request());
   current_ = true;
 }
 
-ProblemRequest ToolController::wish() const {
+ProblemRequest ToolController::request() const {
   switch (panel_->tool()) {
     case Tool::none: break;
     case Tool::region: return region_wish();
@@ -142,7 +142,7 @@ ProblemRequest ToolController::wish() const {
 
 void ToolController::copy_command() {
   if (panel_->tool() != Tool::none)
-    Q_EMIT notice(copy_to_clipboard(solving_command(wish().command, trial_box_->options())));
+    Q_EMIT notice(copy_to_clipboard(solving_command(request().command, trial_box_->options())));
 }
 
 void ToolController::on_stage() {
@@ -156,30 +156,30 @@ void ToolController::on_stage() {
 }
 
 ProblemRequest ToolController::region_wish() const {
-  ProblemRequest wish;
+  ProblemRequest request;
   const QString scan = document_.scan(region_->scan())->name;
-  wish.name = tr("Region of %1").arg(scan);
-  wish.made_name = scan;
-  wish.scans = {region_->scan()};
-  wish.command = region_words(document_, region_->scan(), region_->vertices());
-  wish.pose = [vertices = region_->vertices()](const ProblemBase& base, const CancelToken&) {
+  request.name = tr("Region of %1").arg(scan);
+  request.made_name = scan;
+  request.scans = {region_->scan()};
+  request.command = region_words(document_, region_->scan(), region_->vertices());
+  request.pose = [vertices = region_->vertices()](const ProblemBase& base, const CancelToken&) {
     return pose_region(base.model, vertices);
   };
-  return wish;
+  return request;
 }
 
 ProblemRequest ToolController::points_wish() const {
-  ProblemRequest wish;
+  ProblemRequest request;
   const QString scan = document_.scan(points_->scan())->name;
-  wish.name = tr("Surface through the points of %1").arg(scan);
-  wish.made_name = scan;
-  wish.scans = {points_->scan()};
-  wish.command = points_words(document_, points_->scan(), points_box_->options());
-  wish.pose = [options = points_box_->options()](const ProblemBase& base, const CancelToken&) {
+  request.name = tr("Surface through the points of %1").arg(scan);
+  request.made_name = scan;
+  request.scans = {points_->scan()};
+  request.command = points_words(document_, points_->scan(), points_box_->options());
+  request.pose = [options = points_box_->options()](const ProblemBase& base, const CancelToken&) {
     return pose_points(base.model, options);
   };
-  wish.around = ProblemRequest::Around::hidden;
-  return wish;
+  request.around = ProblemRequest::Around::hidden;
+  return request;
 }
 
 ProblemRequest ToolController::blend_wish() const {
@@ -188,26 +188,26 @@ ProblemRequest ToolController::blend_wish() const {
     std::shared_ptr<const OpenedScan> scan;
     BoundaryLoop loop;
   };
-  ProblemRequest wish;
+  ProblemRequest request;
   std::vector<Chosen> chosen;
   const std::vector<int> loops = blend_box_->loops();
   for (int loop : loops) {
     const int scan = document_.scan_of(loop);
-    auto at = std::find(wish.scans.begin(), wish.scans.end(), scan);
-    if (at == wish.scans.end()) at = wish.scans.insert(wish.scans.end(), scan);
-    chosen.push_back({static_cast<std::size_t>(at - wish.scans.begin()), document_.scan(scan), document_.loop(loop)});
+    auto at = std::find(request.scans.begin(), request.scans.end(), scan);
+    if (at == request.scans.end()) at = request.scans.insert(request.scans.end(), scan);
+    chosen.push_back({static_cast<std::size_t>(at - request.scans.begin()), document_.scan(scan), document_.loop(loop)});
   }
   QStringList names;
-  for (int scan : wish.scans) names << document_.scan(scan)->name;
-  wish.name = tr("Blend of %1").arg(labels::holes(document_, {loops.begin(), loops.end()}));
-  wish.made_name = names.join(QStringLiteral(" + "));
-  wish.command = blend_words(document_, loops, blend_box_->density());
-  wish.pose = [chosen, density = blend_box_->density()](const ProblemBase& base, const CancelToken& cancel) {
+  for (int scan : request.scans) names << document_.scan(scan)->name;
+  request.name = tr("Blend of %1").arg(labels::holes(document_, {loops.begin(), loops.end()}));
+  request.made_name = names.join(QStringLiteral(" + "));
+  request.command = blend_words(document_, loops, blend_box_->density());
+  request.pose = [chosen, density = blend_box_->density()](const ProblemBase& base, const CancelToken& cancel) {
     std::vector<BoundaryLoop> ends;
     for (const Chosen& one : chosen) ends.push_back(loop_in_base(base, one.part, *one.scan, one.loop));
     return pose_bridge(base.model, ends, InitialPatchOptions{density}, cancel);
   };
-  return wish;
+  return request;
 }
 
 void ToolController::select_facing() {

@@ -49,7 +49,7 @@ class ToolController : public QObject {
   void give_up_trial();
   void update_wanting();
   void show_region();
-  ProblemRequest wish() const;
+  ProblemRequest request() const;
   void copy_command();
   void on_placed(int old_scan, int new_scan);
   ProblemRequest region_wish() const;

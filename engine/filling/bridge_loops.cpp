@@ -36,15 +36,17 @@ std::vector<BridgeEnd> ends_of(const SurfaceModel& model, const std::vector<Boun
 
 void check_loops(const std::vector<BoundaryLoop>& loops) {
   if (loops.size() < 2) throw InvalidArgument("a blend needs at least two loops, not " + std::to_string(loops.size()));
-  std::set<int> seen;
+  std::set<std::pair<int, int>> edges;
+  std::set<int> vertices;
   for (const BoundaryLoop& loop : loops) {
     const std::string name = "loop " + std::to_string(loop.number);
-    if (loop.kind == LoopKind::touching)
-      throw InvalidArgument(name + " touches another loop, or itself, at a vertex: it cannot be joined to others");
     if (loop.kind == LoopKind::crack || loop.kind == LoopKind::cut)
       throw InvalidArgument(name + " is no hole but a " + to_string(loop.kind) + ": it cannot be joined to others");
     if (!(loop.diameter > 0)) throw InvalidArgument("all vertices of " + name + " are in one place");
-    if (!seen.insert(loop.vertices.front()).second) throw InvalidArgument(name + " is named twice");
+    if (!edges.insert({loop.vertices[0], loop.vertices[1]}).second) throw InvalidArgument(name + " is named twice");
+    for (int v : loop.vertices)
+      if (!vertices.insert(v).second)
+        throw InvalidArgument(name + " touches another loop, or itself, at a vertex: it cannot be joined to others");
   }
 }
 
@@ -65,7 +67,7 @@ Patch with_triangles(const Patch& empty, const Triangles& own) {
   return patch;
 }
 
-int badness(const Validity& quality) { return quality.folds + quality.intersections; }
+int defect_count(const Validity& quality) { return quality.folds + quality.intersections; }
 
 /// The patch over a bridge with vertices of its own, given in mesh units.
 Patch with_sweep(const Patch& empty, const SweptBridge& swept) {
@@ -113,7 +115,7 @@ void try_phase(Patch& best, const Phase& phase) {
   ConstrainedRemesher mesh = open_for_remeshing(best);
   phase(mesh);
   Patch next = with_interior(best, mesh);
-  if (badness(patch_validity(next)) <= badness(patch_validity(best))) best = std::move(next);
+  if (defect_count(patch_validity(next)) <= defect_count(patch_validity(best))) best = std::move(next);
 }
 
 /// ∫‖∇H‖² over the patch and the two rings around it: of two starts the smoother one is nearer to the goal.
@@ -134,7 +136,7 @@ Patch remeshed(Patch bridge, const CancelToken& cancel) {
   try_phase(bridge, [&](ConstrainedRemesher& mesh) {
     for (int k = 0; k < remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
   });
-  for (int attempt = 0; attempt < 3 && badness(patch_validity(bridge)) > 0 && !cancel.cancelled(); ++attempt)
+  for (int attempt = 0; attempt < 3 && defect_count(patch_validity(bridge)) > 0 && !cancel.cancelled(); ++attempt)
     try_phase(bridge, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
       remesh_once(mesh);
@@ -152,7 +154,7 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
       Patch next = bridge;
       for (int i = 0; i < bridge.free_count; ++i)
         next.positions[i] += share * (goal[static_cast<std::size_t>(mesh.locked() + i)] - bridge.positions[i]);
-      if (badness(patch_validity(next)) > badness(patch_validity(bridge))) continue;
+      if (defect_count(patch_validity(next)) > defect_count(patch_validity(bridge))) continue;
       bridge = std::move(next);
       break;
     }
@@ -168,7 +170,7 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
 struct Start {
   explicit Start(Patch p) : patch(std::move(p)), quality(patch_validity(patch)), unfair(unfairness(patch)) {}
   bool better_than(const Start& other) const {
-    const int a = badness(quality), b = badness(other.quality);
+    const int a = defect_count(quality), b = defect_count(other.quality);
     return a != b ? a < b : unfair < other.unfair;
   }
   Patch patch;
@@ -256,7 +258,7 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
       return outcome;
     }
     Start start(remeshed(first, cancel));
-    const bool ready = shape == FirstBridge::Shape::smooth && badness(start.quality) == 0;
+    const bool ready = shape == FirstBridge::Shape::smooth && defect_count(start.quality) == 0;
     if (!ready) start = faired(std::move(start), cancel);
     if (cancel.cancelled()) return {};
     if (best && !start.better_than(*best)) continue;
@@ -267,7 +269,7 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
     outcome.message = "no surface that joins these loops was found: they do not face a common middle, nor each other";
     return outcome;
   }
-  if (badness(best->quality) > 0) outcome.message = "the bridge has " + faults(best->quality) + " left";
+  if (defect_count(best->quality) > 0) outcome.message = "the bridge has " + faults(best->quality) + " left";
   outcome.bridge = Bridge{membrane(best->patch, cancel), best->patch, best->quality};
   return outcome;
 }

@@ -6,13 +6,15 @@
 #include "filling/triangulate_loop.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
+#include "mesh/vertex_fans.h"
 #include "remeshing/constrained_remesher.h"
 #include "remeshing/patch_remesh.h"
 #include "remeshing/size_field.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <cstdlib>
+#include <map>
 
 namespace loopmend {
 
@@ -21,15 +23,19 @@ namespace {
 constexpr int longest_for_cubic_first = 100;
 constexpr int longest_for_cubic = 350;  // docs/dev/filling.md, "Triangulation"
 constexpr int longest_for_all_methods = 5000;
-constexpr std::size_t from_coarse_to_fine = 200;  // vertices
+constexpr double from_coarse_to_fine = 200;       // vertices
+constexpr double one_try_only = 20000;            // vertices: where the best triangulation fails, others would for as long
 constexpr int beyond_the_cache = 5000;            // free vertices on the last coarse level
 constexpr double most_vertices = 2e6;             // some 13 GB of solver memory
 
-/// Everything the initial patch needs to know about a loop, in the patch frame; the loop's vertices are 0..n−1.
+/// Everything the initial patch needs to know about a loop, in the patch frame; the loop's places are 0..n−1. A vertex that
+/// the loop passes twice has two places.
 struct LoopSite {
   int n = 0;
   Points points;             ///< the loop, then the rings around it
-  Triangles surroundings;    ///< over `points`
+  std::vector<int> vertex;   ///< n: for each place the first with the same vertex
+  std::vector<char> shared;  ///< n: whether another boundary, or this one again, passes the vertex
+  Triangles surroundings;    ///< over `points`, by the first places
   std::vector<double> size;  ///< n: mean length of the edges of the surroundings at each loop vertex
   RimNormals rim_normals;
   Patch frame;  ///< an empty patch: its centre and scale
@@ -41,12 +47,23 @@ LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
   for (int v : loop.vertices) empty.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
   site.frame = make_patch(model, {loop}, {empty});
   site.n = loop.edges();
-  site.points = site.frame.positions;  // no free vertices, and ring 1 comes first: the loop in its own order
+  const std::vector<int>& visited = site.frame.loops.front();  // no free vertices, and ring 1 comes first
+  const int distinct = 1 + *std::max_element(visited.begin(), visited.end());
+  std::vector<int> place(distinct, -1);
+  for (int i = 0; i < site.n; ++i) {
+    if (place[visited[i]] < 0) place[visited[i]] = i;
+    site.vertex.push_back(place[visited[i]]);
+    site.shared.push_back(fan_count(model.mesh, TriMesh::VertexHandle(loop.vertices[i])) > 1);
+    site.points.push_back(site.frame.positions[visited[i]]);
+  }
+  site.points.insert(site.points.end(), site.frame.positions.begin() + distinct, site.frame.positions.end());
   site.surroundings = site.frame.triangles;
+  for (Triangle& t : site.surroundings)
+    for (int& v : t) v = v < distinct ? place[v] : v - distinct + site.n;
 
   std::vector<double> sum(site.points.size(), 0), count(site.points.size(), 0);
-  std::set<std::pair<int, int>> rim;
-  for (int i = 0; i < site.n; ++i) rim.insert({i, (i + 1) % site.n});
+  std::map<std::pair<int, int>, int> rim;
+  for (int i = 0; i < site.n; ++i) rim[{site.vertex[i], site.vertex[(i + 1) % site.n]}] = i;
   for (const Triangle& t : site.surroundings)
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
@@ -55,10 +72,12 @@ LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
         sum[v] += length;
         count[v] += 1;
       }
-      if (rim.count({b, a}))
-        site.rim_normals[{b, a}] = unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+      if (const auto edge = rim.find({b, a}); edge != rim.end())
+        site.rim_normals[{edge->second, (edge->second + 1) % site.n}] =
+            unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
     }
-  for (int i = 0; i < site.n; ++i) site.size.push_back(sum[i] / std::max(1.0, count[i]));
+  for (int i = 0; i < site.n; ++i)
+    site.size.push_back(sum[site.vertex[i]] / std::max(1.0, count[site.vertex[i]]));
   return site;
 }
 
@@ -68,7 +87,7 @@ struct Candidate {
   Triangles triangles;
   Validity quality;
 
-  int badness() const { return quality.folds + quality.intersections; }
+  int defect_count() const { return quality.folds + quality.intersections; }
   /// Bad enough to try another triangulation: the folds on a rim that turns back are nobody's fault.
   bool wants_another(int rim) const { return quality.intersections > 0 || (quality.folds > 0 && quality.folds < rim); }
 };
@@ -78,6 +97,8 @@ void join(const LoopSite& site, const Candidate& c, Points& points, Triangles& t
   points = c.points;
   points.insert(points.end(), site.points.begin() + site.n, site.points.end());
   triangles = c.triangles;
+  for (Triangle& t : triangles)
+    for (int& v : t) v = v < site.n ? site.vertex[v] : v;
   const int shift = static_cast<int>(c.points.size()) - site.n;
   for (Triangle t : site.surroundings) {
     for (int& v : t) v = v < site.n ? v : v + shift;
@@ -97,6 +118,30 @@ Validity assess(const LoopSite& site, const Candidate& c) {
   return quality;
 }
 
+/// Chords between vertices that boundaries share get a vertex in their middle: a patch across the other gap might have the
+/// same chord, and the surface has room for one.
+void split_shared_chords(const LoopSite& site, Candidate& c) {
+  const auto is_chord = [&](int a, int b) {
+    const int apart = std::abs(a - b);
+    return a < site.n && b < site.n && apart != 1 && apart != site.n - 1 && site.shared[a] && site.shared[b];
+  };
+  std::map<std::pair<int, int>, int> middle;
+  for (std::size_t f = 0; f < c.triangles.size();) {
+    const Triangle t = c.triangles[f];
+    int k = 0;
+    while (k < 3 && !is_chord(t[k], t[(k + 1) % 3])) ++k;
+    if (k == 3) {
+      ++f;
+      continue;
+    }
+    const int a = t[k], b = t[(k + 1) % 3], apex = t[(k + 2) % 3];
+    const auto [entry, added] = middle.emplace(std::minmax(a, b), static_cast<int>(c.points.size()));
+    if (added) c.points.push_back((c.points[a] + c.points[b]) / 2);
+    c.triangles[f] = {a, entry->second, apex};
+    c.triangles.push_back({entry->second, b, apex});
+  }
+}
+
 /// The triangulations to try, best first; stops at the first that is neither folded nor cut.
 std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelToken& cancel) {
   std::vector<TriangulationMethod> methods;
@@ -108,21 +153,20 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
     methods = {TriangulationMethod::delaunay_only, TriangulationMethod::planar};
   else
     methods = {TriangulationMethod::planar, TriangulationMethod::delaunay_only};
-  std::vector<int> loop(site.n);
-  for (int i = 0; i < site.n; ++i) loop[i] = i;
   std::vector<Candidate> candidates;
   for (TriangulationMethod method : methods) {
     if (cancel.cancelled()) break;
     Candidate c;
-    c.triangles = triangulate_loop(site.points, site.surroundings, loop, method);
+    c.triangles = triangulate_loop(site.points, site.surroundings, site.vertex, method);
     if (c.triangles.empty()) continue;
     c.points.assign(site.points.begin(), site.points.begin() + site.n);
+    split_shared_chords(site, c);
     c.quality = assess(site, c);
     candidates.push_back(std::move(c));
     if (!candidates.back().wants_another(site.n)) break;
   }
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.badness() < b.badness(); });
+                   [](const Candidate& a, const Candidate& b) { return a.defect_count() < b.defect_count(); });
   return candidates;
 }
 
@@ -180,7 +224,7 @@ bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, con
   ConstrainedRemesher mesh = guarded(site, size, best);
   phase(mesh);
   Candidate next = harvest(site, mesh);
-  if (next.badness() > best.badness()) return false;
+  if (next.defect_count() > best.defect_count()) return false;
   best = std::move(next);
   return true;
 }
@@ -202,8 +246,9 @@ void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& b
 
 /// Refinement, remeshing and relaxation (docs/dev/filling.md, "Remeshing and relaxation"). A phase that makes the patch
 /// worse is tried again in its first round only, then left out or, if it is the remeshing, taken apart.
-Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, InitialShape shape, bool large,
+Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, InitialShape shape, double vertices,
                  const CancelToken& cancel) {
+  const bool large = vertices > from_coarse_to_fine, very_large = vertices > one_try_only;
   const auto rounds = [&](int count, bool (*round)(ConstrainedRemesher&)) {
     return [=, &cancel](ConstrainedRemesher& mesh) {
       for (int k = 0; k < count && !cancel.cancelled(); ++k)
@@ -212,19 +257,23 @@ Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, In
   };
   if (large && try_phase(site, size, best, [&](ConstrainedRemesher& mesh) { coarse_to_fine(mesh, shape, cancel); }))
     return best;
+  if (very_large) {
+    try_phase(site, size, best, rounds(1, remesh_once));
+    return best;
+  }
   if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)) &&
       !try_phase(site, size, best, rounds(1, remesh_once)))
     remesh_bit_by_bit(site, size, best, cancel);
   const int most = shape == InitialShape::triangulated ? 0 : large ? 2 : relax_rounds;
   if (most > 0 && !try_phase(site, size, best, rounds(most, relax_once)))
     try_phase(site, size, best, rounds(1, relax_once));
-  for (int attempt = 0; attempt < 3 && best.badness() > 0 && !cancel.cancelled(); ++attempt) {
-    const int before = best.badness();
+  for (int attempt = 0; attempt < 3 && best.defect_count() > 0 && !cancel.cancelled(); ++attempt) {
+    const int before = best.defect_count();
     try_phase(site, size, best, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
       remesh_once(mesh);
     });
-    if (best.badness() == before) break;
+    if (best.defect_count() == before) break;
   }
   return best;
 }
@@ -241,8 +290,6 @@ std::string reason_not_to_fill(const BoundaryLoop& loop) {
   switch (loop.kind) {
     case LoopKind::hole:
     case LoopKind::outer_rim: return "";
-    case LoopKind::touching:
-      return "the loop touches another loop, or itself, at a vertex: which way round to fill it is not determined";
     case LoopKind::crack:
       return "a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them; welding "
              "the vertices joins them";
@@ -310,9 +357,9 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
   Candidate best;
   for (const Candidate& candidate : candidates) {
-    Candidate refined = refine(site, size, candidate, options.shape, vertices > from_coarse_to_fine, cancel);
-    if (best.triangles.empty() || refined.badness() < best.badness()) best = std::move(refined);
-    if (!best.wants_another(site.n) || cancel.cancelled()) break;
+    Candidate refined = refine(site, size, candidate, options.shape, vertices, cancel);
+    if (best.triangles.empty() || refined.defect_count() < best.defect_count()) best = std::move(refined);
+    if (!best.wants_another(site.n) || vertices > one_try_only || cancel.cancelled()) break;
   }
   if (cancel.cancelled()) return outcome;
 

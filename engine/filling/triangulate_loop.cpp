@@ -6,12 +6,13 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace loopmend {
@@ -19,46 +20,40 @@ namespace loopmend {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
 
-Vertex vertex(int v) { return Vertex(static_cast<Mesh::size_type>(v)); }
-
-/// The neighbourhood as a CGAL mesh; vertex numbers are kept.
-Mesh neighborhood(const Points& points, const Triangles& surroundings) {
-  Mesh mesh;
-  mesh.reserve(static_cast<unsigned>(points.size()), static_cast<unsigned>(3 * points.size()),
-               static_cast<unsigned>(surroundings.size()));
-  for (const Vec3& p : points) mesh.add_vertex({p.x(), p.y(), p.z()});
-  for (const Triangle& t : surroundings) mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
-  return mesh;
-}
-
-/// What the hole at `border` looks like from inside. @param vertices  of the result's points. Empty where the border meets
-/// itself.
-OpenLoop seen_from_inside(const Mesh& mesh, Mesh::Halfedge_index border, std::vector<int>& vertices) {
-  const auto place = [&](Vertex v) {
-    const auto& p = mesh.point(v);
-    return Vec3(p.x(), p.y(), p.z());
-  };
-  OpenLoop loop;
-  std::map<int, int> number;
-  for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(border)) {
-    const Vertex v = mesh.target(h);
-    if (!number.emplace(v.idx(), static_cast<int>(vertices.size())).second) return {};
-    vertices.push_back(static_cast<int>(v.idx()));
-    loop.points.push_back(place(v));
-    loop.across.push_back(place(mesh.target(mesh.next(mesh.opposite(mesh.next(h))))));
+/// What the loop looks like from inside. It begins with the loop's second vertex. Empty where an edge is no boundary edge.
+OpenLoop seen_from_inside(const Points& points, const Triangles& surroundings, const std::vector<int>& loop) {
+  const int n = static_cast<int>(loop.size());
+  const auto vertex = [&](int place) { return loop[(place + 1) % n]; };
+  std::map<int, std::vector<int>> places;
+  std::map<std::pair<int, int>, int> edge_place;
+  for (int i = 0; i < n; ++i) {
+    places[vertex(i)].push_back(i);
+    edge_place[{vertex(i), vertex(i + 1)}] = i;
   }
-  const int n = static_cast<int>(vertices.size());
-  for (int i = 0; i < n; ++i)
-    for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(vertex(vertices[i])))) {
-      const auto other = number.find(static_cast<int>(w.idx()));
-      if (other == number.end()) continue;
-      const int k = other->second;
-      if (k > i + 1 && !(i == 0 && k == n - 1)) loop.present.insert({i, k});
+  OpenLoop open;
+  for (int i = 0; i < n; ++i) open.points.push_back(points[vertex(i)]);
+  open.across = open.points;
+  std::vector<char> has_face(n, 0);
+  const auto forbid = [&](int a, int b) {
+    const auto at_a = places.find(a), at_b = places.find(b);
+    if (at_a == places.end() || at_b == places.end()) return;
+    for (int i : at_a->second)
+      for (int k : at_b->second)
+        if (std::abs(k - i) > 1 && std::abs(k - i) != n - 1) open.present.insert(std::minmax(i, k));
+  };
+  for (const Triangle& t : surroundings)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      if (const auto edge = edge_place.find({b, a}); edge != edge_place.end()) {
+        has_face[edge->second] = 1;
+        open.across[edge->second] = points[t[(k + 2) % 3]];
+      }
+      forbid(a, b);
     }
-  return loop;
+  for (const auto& [v, at] : places) forbid(v, v);
+  if (std::count(has_face.begin(), has_face.end(), 0) > 0) return {};
+  return open;
 }
 
 /// Corners in ascending order: the faces of the Delaunay triangulation of a loop, and, as in CGAL's hole filling, all
@@ -96,49 +91,59 @@ Triangles delaunay_triangles(const Points& points) {
 }
 
 /// Over Delaunay triangles if they will do; else, or where it is asked for, over all.
-Triangles least_folded(const Mesh& mesh, Mesh::Halfedge_index border, TriangulationMethod method) {
-  std::vector<int> vertices;
-  const OpenLoop loop = seen_from_inside(mesh, border, vertices);
+Triangles least_folded(const OpenLoop& loop, TriangulationMethod method) {
   Triangles triangles;
-  if (loop.points.empty()) return triangles;
   if (method != TriangulationMethod::cubic)
     triangles = minimum_weight_triangulation(loop, delaunay_triangles(loop.points));
   if (triangles.empty() && (method == TriangulationMethod::cubic || method == TriangulationMethod::delaunay))
     triangles = minimum_weight_triangulation(loop);
-  for (Triangle& t : triangles)
-    for (int& v : t) v = vertices[v];
   return triangles;
 }
 
 /// Constrained Delaunay in the plane that fits best; empty where the loop's image crosses itself.
-Triangles planar_triangulation(Mesh& mesh, Mesh::Halfedge_index border) {
-  std::vector<Mesh::Face_index> faces;
-  CGAL::Polygon_mesh_processing::triangulate_hole(mesh, border, std::back_inserter(faces),
-                                                  CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
-                                                      .threshold_distance(std::numeric_limits<double>::max())
-                                                      .use_delaunay_triangulation(false)
-                                                      .do_not_use_cubic_algorithm(true));
+Triangles planar_triangulation(const OpenLoop& loop) {
+  std::vector<Kernel::Point_3> points;
+  for (const Vec3& p : loop.points) points.emplace_back(p.x(), p.y(), p.z());
+  std::vector<CGAL::Triple<int, int, int>> found;
+  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
+      points, std::back_inserter(found),
+      CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
+          .threshold_distance(std::numeric_limits<double>::max())
+          .use_delaunay_triangulation(false)
+          .do_not_use_cubic_algorithm(true));
   Triangles triangles;
-  for (Mesh::Face_index f : faces) {
-    Triangle t;
-    int k = 0;
-    for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) t[k++] = static_cast<int>(v.idx());
-    triangles.push_back(t);
-  }
+  for (const auto& t : found) triangles.push_back({t.first, t.second, t.third});
+  const int n = static_cast<int>(points.size());
+  const bool along = std::any_of(triangles.begin(), triangles.end(), [n](const Triangle& t) {
+    return (t[0] + 1) % n == t[1] || (t[1] + 1) % n == t[2] || (t[2] + 1) % n == t[0];
+  });
+  if (!along)
+    for (Triangle& t : triangles) std::swap(t[1], t[2]);
   return triangles;
+}
+
+bool has_chord(const Triangles& triangles, const std::set<std::pair<int, int>>& chords) {
+  return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    for (int k = 0; k < 3; ++k)
+      if (chords.contains(std::minmax(t[k], t[(k + 1) % 3]))) return true;
+    return false;
+  });
 }
 
 }  // namespace
 
 Triangles triangulate_loop(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
                            TriangulationMethod method) {
-  Mesh mesh = neighborhood(points, surroundings);
-  const Mesh::Halfedge_index border = mesh.halfedge(vertex(loop[0]), vertex(loop[1]));
-  if (border == Mesh::null_halfedge() || !mesh.is_border(border)) return {};
+  const OpenLoop open = seen_from_inside(points, surroundings, loop);
   Triangles triangles;
-  if (method == TriangulationMethod::planar) triangles = planar_triangulation(mesh, border);
-  if (triangles.empty()) triangles = least_folded(mesh, border, method);
+  if (open.points.empty()) return triangles;
+  if (method == TriangulationMethod::planar) triangles = planar_triangulation(open);
+  if (has_chord(triangles, open.present)) triangles.clear();
+  if (triangles.empty()) triangles = least_folded(open, method);
   if (triangles.size() + 2 != loop.size()) triangles.clear();
+  const int n = static_cast<int>(loop.size());
+  for (Triangle& t : triangles)
+    for (int& v : t) v = (v + 1) % n;
   return triangles;
 }
 

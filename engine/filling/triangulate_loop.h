@@ -18,8 +18,10 @@ enum class TriangulationMethod {
 
 /// @param points       the loop's neighbourhood, #P
 /// @param surroundings triangles of the mesh around the loop, over `points`; chords that are edges of these are avoided
-/// @param loop         n ≥ 3 indices into `points`, in the order of the boundary halfedges
-/// @returns n − 2 triangles over `points`, oriented like the surroundings; empty when there is no such triangulation.
+/// @param loop         n ≥ 3 indices into `points`, in the order of the boundary halfedges; one that the loop passes twice is
+/// there twice
+/// @returns n − 2 triangles over places 0..n−1 of the loop, oriented like the surroundings; empty when there is no such
+/// triangulation.
 Triangles triangulate_loop(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
                            TriangulationMethod method);
 

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary_loops.h"
 
+#include "mesh/loop_facing.h"
+#include "mesh/pieces.h"
+#include "mesh/vertex_fans.h"
+
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numbers>
+#include <set>
 #include <unordered_map>
 
 namespace loopmend {
@@ -15,30 +22,17 @@ namespace loopmend {
 namespace {
 
 /// A rim whose geodesic curvature is above this share of 2π bounds a sheet. A ball of which less than a fifth is left
-/// (opening angle over 127°) is a sheet too; the end of a tube (0) and a hole (−1) are not.
-constexpr double outer_rim_turning = 0.6;
+/// (opening angle over 127°) is a sheet too; the end of a tube (0) and a hole (−1) are not. A small loop that turns so is a
+/// hole at the tip of something.
+constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
+/// So does a rim that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
+/// mask, or a ragged scan seen from one side, however its rim turns.
+constexpr double whole_extent = 0.84, sheet_depth = 0.5, straight_on = 0.9;
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
   Points points;
   for (int v : loop.vertices) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
   return points;
-}
-
-double total_turning(const TriMesh& mesh, const std::vector<int>& vertices) {
-  double turning = 0;
-  for (int v : vertices) {
-    double interior = 0;
-    const Vec3 p = mesh.point(TriMesh::VertexHandle(v));
-    for (const auto face : mesh.vf_range(TriMesh::VertexHandle(v))) {
-      Vec3 edges[2];
-      int k = 0;
-      for (const auto corner : mesh.fv_range(face))
-        if (corner.idx() != v) edges[k++] = mesh.point(corner) - p;
-      interior += std::atan2(edges[0].cross(edges[1]).norm(), edges[0].dot(edges[1]));
-    }
-    turning += std::numbers::pi - interior;
-  }
-  return turning / (2 * std::numbers::pi);
 }
 
 void measure(const SurfaceModel& model, BoundaryLoop& loop) {
@@ -61,7 +55,6 @@ void measure(const SurfaceModel& model, BoundaryLoop& loop) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
   loop.planarity = loop.diameter > 0 ? std::sqrt(std::max(0.0, eigen.eigenvalues()[0])) / loop.diameter : 0;
   loop.area = std::abs(area_vector.dot(eigen.eigenvectors().col(0)));
-  loop.turning = total_turning(model.mesh, loop.vertices);
 }
 
 std::vector<BoundaryLoop> walk_loops(const TriMesh& mesh) {
@@ -74,6 +67,7 @@ std::vector<BoundaryLoop> walk_loops(const TriMesh& mesh) {
     do {
       seen[h.idx()] = 1;
       loop.vertices.push_back(mesh.from_vertex_handle(h).idx());
+      loop.turning += (gap_angle(mesh, h) - std::numbers::pi) / (2 * std::numbers::pi);
       h = mesh.next_halfedge_handle(h);
     } while (h != start);
     std::rotate(loop.vertices.begin(), std::min_element(loop.vertices.begin(), loop.vertices.end()),
@@ -127,18 +121,84 @@ void count_coincident(const SurfaceModel& model, std::vector<BoundaryLoop>& loop
   }
 }
 
-LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const std::map<int, int>& visits,
-                 const SoupEdges& edges) {
-  const std::size_t n = loop.vertices.size();
-  bool touching = false;
-  for (std::size_t i = 0; i < n; ++i) {
-    const int a = model.soup_vertex[loop.vertices[i]], b = model.soup_vertex[loop.vertices[(i + 1) % n]];
-    if (edges.has_several_faces(a, b)) return LoopKind::cut;
-    touching = touching || visits.at(a) > 1;
+bool turns_like_a_sheet(const BoundaryLoop& loop) {
+  return loop.turning > outer_rim_turning && loop.extent > least_extent_of_a_turn;
+}
+
+bool runs_round_a_sheet(const BoundaryLoop& loop) {
+  return loop.extent > whole_extent && loop.depth < sheet_depth && loop.onward < straight_on;
+}
+
+/// The pieces of surface and their boxes.
+class Pieces {
+ public:
+  explicit Pieces(const TriMesh& mesh) : mesh_(mesh), piece_(pieces_of(mesh)), box_(piece_.size()), faces_(piece_.size()) {
+    for (const auto face : mesh.faces()) {
+      const int piece = piece_[face.idx()];
+      faces_[piece].push_back(face.idx());
+      for (const auto v : mesh.fv_range(face)) box_[piece].extend(mesh.point(v));
+    }
   }
-  if (touching) return LoopKind::touching;
+
+  /// Fills extent, depth and onward. The depth is measured only where it may matter.
+  void measure(const SurfaceModel& model, BoundaryLoop& loop) const {
+    const LoopFacing facing = loop_facing(model, loop);
+    loop.onward = facing.onward.norm();
+    const int piece = piece_beside(mesh_, piece_, loop);
+    Eigen::AlignedBox3d box;
+    for (const int v : loop.vertices) box.extend(mesh_.point(TriMesh::VertexHandle(v)));
+    loop.extent = box.diagonal().norm() / box_[piece].diagonal().norm();
+    if (loop.extent <= whole_extent || !(loop.diameter > 0)) return;
+    for (const int f : faces_[piece])
+      for (const auto v : mesh_.fv_range(TriMesh::FaceHandle(f)))
+        loop.depth = std::max(loop.depth, std::abs(facing.axis.dot(mesh_.point(v) - loop.center)) / loop.diameter);
+  }
+
+ private:
+  const TriMesh& mesh_;
+  std::vector<int> piece_;
+  std::vector<Eigen::AlignedBox3d> box_;
+  std::vector<std::vector<int>> faces_;
+};
+
+/// Loops of three edges whose triangle lies at the same place already, on another sheet.
+std::set<int> covered_triangles(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops) {
+  using Place = std::array<double, 3>;
+  const auto place = [&](TriMesh::VertexHandle v) {
+    const Vec3 p = mesh.point(v);
+    return Place{p.x(), p.y(), p.z()};
+  };
+  std::map<Place, std::vector<int>> loops_at;  // by their first place
+  std::map<int, std::array<Place, 3>> places;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (loops[k].edges() != 3) continue;
+    std::array<Place, 3>& sorted = places[static_cast<int>(k)];
+    for (int i = 0; i < 3; ++i) sorted[i] = place(TriMesh::VertexHandle(loops[k].vertices[i]));
+    std::sort(sorted.begin(), sorted.end());
+    loops_at[sorted[0]].push_back(static_cast<int>(k));
+  }
+  std::set<int> covered;
+  if (places.empty()) return covered;
+  for (const auto face : mesh.faces()) {
+    std::array<Place, 3> sorted;
+    int i = 0;
+    for (const auto v : mesh.fv_range(face)) sorted[i++] = place(v);
+    std::sort(sorted.begin(), sorted.end());
+    const auto found = loops_at.find(sorted[0]);
+    if (found == loops_at.end()) continue;
+    for (int k : found->second)
+      if (places.at(k) == sorted) covered.insert(k);
+  }
+  return covered;
+}
+
+LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const SoupEdges& edges) {
+  const std::size_t n = loop.vertices.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (edges.has_several_faces(model.soup_vertex[loop.vertices[i]], model.soup_vertex[loop.vertices[(i + 1) % n]]))
+      return LoopKind::cut;
   if (loop.coincident == loop.edges()) return LoopKind::crack;
-  return bounds_a_sheet(loop) ? LoopKind::outer_rim : LoopKind::hole;
+  return turns_like_a_sheet(loop) || runs_round_a_sheet(loop) ? LoopKind::outer_rim : LoopKind::hole;
 }
 
 }  // namespace
@@ -147,29 +207,36 @@ const char* to_string(LoopKind kind) {
   switch (kind) {
     case LoopKind::hole: return "hole";
     case LoopKind::outer_rim: return "outer rim";
-    case LoopKind::touching: return "touching";
     case LoopKind::crack: return "crack";
     case LoopKind::cut: return "cut";
   }
   return "";
 }
 
-bool bounds_a_sheet(const BoundaryLoop& loop) {
-  const bool by_kind = loop.kind != LoopKind::crack && loop.kind != LoopKind::cut;
-  return by_kind && loop.turning > outer_rim_turning;
+std::string why_outer_rim(const BoundaryLoop& loop) {
+  if (loop.kind != LoopKind::outer_rim) return "";
+  char text[160];
+  if (turns_like_a_sheet(loop))
+    std::snprintf(text, sizeof text, "the surface lies within it, as within the outline of a sheet");
+  else
+    std::snprintf(text, sizeof text, "it runs round its whole piece of surface, which is only %.2f loop diameters deep",
+                  loop.depth);
+  return text;
 }
 
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {
   std::vector<BoundaryLoop> loops = walk_loops(model.mesh);
-  std::map<int, int> visits;
-  for (const BoundaryLoop& loop : loops)
-    for (int v : loop.vertices) ++visits[model.soup_vertex[v]];
   const SoupEdges edges(model);
   count_coincident(model, loops);
+  if (loops.empty()) return loops;
+  const Pieces pieces(model.mesh);
   for (BoundaryLoop& loop : loops) {
     measure(model, loop);
-    loop.kind = kind_of(model, loop, visits, edges);
+    pieces.measure(model, loop);
+    loop.kind = kind_of(model, loop, edges);
   }
+  for (int k : covered_triangles(model.mesh, loops))
+    if (loops[k].kind == LoopKind::hole) loops[k].kind = LoopKind::crack;
   std::sort(loops.begin(), loops.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
     if (a.perimeter != b.perimeter) return a.perimeter > b.perimeter;
     return a.vertices.front() < b.vertices.front();

@@ -11,15 +11,15 @@ namespace loopmend {
 
 enum class LoopKind {
   hole,       ///< can be filled
-  outer_rim,  ///< the rim of an open sheet: filled only when asked for
-  touching,   ///< passes twice through one vertex, or meets another loop there
-  crack,      ///< each edge lies exactly on another boundary edge: nothing is missing, the sides are only not joined
+  outer_rim,  ///< the outline of an open sheet: filled only when asked for
+  crack,      ///< each edge lies exactly on another boundary edge, or all on one face: nothing is missing
   cut,        ///< runs where the view had to be cut (an edge with more than two faces, a one-sided surface): no hole
 };
 
 const char* to_string(LoopKind kind);
 
-/// One closed chain of boundary edges. Lengths in mesh units.
+/// One closed chain of boundary edges. Where loops touch, each goes on across the gap between two fans of faces, so that a
+/// vertex may lie on several loops, or twice on one. Lengths in mesh units.
 struct BoundaryLoop {
   int number = 0;             ///< from 1, by falling perimeter; stable for one model
   std::vector<int> vertices;  ///< view vertices in the order of the boundary halfedges (the hole lies to their left)
@@ -30,15 +30,17 @@ struct BoundaryLoop {
   double turning =
       0;  ///< total geodesic curvature seen from the surface, in units of 2π: −1 round hole, +1 rim of a sheet
   Vec3 center = Vec3::Zero();  ///< mean of the loop's vertices
+  double extent = 0;   ///< diagonal of the loop's box divided by that of its piece of surface
+  double depth = 0;    ///< how far its piece reaches from the loop's plane, to the farther side, divided by the diameter
+  double onward = 0;   ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
   int coincident = 0;          ///< edges that lie exactly on another boundary edge, of this loop or another
   LoopKind kind = LoopKind::hole;
 
   int edges() const { return static_cast<int>(vertices.size()); }
 };
 
-/// Whether the loop runs round a sheet, also where it touches itself or another loop on its way; its kind is `touching`
-/// then.
-bool bounds_a_sheet(const BoundaryLoop& loop);
+/// What told an outer rim from a hole, for a person, without a full stop; empty for other kinds.
+std::string why_outer_rim(const BoundaryLoop& loop);
 
 /// All loops, by falling perimeter, then by lowest view vertex.
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model);

@@ -75,6 +75,7 @@ std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::
   const TriMesh& mesh = model.mesh;
   const std::vector<int> piece = pieces_of(mesh);
   std::map<int, std::vector<int>> found;
+  std::map<int, Outline> outlines;  // of holes that were looked at
   for (int island = 0; island < static_cast<int>(loops.size()); ++island) {
     if (loops[island].kind != LoopKind::outer_rim) continue;
     int around = -1;
@@ -82,8 +83,9 @@ std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::
       const BoundaryLoop& loop = loops[hole];
       if (loop.kind != LoopKind::hole || loop.diameter <= loops[island].diameter) continue;
       if (around >= 0 && loop.diameter >= loops[around].diameter) continue;
+      if ((loop.center - loops[island].center).norm() > loop.diameter) continue;
       if (piece_beside(mesh, piece, loop) == piece_beside(mesh, piece, loops[island])) continue;
-      const Outline outline(mesh, loop);
+      const Outline& outline = outlines.try_emplace(hole, mesh, loop).first->second;
       const std::vector<int>& rim = loops[island].vertices;
       if (std::all_of(rim.begin(), rim.end(),
                       [&](int v) { return outline.holds(mesh.point(TriMesh::VertexHandle(v))); }))
@@ -94,22 +96,6 @@ std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::
   std::vector<HoleWithIslands> result;
   for (auto& [hole, islands] : found) result.push_back({hole, std::move(islands)});
   return result;
-}
-
-std::vector<char> loops_round_pieces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  constexpr double nearly = 0.85;  // a face bulges a little beyond its outline
-  const std::vector<int> piece = pieces_of(model.mesh);
-  std::vector<Eigen::AlignedBox3d> boxes(piece.size());
-  for (const auto face : model.mesh.faces())
-    for (const auto v : model.mesh.fv_range(face)) boxes[piece[face.idx()]].extend(model.mesh.point(v));
-  std::vector<char> round(loops.size(), 0);
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    Eigen::AlignedBox3d box;
-    for (const int v : loops[k].vertices) box.extend(model.mesh.point(TriMesh::VertexHandle(v)));
-    const Eigen::AlignedBox3d& whole = boxes[piece_beside(model.mesh, piece, loops[k])];
-    round[k] = box.diagonal().norm() > nearly * whole.diagonal().norm();
-  }
-  return round;
 }
 
 }  // namespace loopmend

@@ -24,8 +24,4 @@ struct HoleWithIslands {
 /// @param loops  all of the model. @returns by rising hole; holes without islands are left out.
 std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
-/// For each loop whether it runs round its whole piece of surface: its box is nearly as large as that of the piece. Where a
-/// rim touches a hole at a vertex, the two are one loop and its turning says nothing; this does.
-std::vector<char> loops_round_pieces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
-
 }  // namespace loopmend

@@ -4,12 +4,14 @@
 #include "core/error.h"
 #include "mesh/directed_edges.h"
 #include "mesh/orient_soup.h"
+#include "mesh/vertex_fans.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace loopmend {
 
@@ -156,21 +158,158 @@ std::vector<char> keep_the_majority(const Triangles& given, OrientedSoup& orient
   return turned;
 }
 
+/// Where more than two faces meet at an edge, pairs of them that run on into each other with the least angle stay together,
+/// as where two sheets touch along the edge or a fin stands on a sheet; the rest are cut off there.
+class EdgePairing {
+ public:
+  EdgePairing(const Points& points, const Triangles& triangles) : points_(points), triangles_(triangles) {
+    parent_.resize(3 * triangles.size());
+    std::iota(parent_.begin(), parent_.end(), 0);
+    std::vector<std::pair<std::uint64_t, int>> sides;  // edge, 3 · face + place of its first corner
+    for (int f = 0; f < static_cast<int>(triangles.size()); ++f)
+      for (int k = 0; k < 3; ++k) sides.emplace_back(edge_key(triangles[f][k], triangles[f][(k + 1) % 3]), 3 * f + k);
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size();) {
+      std::size_t j = i;
+      std::vector<int> at;
+      for (; j < sides.size() && sides[j].first == sides[i].first; ++j) at.push_back(sides[j].second);
+      if (at.size() == 2) join(at[0], at[1]);
+      if (at.size() > 2) join_the_flattest(at);
+      i = j;
+    }
+  }
+
+  /// The faces with a vertex of its own for each fan; the first keeps its number. @param origin  extended by the new ones.
+  Triangles separated(std::vector<int>& origin) {
+    Triangles result = triangles_;
+    std::vector<int> number(parent_.size(), -1);  // by root corner
+    std::vector<char> used(origin.size(), 0);
+    for (std::size_t f = 0; f < result.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const int v = triangles_[f][k];
+        int& mine = number[root(static_cast<int>(3 * f) + k)];
+        if (mine < 0 && used[v]) {
+          mine = static_cast<int>(origin.size());
+          origin.push_back(v);
+        } else if (mine < 0) {
+          mine = v;
+          used[v] = 1;
+        }
+        result[f][k] = mine;
+      }
+    return result;
+  }
+
+ private:
+  int root(int corner) {
+    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
+    return corner;
+  }
+  int vertex(int side, int k) const { return triangles_[side / 3][(side % 3 + k) % 3]; }
+  static int corner(int side, int k) { return side / 3 * 3 + (side % 3 + k) % 3; }
+  bool same_way(int s, int t) const { return vertex(s, 0) == vertex(t, 0); }
+
+  void join(int s, int t) {
+    const int turn = same_way(s, t) ? 0 : 1;
+    for (int k : {0, 1}) {
+      const int a = root(corner(s, k)), b = root(corner(t, (k + turn) % 2));
+      parent_[std::max(a, b)] = std::min(a, b);
+    }
+  }
+
+  /// From the edge into the face, square to the edge.
+  Vec3 wing(int side) const {
+    const Vec3 &a = points_[vertex(side, 0)], &b = points_[vertex(side, 1)], &apex = points_[vertex(side, 2)];
+    const Vec3 along = (b - a).normalized(), out = apex - a;
+    return (out - along.dot(out) * along).normalized();
+  }
+
+  void join_the_flattest(std::vector<int> at) {
+    std::vector<std::tuple<double, int, int>> pairs;  // cosine between the wings: −1 is flat
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = i + 1; j < at.size(); ++j)
+        if (!same_way(at[i], at[j])) pairs.emplace_back(wing(at[i]).dot(wing(at[j])), at[i], at[j]);
+    std::sort(pairs.begin(), pairs.end());
+    std::set<int> joined;
+    for (const auto& [cosine, s, t] : pairs) {
+      if (joined.contains(s) || joined.contains(t)) continue;
+      join(s, t);
+      joined.insert({s, t});
+    }
+  }
+
+  const Points& points_;
+  const Triangles& triangles_;
+  std::vector<int> parent_;  // of corners: 3 · face + place
+};
+
 /// Cuts and turns what is not an oriented manifold; keeps the soup's order of triangles.
 void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles, std::vector<int>& origin,
                  ModelRepairs& repairs) {
-  OrientedSoup oriented = orient_soup(soup.points, view_triangles);
+  if (repairs.non_manifold_edges > 0) view_triangles = EdgePairing(soup.points, view_triangles).separated(origin);
+  Points points = soup.points;
+  for (std::size_t v = points.size(); v < origin.size(); ++v) points.push_back(soup.points[origin[v]]);
+  OrientedSoup oriented = orient_soup(points, view_triangles);
   const std::vector<char> turned = keep_the_majority(view_triangles, oriented);
   for (std::size_t k = 0; k < faces.size(); ++k)
     if (turned[k]) {
       std::swap(soup.triangles[faces[k]][1], soup.triangles[faces[k]][2]);
       ++repairs.reoriented_faces;
     }
-  origin = std::move(oriented.origin);
+  for (std::size_t v = origin.size(); v < oriented.origin.size(); ++v) origin.push_back(origin[oriented.origin[v]]);
   std::set<int> split;
   for (std::size_t v = soup.points.size(); v < origin.size(); ++v) split.insert(origin[v]);
   repairs.non_manifold_vertices = split.size();
   view_triangles = std::move(oriented.triangles);
+}
+
+/// The link of an open fan from its faces' (next, previous) corners, in order; empty for a closed one.
+std::vector<int> link_of(const std::map<int, int>& next) {
+  std::set<int> ends;
+  for (const auto& [from, to] : next) ends.insert(to);
+  for (const auto& [from, to] : next) {
+    if (ends.contains(from)) continue;
+    std::vector<int> link{from};
+    for (auto at = next.find(from); at != next.end(); at = next.find(at->second)) link.push_back(at->second);
+    return link;
+  }
+  return {};
+}
+
+/// Where fans that share nothing but a vertex lie side by side around it, as where two holes touch, that vertex is one again:
+/// its copies take the number of the first.
+void rejoin_fans(const Points& points, const std::vector<int>& origin, Triangles& triangles) {
+  std::map<int, std::map<int, std::map<int, int>>> fans_at;  // split point → copy → next corner → previous corner
+  for (std::size_t copy = points.size(); copy < origin.size(); ++copy) fans_at[origin[copy]];
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k)
+      if (const auto split = fans_at.find(origin[t[k]]); split != fans_at.end())
+        split->second[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
+  std::map<int, int> joined;  // copy → the one whose number it takes
+  for (const auto& [point, fans] : fans_at) {
+    std::vector<FanLink> links;
+    std::set<int> neighbors;
+    bool share_only_the_point = true;
+    for (const auto& [copy, next] : fans) {
+      FanLink& link = links.emplace_back();
+      for (int v : link_of(next)) {
+        link.push_back(points[origin[v]]);
+        share_only_the_point = neighbors.insert(origin[v]).second && share_only_the_point;
+      }
+      share_only_the_point = share_only_the_point && !link.empty();
+    }
+    if (links.size() < 2 || !share_only_the_point || !arrange_fans(points[point], links)) continue;
+    for (const auto& [copy, next] : fans) joined[copy] = fans.begin()->first;
+  }
+  for (Triangle& t : triangles)
+    for (int& v : t)
+      if (const auto found = joined.find(v); found != joined.end()) v = found->second;
+}
+
+/// Some boundary vertices have several fans: the boundary goes on from each to the next.
+void link_all_fans(TriMesh& mesh) {
+  for (const auto v : mesh.vertices())
+    if (fan_count(mesh, v) > 1) link_fans(mesh, v);
 }
 
 }  // namespace
@@ -185,8 +324,11 @@ SurfaceModel make_surface_model(TriangleSoup soup) {
   for (int f : faces) triangles.push_back(soup.triangles[f]);
   std::vector<int> origin(soup.points.size());
   std::iota(origin.begin(), origin.end(), 0);
-  if (!is_oriented_manifold(triangles, soup.points.size(), model.repairs))
+  const bool was_split = !is_oriented_manifold(triangles, soup.points.size(), model.repairs);
+  if (was_split) {
     repair_view(soup, faces, triangles, origin, model.repairs);
+    rejoin_fans(soup.points, origin, triangles);
+  }
 
   std::vector<int> view_of(origin.size(), -1);
   for (const Triangle& t : triangles)
@@ -208,6 +350,7 @@ SurfaceModel make_surface_model(TriangleSoup soup) {
       throw InvalidArgument("face " + std::to_string(faces[k]) + " cannot be joined to its neighbours");
     model.soup_face.push_back(faces[k]);
   }
+  if (was_split) link_all_fans(model.mesh);
   model.soup = std::move(soup);
   return model;
 }
@@ -254,6 +397,8 @@ void append_patch(SurfaceModel& model, const PatchGeometry& patch) {
     model.soup.triangles.push_back({model.soup_vertex[view[t[0]].idx()], model.soup_vertex[view[t[1]].idx()],
                                     model.soup_vertex[view[t[2]].idx()]});
   }
+  for (int v : patch.rim)
+    if (fan_count(model.mesh, VertexHandle(v)) > 1) link_fans(model.mesh, VertexHandle(v));
 }
 
 }  // namespace loopmend

@@ -8,6 +8,7 @@
 #include "pipeline/paste.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <new>
@@ -57,19 +58,48 @@ std::vector<HoleResult> pasted(SurfaceModel& model, std::size_t loops, const std
   return results;
 }
 
+/// By the numbers of their loops; results of other loops follow.
+std::vector<HoleResult> in_the_order_of(const std::vector<BoundaryLoop>& loops, std::vector<HoleResult> results) {
+  std::map<int, std::size_t> place;
+  for (std::size_t k = 0; k < loops.size(); ++k) place.emplace(loops[k].number, k);
+  const auto place_of = [&](const HoleResult& result) {
+    const auto found = place.find(result.loop.number);
+    return found != place.end() ? found->second : loops.size() + static_cast<std::size_t>(result.loop.number);
+  };
+  std::stable_sort(results.begin(), results.end(),
+                   [&](const HoleResult& a, const HoleResult& b) { return place_of(a) < place_of(b); });
+  return results;
+}
+
+GroupResult unfinished_group(const Group& group, const std::vector<BoundaryLoop>& loops) {
+  GroupResult result;
+  for (int k : group) result.holes.push_back(open_hole(loops[k], PatchStatus::skipped, "not finished when stopped"));
+  return result;
+}
+
 std::vector<HoleResult> fill_groups(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                     const FillOptions& options, const OnFillProgress& progress,
                                     const CancelToken& cancel) {
-  const std::vector<Group> groups = sorted_groups(model, loops);
   const ScanIndex scan(model);
+  std::vector<HoleResult> impossible;
+  std::vector<BoundaryLoop> possible;
+  for (const BoundaryLoop& loop : loops) {
+    std::string why = loop.kind == LoopKind::cut ? "" : why_no_patch_exists(scan, loop);
+    if (why.empty())
+      possible.push_back(loop);
+    else
+      impossible.push_back(open_hole(loop, PatchStatus::failed, why));
+  }
+  const std::vector<Group> groups = sorted_groups(model, possible);
   std::vector<GroupResult> solved(groups.size());
+  std::vector<char> finished(groups.size(), 0);
   std::mutex progress_mutex;
   FillProgress state;
   state.loops_total = static_cast<int>(loops.size());
   const auto solve = [&](int g) {
     if (cancel.cancelled()) return;
     std::vector<BoundaryLoop> group;
-    for (int k : groups[g]) group.push_back(loops[k]);
+    for (int k : groups[g]) group.push_back(possible[k]);
     try {
       const InitialPatch initial = make_surveyed_patch(model, group, options.initial, cancel);
       solved[g] = solve_group(scan, initial, options, nullptr, cancel);
@@ -81,39 +111,32 @@ std::vector<HoleResult> fill_groups(SurfaceModel& model, const std::vector<Bound
         solved[g].holes.push_back(open_hole(loop, PatchStatus::failed, error.what()));
     }
     const std::lock_guard lock(progress_mutex);
+    if (cancel.cancelled()) return;
+    finished[g] = 1;
     state.loops_done += static_cast<int>(group.size());
     state.loop_number = group.front().number;
     if (progress) progress(state);
   };
   parallel_for(0, static_cast<int>(groups.size()), 1, solve);
-  return cancel.cancelled() ? std::vector<HoleResult>() : pasted(model, loops.size(), groups, solved);
+  if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (!finished[g]) solved[g] = unfinished_group(groups[g], possible);
+  std::vector<HoleResult> results = pasted(model, possible.size(), groups, solved);
+  std::move(impossible.begin(), impossible.end(), std::back_inserter(results));
+  return in_the_order_of(loops, std::move(results));
 }
 
-/// A hole and the islands in it, by points of the soup through which their loops run: patches that are pasted meanwhile
-/// change the numbers of loops.
-struct Place {
-  std::vector<BoundaryLoop> loops;  ///< the hole's first
-  std::vector<int> anchors;
+using Place = std::vector<BoundaryLoop>;  // a hole, then the islands in it
 
-  Place(const SurfaceModel& model, std::vector<BoundaryLoop> ends) : loops(std::move(ends)) {
-    for (const BoundaryLoop& loop : loops) anchors.push_back(model.soup_vertex[loop.vertices.front()]);
-  }
-};
+/// A piece smaller than this share of the hole tells nothing of the surface that is missing: the patch covers it.
+constexpr double least_island = 0.05;
 
-BoundaryLoop loop_through(const SurfaceModel& model, int soup_point) {
-  for (const BoundaryLoop& loop : find_boundary_loops(model))
-    for (int v : loop.vertices)
-      if (model.soup_vertex[v] == soup_point) return loop;
-  throw InvalidArgument("another patch closed it already");
-}
-
+/// Joins the hole to the islands. Where that fails, every result says why.
 std::vector<HoleResult> joined_islands(SurfaceModel& model, const Place& place, const GroupOptions& options,
                                        const CancelToken& cancel) {
   BlendResult blend;
   try {
-    std::vector<BoundaryLoop> ends;
-    for (int anchor : place.anchors) ends.push_back(loop_through(model, anchor));
-    blend = blend_loops(model, ends, options, cancel);
+    blend = blend_loops(model, place, options, cancel);
   } catch (const std::exception& error) {  // one place does not take the others with it
     blend.outcome.message = error.what();
   }
@@ -121,14 +144,14 @@ std::vector<HoleResult> joined_islands(SurfaceModel& model, const Place& place, 
                          ? nullptr
                          : std::make_shared<const PatchResult>(std::move(blend.outcome));
   std::vector<HoleResult> results;
-  for (std::size_t k = 0; k < place.loops.size(); ++k) {
-    HoleResult result = open_hole(place.loops[k], PatchStatus::failed, blend.outcome.message);
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    HoleResult result = open_hole(place[k], PatchStatus::failed, blend.outcome.message);
     if (patch) {
       result.patch = patch;
       result.status = patch->status;
       result.place = static_cast<int>(k);
       result.seconds = patch->seconds.total;
-      result.message = k == 0 ? patch->message : "an island: joined to hole " + std::to_string(place.loops[0].number);
+      result.message = k == 0 ? patch->message : "an island: joined to hole " + std::to_string(place[0].number);
       result.free_vertices = k == 0 ? patch->patch.free_count : 0;
     }
     results.push_back(std::move(result));
@@ -148,44 +171,54 @@ namespace {
 std::vector<HoleResult> fill_and_join(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                       const FillOptions& options, const OnFillProgress& progress,
                                       const CancelToken& cancel) {
+  const std::vector<Place> places = holes_with_islands(model, loops);
+  if (places.empty()) return fill_groups(model, loops, options, progress, cancel);
   SurfaceModel work = model;
-  std::vector<Place> places;
-  for (std::vector<BoundaryLoop>& ends : holes_with_islands(model, loops)) places.emplace_back(model, std::move(ends));
   std::set<int> joined;
-  for (const Place& place : places)
-    for (const BoundaryLoop& loop : place.loops) joined.insert(loop.number);
+  std::map<int, HoleResult> by_number;
+  FillProgress state;
+  state.loops_total = static_cast<int>(loops.size());
+  std::map<int, std::string> covered;
+  for (const Place& place : places) {
+    if (cancel.cancelled()) break;
+    std::vector<HoleResult> results = joined_islands(work, place, options, cancel);
+    if (cancel.cancelled()) break;
+    state.loop_number = place.front().number;
+    if (progress) progress(state);
+    if (is_filled(results.front().status)) {
+      ++state.loops_done;
+      for (HoleResult& result : results) {
+        joined.insert(result.loop.number);
+        by_number[result.loop.number] = std::move(result);
+      }
+    } else {
+      covered[place.front().number] = results.front().message;
+    }
+  }
   std::vector<BoundaryLoop> others;
   for (const BoundaryLoop& loop : loops)
     if (!joined.contains(loop.number)) others.push_back(loop);
-  std::map<int, HoleResult> by_number;
-  const auto put = [&](std::vector<HoleResult> results) {
-    for (HoleResult& result : results) by_number[result.loop.number] = std::move(result);
-  };
-  FillProgress state;
-  state.loops_total = static_cast<int>(others.size() + joined.size());
+  const int done = state.loops_done;
   const auto report = [&](const FillProgress& groups) {
-    state.loops_done = groups.loops_done;
-    state.loop_number = groups.loop_number;
-    if (progress) progress(state);
+    if (progress) progress({done + groups.loops_done, state.loops_total, groups.loop_number});
   };
-  if (!others.empty()) put(fill_groups(work, others, options, report, cancel));
-  for (const Place& place : places) {
-    if (cancel.cancelled()) return {};
-    report({state.loops_done + static_cast<int>(place.loops.size()), 0, place.loops.front().number});
-    put(joined_islands(work, place, options, cancel));
+  for (HoleResult& result : fill_groups(work, others, options, report, cancel)) {
+    if (const auto why = covered.find(result.loop.number); why != covered.end())
+      result.message += (result.message.empty() ? "" : "; ") + island_not_joined(why->second);
+    by_number[result.loop.number] = std::move(result);
   }
-  if (cancel.cancelled()) return {};
+  if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
   model = std::move(work);
   std::vector<HoleResult> results;
-  for (const BoundaryLoop& loop : loops) {
-    results.push_back(std::move(by_number.at(loop.number)));
-    by_number.erase(loop.number);
-  }
   for (auto& [number, result] : by_number) results.push_back(std::move(result));
-  return results;
+  return in_the_order_of(loops, std::move(results));
 }
 
 }  // namespace
+
+std::string island_not_joined(const std::string& why) {
+  return "the piece of surface within it was not joined: " + (why.empty() ? "no bridge was found" : why);
+}
 
 std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                    const FillOptions& options, const OnFillProgress& progress,
@@ -206,8 +239,12 @@ std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& mo
   std::vector<std::vector<BoundaryLoop>> places;
   for (const HoleWithIslands& found : find_islands(model, all)) {
     if (!numbers.contains(all[found.hole].number)) continue;
-    places.push_back({all[found.hole]});
-    for (int island : found.islands) places.back().push_back(all[island]);
+    Place place{all[found.hole]};
+    for (int island : found.islands) {
+      const bool is_crumb = all[island].diameter < least_island * place.front().diameter;
+      if (!is_crumb && find_opposed_loops(model, {place.front(), all[island]}).empty()) place.push_back(all[island]);
+    }
+    if (place.size() > 1) places.push_back(std::move(place));
   }
   return places;
 }

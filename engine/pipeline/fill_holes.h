@@ -8,14 +8,17 @@
 #include "rim/trim_rim.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace loopmend {
 
 struct FillOptions : GroupOptions {
   int threads = 0;  ///< groups worked on at once; 0: as many as there are cores. The result does not depend on it.
-  /// Pieces of surface within a hole that is filled: covered by its patch, or joined to it.
-  enum class Islands { cover, join } islands = Islands::cover;
+  /// Pieces of surface within a hole that is filled: joined to its patch, or where that fails covered by it.
+  enum class Islands { cover, join } islands = Islands::join;
+  /// When cancelled: leave the model as it was, or fill what was finished by then.
+  enum class OnCancel { discard, keep_finished } on_cancel = OnCancel::discard;
 };
 
 /// @throws InvalidArgument if an option is out of range.
@@ -29,16 +32,21 @@ struct FillProgress {
 /// May be called from several threads, one call at a time.
 using OnFillProgress = std::function<void(const FillProgress&)>;
 
-/// Fills the loops and pastes the patches. On cancel the model is as it was.
+/// Fills the loops and pastes the patches.
 /// @param loops  of the model as it is.
-/// @returns one result per loop, in order, then those of islands that were joined to one of them; empty when cancelled.
+/// @returns one result per loop, in order, then those of islands that were joined to one of them; empty when cancelled
+/// and nothing is kept. Where finished patches are kept, the other loops are `skipped`.
 std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                    const FillOptions& options, const OnFillProgress& progress,
                                    const CancelToken& cancel);
 
-/// The holes among `asked` in which pieces of surface lie, each as the hole followed by the loops of these islands.
+/// The holes among `asked` in which pieces of surface lie that can be joined to them, each as the hole followed by the loops of
+/// these islands. Crumbs, and pieces that face the hole with their inside, are no such pieces.
 std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& model,
                                                           const std::vector<BoundaryLoop>& asked);
+
+/// What is said of a hole whose patch covers an island that should have been joined. @param why  no bridge was made.
+std::string island_not_joined(const std::string& why);
 
 /// Every hole of the model; outer rims and cut seams are left. @throws InvalidArgument if an option is out of range.
 std::vector<HoleResult> fill_all_holes(SurfaceModel& model, const FillOptions& options = {},

@@ -2,6 +2,7 @@
 #include "pipeline/initial_patch.h"
 
 #include "core/threads.h"
+#include "pipeline/flat_cut.h"
 #include "rim/rim_roughness.h"
 
 #include <algorithm>
@@ -39,14 +40,14 @@ LoopPatchOutcome guarded_fill(const SurfaceModel& model, const BoundaryLoop& loo
 std::optional<Patch> joined_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
                                   const std::vector<LoopPatchOutcome>& outcomes, double density) {
   std::vector<BoundaryLoop> loops;
-  std::vector<LoopPatch> fillers;
+  std::vector<LoopPatch> loop_patches;
   for (std::size_t k = 0; k < group.size(); ++k) {
     if (!outcomes[k].patch) continue;
     loops.push_back(group[k]);
-    fillers.push_back(*outcomes[k].patch);
+    loop_patches.push_back(*outcomes[k].patch);
   }
   if (loops.empty()) return std::nullopt;
-  Patch patch = make_patch(model, loops, fillers);
+  Patch patch = make_patch(model, loops, loop_patches);
   patch.grading.density = density;
   return patch;
 }
@@ -65,6 +66,8 @@ int treatment_of(const RimRoughness& boundary) {
   if (boundary.rough_share > 0 || boundary.bending > 0) return -1;
   return boundary.noise_share == 0 ? 0 : boundary.noise_share >= 1 ? 1 : -1;
 }
+
+constexpr int treatment_of_a_flat_cut = 3;
 
 template <class T>
 std::vector<T> picked(const std::vector<T>& all, const std::vector<int>& which) {
@@ -157,6 +160,8 @@ InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const
 
 std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group) {
   const auto treatment = [&](const std::vector<int>& members) {
+    if (std::all_of(members.begin(), members.end(), [&](int k) { return is_flat_cut(model, group.loops[k]); }))
+      return treatment_of_a_flat_cut;
     const std::optional<Patch> patch =
         joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);
     return patch ? treatment_of(rim_roughness(*patch)) : -1;

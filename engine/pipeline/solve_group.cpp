@@ -30,9 +30,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 std::string why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
-  if (const int pierced = pierced_edges(scan, loop))
-    return std::to_string(pierced) + (pierced == 1 ? " boundary edge intersects" : " boundary edges intersect") +
-           " the surface, so that every patch would: left open; remove the intersecting triangles";
+  if (std::string why = why_no_patch_exists(scan, loop); !why.empty()) return why;
   return "every patch that was found would cut the surface or itself, in " + std::to_string(intersections) +
          " places: left open";
 }
@@ -197,6 +195,13 @@ class GroupSolver {
 };
 
 }  // namespace
+
+std::string why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop) {
+  const int pierced = pierced_edges(scan, loop);
+  if (pierced == 0) return "";
+  return std::to_string(pierced) + (pierced == 1 ? " boundary edge intersects" : " boundary edges intersect") +
+         " the surface, so that no valid patch exists: left open; trim the boundary (--trim-boundary 3)";
+}
 
 HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why) {
   HoleResult result;

@@ -51,6 +51,10 @@ struct HoleResult {
 /// A hole that was left open.
 HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why);
 
+/// Why nothing can fill the loop: its own edges run through the surface. Empty where they do not. Fast: asked before any patch
+/// is made.
+std::string why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop);
+
 struct GroupResult {
   std::vector<std::shared_ptr<const PatchResult>> patches;  ///< one that is `invalid` must not be pasted
   std::vector<HoleResult> holes;                            ///< in the order of the group's loops

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/strategy.h"
 
+#include "pipeline/flat_cut.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/multi_start.h"
 #include "pipeline/rough_neighborhood.h"
@@ -18,6 +19,7 @@ struct Situation {
   EvolutionOptions options;  ///< as asked for
   std::optional<JudgedNeighborhood> judged;
   std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
+  bool flat_cut = false;               ///< every loop is one, and the options leave that to be judged
 
   const Patch& initial() const { return context.problem.initial; }
   bool is_rough() const { return judged && judged->roughness.rough_share > 0; }
@@ -87,6 +89,17 @@ bool tangent_fairing(const Situation& s, PatchResult& result) {
   return fall_back(s, options, result);
 }
 
+bool flat_cap(const Situation& s, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  options.continuity = SeamContinuity::position;
+  return fall_back(s, options, result);
+}
+
+constexpr const char* flat_cut_reason =
+    "the boundary lies in a plane that the surface runs into without bending, so that it was closed flat; boundary exact asks "
+    "for the flow itself";
+
+bool is_flat(const Situation& s) { return s.flat_cut; }
 bool trusts_flow(const Situation& s) { return !s.is_rough(); }
 bool is_rough(const Situation& s) { return s.is_rough(); }
 bool has_triangulation(const Situation& s) { return s.triangulation.has_value(); }
@@ -106,9 +119,10 @@ struct Attempt {
 
 using Stage = Attempt::Stage;
 
-/// From top to bottom, the first that holds. The flow where the boundary data can be trusted; where they are rough, robust
+/// From top to bottom, the first that holds. A flat cap on a flat cut. The flow where the boundary data can be trusted; where they are rough, robust
 /// fairing, best from a start that was not relaxed, and rollback where that folds at a few places; then what bulges less.
 const Attempt attempts[] = {
+    {Stage::asked_for, "flat cap", is_flat, flat_cap},
     {Stage::asked_for, "flow", trusts_flow, flow_from_the_best_start},
     {Stage::asked_for, "robust from triangulation", has_triangulation,
      [](const Situation& s, PatchResult& result) { return robust_from(*s.triangulation, s, result); }},
@@ -146,7 +160,7 @@ PatchResult first_that_holds(const Situation& s) {
     const bool holds = attempt.run(s, result);
     if (s.context.cancel.cancelled()) result.status = PatchStatus::cancelled;
     if (!holds && !s.context.cancel.cancelled()) continue;
-    result.reason = reason;
+    result.reason = attempt.run == flat_cap ? flat_cut_reason : reason;
     if (holds) result.made_by = attempt.name;
     result.attempts = std::move(tried);
     return result;
@@ -218,6 +232,10 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     return result;
   }
   Situation situation{{problem, {}, on_step, cancel}, options, judge_neighborhood(problem, options), std::nullopt};
+  situation.flat_cut = is_judged(options) && !problem.loops.empty() &&
+                       std::all_of(problem.loops.begin(), problem.loops.end(), [&](const BoundaryLoop& loop) {
+                         return is_flat_cut(problem.scan.model, loop);
+                       });
   if (situation.judged) {
     situation.options.roughness.reset();  // of the initial patch as it is: runs with other boundary data have another
     situation.context.boundary.noise_share = situation.judged->roughness.noise_share;

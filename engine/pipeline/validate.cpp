@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <unordered_map>
 
@@ -58,18 +59,36 @@ ScanIndex::ScanIndex(const SurfaceModel& surface)
       index(points, triangles) {}
 
 std::vector<int> loop_of_triangles(const Patch& patch) {
-  std::vector<int> part(patch.vertex_count());
+  std::vector<int> part(patch.patch_triangles);
   std::iota(part.begin(), part.end(), 0);
-  const auto root = [&](int v) {
-    while (part[v] != v) v = part[v] = part[part[v]];
-    return v;
+  const auto root = [&](int f) {
+    while (part[f] != f) f = part[f] = part[part[f]];
+    return f;
   };
+  // By edges, not by vertices: patches of holes that touch have a vertex in common.
+  std::vector<std::array<int, 3>> sides;  // both ends of an edge, and a triangle at it
+  sides.reserve(3 * patch.patch_triangles);
   for (int f = 0; f < patch.patch_triangles; ++f)
-    for (int k = 1; k < 3; ++k) part[root(patch.triangles[f][k])] = root(patch.triangles[f][0]);
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(patch.triangles[f][k], patch.triangles[f][(k + 1) % 3]);
+      sides.push_back({a, b, f});
+    }
+  std::sort(sides.begin(), sides.end());
+  const auto same_edge = [](const std::array<int, 3>& s, const std::array<int, 3>& t) {
+    return s[0] == t[0] && s[1] == t[1];
+  };
+  for (std::size_t k = 1; k < sides.size(); ++k)
+    if (same_edge(sides[k - 1], sides[k])) part[root(sides[k][2])] = root(sides[k - 1][2]);
   std::unordered_map<int, int> loop_at;
-  for (std::size_t l = 0; l < patch.loops.size(); ++l) loop_at[root(patch.loops[l].front())] = static_cast<int>(l);
-  std::vector<int> loop(patch.patch_triangles);
-  for (int f = 0; f < patch.patch_triangles; ++f) loop[f] = loop_at.at(root(patch.triangles[f][0]));
+  for (std::size_t l = 0; l < patch.loops.size(); ++l) {
+    const std::vector<int>& loop = patch.loops[l];
+    const auto [a, b] = std::minmax(loop[0], loop[1 % loop.size()]);
+    const auto side = std::lower_bound(sides.begin(), sides.end(), std::array<int, 3>{a, b, 0});
+    if (side != sides.end() && (*side)[0] == a && (*side)[1] == b) loop_at[root((*side)[2])] = static_cast<int>(l);
+  }
+  std::vector<int> loop(patch.patch_triangles, 0);
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    if (const auto found = loop_at.find(root(f)); found != loop_at.end()) loop[f] = found->second;
   return loop;
 }
 
@@ -99,7 +118,9 @@ int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop) {
     const std::vector<int> near = scan.index.near(p.cwiseMin(q), p.cwiseMax(q));
     count += std::any_of(near.begin(), near.end(), [&](int f) {
       const Triangle& t = scan.triangles[f];
-      const bool beside = std::any_of(t.begin(), t.end(), [&](int v) { return v == a || v == b; });
+      // A corner in the same place, as along a seam, is a common one.
+      const bool beside =
+          std::any_of(t.begin(), t.end(), [&](int v) { return scan.points[v] == p || scan.points[v] == q; });
       return !beside && CGAL::do_intersect(edge, Kernel::Triangle_3(exact(scan.points[t[0]]), exact(scan.points[t[1]]),
                                                                     exact(scan.points[t[2]])));
     });

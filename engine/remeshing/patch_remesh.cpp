@@ -5,6 +5,10 @@
 #include "mesh/quality.h"
 #include "remeshing/size_field.h"
 
+#include <algorithm>
+#include <map>
+#include <numeric>
+
 namespace loopmend {
 
 namespace {
@@ -15,6 +19,59 @@ int rim_size(const Patch& patch) {
   while (patch.free_count + rim < patch.vertex_count() && patch.ring[patch.free_count + rim] == 1) ++rim;
   return rim;
 }
+
+/// The locked vertices of a remesher: those of the rim. Where holes touch, the patch's own triangles at a rim vertex lie in
+/// several fans; each but the first gets a copy of the vertex, so that the remesher has an ordinary mesh.
+class LockedVertices {
+ public:
+  LockedVertices(const Patch& patch, int rim) : own_(patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles) {
+    rim_vertex_.resize(rim);
+    std::iota(rim_vertex_.begin(), rim_vertex_.end(), 0);
+    std::vector<std::vector<int>> faces(rim);
+    for (int f = 0; f < patch.patch_triangles; ++f)
+      for (int v : own_[f])
+        if (const int i = v - patch.free_count; i >= 0 && i < rim) faces[i].push_back(f);
+    for (int i = 0; i < rim; ++i) add_copies(patch.free_count + i, i, std::move(faces[i]));
+    for (Triangle& t : own_)
+      for (int& v : t) v = v < patch.free_count ? v + count() : v - patch.free_count;
+    for (auto& [corner, copy] : copies_) own_[corner.first][corner.second] = copy;
+  }
+
+  int count() const { return static_cast<int>(rim_vertex_.size()); }
+  /// #count: in the order of the patch's fixed vertices.
+  const std::vector<int>& rim_vertex() const { return rim_vertex_; }
+  /// The patch's own, over locked vertices and then free ones.
+  const Triangles& own_triangles() const { return own_; }
+
+ private:
+  /// @param faces  at vertex v of the patch, whose first copy is locked vertex i.
+  void add_copies(int v, int i, std::vector<int> faces) {
+    for (bool first = true; !faces.empty(); first = false) {
+      std::vector<int> fan{faces.front()};
+      faces.erase(faces.begin());
+      for (std::size_t k = 0; k < fan.size(); ++k)
+        std::erase_if(faces, [&](int g) {
+          const bool beside = share_edge_at(v, own_[fan[k]], own_[g]);
+          if (beside) fan.push_back(g);
+          return beside;
+        });
+      if (first) continue;
+      for (int f : fan)
+        for (int k = 0; k < 3; ++k)
+          if (own_[f][k] == v) copies_.push_back({{f, k}, count()});
+      rim_vertex_.push_back(i);
+    }
+  }
+
+  static bool share_edge_at(int v, const Triangle& t, const Triangle& u) {
+    return std::any_of(t.begin(), t.end(),
+                       [&](int w) { return w != v && std::find(u.begin(), u.end(), w) != u.end(); });
+  }
+
+  Triangles own_;
+  std::vector<int> rim_vertex_;
+  std::vector<std::pair<std::pair<int, int>, int>> copies_;  ///< (triangle, corner) → locked vertex
+};
 
 /// Mean length of the edges at each rim vertex: of those in the surroundings, or of all where there are none.
 std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
@@ -50,37 +107,37 @@ bool remesh_once(ConstrainedRemesher& mesh) {
 
 ConstrainedRemesher open_for_remeshing(const Patch& patch) {
   const int n = patch.free_count, rim = rim_size(patch);
-  const auto renumber = [&](int v) { return v < n ? v + rim : v - n; };
-  Points points(patch.positions.begin() + n, patch.positions.begin() + n + rim);
+  const LockedVertices locked(patch, rim);
+  const Triangles& triangles = locked.own_triangles();
+  Points points;
+  for (int i : locked.rim_vertex()) points.push_back(patch.positions[n + i]);
   points.insert(points.end(), patch.positions.begin(), patch.positions.begin() + n);
-  Triangles triangles;
-  for (int f = 0; f < patch.patch_triangles; ++f) {
-    Triangle t = patch.triangles[f];
-    for (int& v : t) v = renumber(v);
-    triangles.push_back(t);
-  }
+  // Edges along the rim as they run in the patch, by rim vertices: where no triangle of the patch is on their other side.
   const DirectedEdges edges(triangles, patch.patch_triangles);
+  std::map<std::pair<int, int>, std::pair<int, int>> open_edges;
+  for (const auto& edge : edges.all())
+    if (edge.first < locked.count() && edge.second < locked.count() && edges.is_open(edge))
+      open_edges[{locked.rim_vertex()[edge.first], locked.rim_vertex()[edge.second]}] = edge;
   RimNormals normals;
   for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
     const Triangle& t = patch.triangles[f];
-    for (int k = 0; k < 3; ++k) {
-      const std::pair<int, int> edge{renumber(t[(k + 1) % 3]), renumber(t[k])};
-      if (edge.first < rim && edge.second < rim && edges.is_open(edge))
-        normals[edge] = unit_normal(patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]);
-    }
+    for (int k = 0; k < 3; ++k)
+      if (const auto edge = open_edges.find({t[(k + 1) % 3] - n, t[k] - n}); edge != open_edges.end())
+        normals[edge->second] = unit_normal(patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]);
   }
   const auto field = std::make_shared<SizeField>(Points(points.begin(), points.begin() + rim),
                                                  rim_edge_lengths(patch, rim), patch.grading);
-  return ConstrainedRemesher(points, triangles, rim, normals, [field](const Vec3& p) { return field->at(p); });
+  return ConstrainedRemesher(points, triangles, locked.count(), normals, [field](const Vec3& p) { return field->at(p); });
 }
 
 Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {
   const Points points = mesh.points();
-  const int rim = mesh.locked();
+  const int locked = mesh.locked();
+  const std::vector<int> rim_vertex = LockedVertices(patch, rim_size(patch)).rim_vertex();
   Patch result = patch;
-  result.free_count = static_cast<int>(points.size()) - rim;
+  result.free_count = static_cast<int>(points.size()) - locked;
   const int shift = result.free_count - patch.free_count;
-  result.positions.assign(points.begin() + rim, points.end());
+  result.positions.assign(points.begin() + locked, points.end());
   result.positions.insert(result.positions.end(), patch.positions.begin() + patch.free_count, patch.positions.end());
   result.ring.assign(result.free_count, 0);
   result.ring.insert(result.ring.end(), patch.ring.begin() + patch.free_count, patch.ring.end());
@@ -89,7 +146,7 @@ Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {
                             patch.view_vertex.end());
   result.triangles.clear();
   for (Triangle t : mesh.triangles()) {
-    for (int& v : t) v = v < rim ? v + result.free_count : v - rim;
+    for (int& v : t) v = v < locked ? rim_vertex[v] + result.free_count : v - locked;
     result.triangles.push_back(t);
   }
   result.patch_triangles = static_cast<int>(result.triangles.size());

@@ -2,7 +2,9 @@
 #include "rim/trim_rim.h"
 
 #include "core/error.h"
+#include "mesh/mesh_arrays.h"
 #include "mesh/quality.h"
+#include "mesh/self_intersections.h"
 
 #include <algorithm>
 #include <map>
@@ -17,6 +19,8 @@ namespace {
 
 constexpr double sliver_angle = 5 * std::numbers::pi / 180;
 constexpr double spike_cosine = 0.5, flipped_cosine = -0.5;
+/// What crosses is followed inward further than what is merely bad: no patch is valid beside it.
+constexpr int rounds_for_crossings = 10;
 
 Vec3 normal_of(const SurfaceModel& model, int view_face) {
   const auto& [a, b, c] = model.soup.triangles[model.soup_face[view_face]];
@@ -75,6 +79,32 @@ std::set<int> rim_faces(const SurfaceModel& model, const std::vector<BoundaryLoo
   return faces;
 }
 
+/// Which of the view faces cut others of the surface.
+std::vector<int> crossing_faces(const SurfaceModel& model, const std::set<int>& faces) {
+  std::vector<int> crossing;
+  if (faces.empty()) return crossing;
+  const Points points = points_of(model.mesh);
+  const Triangles triangles = triangles_of(model.mesh);
+  const TriangleIndex index(points, triangles);
+  for (int f : faces) {
+    const auto& [a, b, c] = triangles[f];
+    const Vec3 low = points[a].cwiseMin(points[b]).cwiseMin(points[c]);
+    const Vec3 high = points[a].cwiseMax(points[b]).cwiseMax(points[c]);
+    Points corners;
+    Triangles local;
+    const auto add = [&](int face) {
+      const int first = static_cast<int>(corners.size());
+      for (int v : triangles[face]) corners.push_back(points[v]);
+      local.push_back({first, first + 1, first + 2});
+    };
+    add(f);
+    for (int g : index.near(low, high))
+      if (g != f) add(g);
+    if (!self_intersections(corners, local, 1).empty()) crossing.push_back(f);
+  }
+  return crossing;
+}
+
 std::set<int> soup_vertices(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   std::set<int> vertices;
   for (const BoundaryLoop& loop : loops)
@@ -90,6 +120,7 @@ const char* to_string(RimFault fault) {
     case RimFault::sliver: return "sliver";
     case RimFault::spike: return "spike";
     case RimFault::flipped: return "flipped";
+    case RimFault::crossing: return "crossing";
   }
   return "";
 }
@@ -107,6 +138,20 @@ std::vector<BadRimFace> bad_rim_faces(const SurfaceModel& model, const std::vect
   return bad;
 }
 
+namespace {
+
+/// To the other bad faces, by rising number.
+void add_crossing_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, std::vector<BadRimFace>& bad) {
+  for (int f : crossing_faces(model, rim_faces(model, loops))) {
+    const BadRimFace face{model.soup_face[f], RimFault::crossing, 1};
+    const auto at = std::lower_bound(bad.begin(), bad.end(), face,
+                                     [](const BadRimFace& a, const BadRimFace& b) { return a.face < b.face; });
+    if (at == bad.end() || at->face != face.face) bad.insert(at, face);
+  }
+}
+
+}  // namespace
+
 TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
   if (rounds < 0 || rounds > 100)
     throw InvalidArgument("between 0 and 100 rings of a rim can be trimmed, not " + std::to_string(rounds));
@@ -114,8 +159,10 @@ TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>
   std::vector<int> original(model.soup.triangles.size());
   std::iota(original.begin(), original.end(), 0);
   std::set<int> touched = soup_vertices(model, loops);
-  for (int round = 1; round <= rounds; ++round) {
-    const std::vector<BadRimFace> bad = bad_rim_faces(result.model, result.loops);
+  for (int round = 1; round <= (rounds > 0 ? std::max(rounds, rounds_for_crossings) : 0); ++round) {
+    std::vector<BadRimFace> bad;
+    if (round <= rounds) bad = bad_rim_faces(result.model, result.loops);
+    add_crossing_faces(result.model, result.loops, bad);
     if (bad.empty()) break;
     TriangleSoup left = result.model.soup;
     left.triangles.clear();

@@ -14,6 +14,7 @@ enum class RimFault {
   sliver,    ///< smallest angle under 5°
   spike,     ///< at a rim vertex all of whose triangles lean by more than 60° against what lies round about
   flipped,   ///< turned by more than 120° against some neighbour
+  crossing,  ///< cuts another triangle of the surface, so that every patch at its open edge would; found by trim_rim() alone
 };
 
 const char* to_string(RimFault fault);
@@ -34,7 +35,8 @@ struct TrimmedModel {
       loops;  ///< those that grew out of the loops given; numbers as find_boundary_loops gives them
 };
 
-/// Takes the bad triangles away, then those that are bad at the new rim, `rounds` times at most.
+/// Takes the bad triangles away, and those that cross others, then those that are bad at the new rim, `rounds` times at most;
+/// those that cross up to ten times.
 /// @param rounds  0..100. @throws InvalidArgument if it is not, or if nothing would be left.
 TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds);
 

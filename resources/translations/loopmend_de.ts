@@ -947,8 +947,24 @@
             <translation>&amp;Beschneiden</translation>
         </message>
         <message>
-            <source>Remove dangling, folded and needle-like triangles at the boundaries of these holes, up to three rings of them, before they are filled; Ctrl+Z brings them back</source>
-            <translation>Hängende, gefaltete und nadelförmige Dreiecke an den Rändern dieser Löcher entfernen, bis zu drei Ringe davon, bevor sie gefüllt werden; Strg+Z holt sie zurück</translation>
+            <source>Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to three rings of them, before they are filled; Ctrl+Z brings them back</source>
+            <translation>Hängende, gefaltete, nadelförmige und schneidende Dreiecke an den Rändern dieser Löcher entfernen, bis zu drei Ringe davon, bevor sie gefüllt werden; Strg+Z holt sie zurück</translation>
+        </message>
+        <message>
+            <source>&amp;Stitch</source>
+            <translation>&amp;Vernähen</translation>
+        </message>
+        <message>
+            <source>Zip boundaries that lie within a tenth of their edges of each other, such as cracks and the seams between tiles; Ctrl+Z takes it back</source>
+            <translation>Ränder schließen, die nicht weiter als ein Zehntel ihrer Kanten auseinander liegen, etwa Risse und die Nähte zwischen Kacheln; Strg+Z macht es rückgängig</translation>
+        </message>
+        <message>
+            <source>&amp;Repair</source>
+            <translation>&amp;Reparieren</translation>
+        </message>
+        <message>
+            <source>Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove degenerate and duplicate faces and crumbs; Ctrl+Z takes it back</source>
+            <translation>Den Scan zu einer orientierten Mannigfaltigkeit machen: Kanten mit mehr als zwei Dreiecken trennen, Dreiecke wenden, entartete und doppelte Dreiecke und Krümel entfernen; Strg+Z macht es rückgängig</translation>
         </message>
     </context>
     <context>
@@ -956,10 +972,6 @@
         <message>
             <source>Filling %1</source>
             <translation>Füllen: %1</translation>
-        </message>
-        <message>
-            <source>Trimming %1</source>
-            <translation>%1: Rand beschneiden</translation>
         </message>
         <message>
             <source>Trim the boundaries of %1</source>
@@ -1104,6 +1116,42 @@
         <message>
             <source> Left open, because the patch cuts the surface or another patch: %1.</source>
             <translation> Offen gelassen, weil der Flicken die Fläche oder einen anderen schneidet: %1.</translation>
+        </message>
+        <message>
+            <source>%1: %2 vertices were joined to others, %3 faces split; Ctrl+Z takes it back.</source>
+            <translation>%1: %2 Ecken wurden mit anderen verbunden, %3 Dreiecke geteilt; Strg+Z macht es rückgängig.</translation>
+        </message>
+        <message>
+            <source>Stitch %1</source>
+            <translation>%1 vernähen</translation>
+        </message>
+        <message>
+            <source>%1: %2 edges and %3 vertices were separated, %4 faces turned, %5 degenerate and %6 duplicate faces and %7 crumbs removed; Ctrl+Z takes it back.</source>
+            <translation>%1: %2 Kanten und %3 Ecken wurden getrennt, %4 Dreiecke gewendet, %5 entartete und %6 doppelte Dreiecke und %7 Krümel entfernt; Strg+Z macht es rückgängig.</translation>
+        </message>
+        <message>
+            <source>Repair %1</source>
+            <translation>%1 reparieren</translation>
+        </message>
+        <message>
+            <source>No boundaries lie close enough together to be stitched.</source>
+            <translation>Keine Ränder liegen nah genug beieinander, um vernäht zu werden.</translation>
+        </message>
+        <message>
+            <source>There is nothing to repair.</source>
+            <translation>Es gibt nichts zu reparieren.</translation>
+        </message>
+        <message>
+            <source>Trimming boundaries</source>
+            <translation>Ränder beschneiden</translation>
+        </message>
+        <message>
+            <source>Stitching boundaries</source>
+            <translation>Ränder vernähen</translation>
+        </message>
+        <message>
+            <source>Repairing the scan</source>
+            <translation>Scan reparieren</translation>
         </message>
     </context>
     <context>
@@ -3240,10 +3288,6 @@
             <translation>Außenrand</translation>
         </message>
         <message>
-            <source>touching</source>
-            <translation>berührend</translation>
-        </message>
-        <message>
             <source>crack</source>
             <translation>Riss</translation>
         </message>
@@ -3258,10 +3302,6 @@
         <message>
             <source>The rim of an open sheet. It is left out unless you select it yourself and press Fill.</source>
             <translation>Der Rand einer offenen Fläche. Er bleibt aus, wenn Sie ihn nicht selbst auswählen und füllen.</translation>
-        </message>
-        <message>
-            <source>This loop passes twice through one vertex, or meets another loop there.</source>
-            <translation>Dieser Rand geht zweimal durch eine Ecke oder trifft dort einen anderen.</translation>
         </message>
         <message>
             <source>A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.</source>
@@ -3504,10 +3544,6 @@
             <translation>%1 Ecken ohne Farbe, weiß gemacht</translation>
         </message>
         <message>
-            <source>%1 boundary edges that lie exactly on another (the mesh is split there; `loopmend fill --weld` joins them)</source>
-            <translation>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; `loopmend fill --weld` verbindet sie)</translation>
-        </message>
-        <message>
             <source>normals</source>
             <translation>Normalen</translation>
         </message>
@@ -3566,6 +3602,10 @@
         <message>
             <source>points</source>
             <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)</source>
+            <translation>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; Vernähen verbindet sie)</translation>
         </message>
     </context>
 </TS>

@@ -127,14 +127,14 @@ TEST_F(Cli, OuterRimIsLeftUnlessAskedFor) {
   EXPECT_TRUE(find_boundary_loops(make_surface_model(read_mesh(out).soup)).empty());
 }
 
-TEST_F(Cli, IslandsAreBridgedOnRequest) {
+TEST_F(Cli, IslandsAreJoinedByDefault) {
   // A cap of the sphere is missing but for two small pieces of it; another hole is ordinary.
   write_mesh(holes, cut(make_icosphere(5), [](const Vec3& p) {
                return (p.z() > 0.6 && (p - Vec3(0.4, 0, 0.9).normalized()).norm() > 0.15 &&
                        (p - Vec3(-0.4, 0.1, 0.9).normalized()).norm() > 0.15) ||
                       p.z() < -0.95;
              }));
-  const Outcome run = loopmend_program("fill " + in_out() + "--bridge-islands --report -");
+  const Outcome run = loopmend_program("fill " + in_out() + "--report -");
   ASSERT_EQ(run.code, 0) << run.err;
   const json report = json::parse(run.out);
   ASSERT_EQ(report["loops"].size(), 4u);
@@ -144,11 +144,9 @@ TEST_F(Cli, IslandsAreBridgedOnRequest) {
   const TriangleSoup before = read_mesh(holes).soup, after = read_mesh(out).soup;
   EXPECT_TRUE(find_boundary_loops(make_surface_model(after)).empty());
   for (std::size_t i = before.points.size(); i < after.points.size(); ++i) EXPECT_NEAR(after.points[i].norm(), 1, 1e-4);
-  // Without it they are left as they are: rims of sheets.
-  const json left = json::parse(loopmend_program("fill " + in_out() + "--report - --flow none").out);
+  // On request they are left as they are: rims of sheets.
+  const json left = json::parse(loopmend_program("fill " + in_out() + "--islands cover --report - --flow none").out);
   EXPECT_EQ(left["loops"][3]["status"], "skipped");
-  EXPECT_THAT(loopmend_program("fill " + in_out() + "--flow none").out,
-              HasSubstr("2 pieces of surface within holes; --bridge-islands would join them"));
 }
 
 TEST_F(Cli, EveryFlowModeAndSolverRuns) {

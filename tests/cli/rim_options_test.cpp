@@ -77,9 +77,9 @@ TEST_F(RimOptions, TrimmingIsOffButSuggestedAndToldFaceByFace) {
   ASSERT_EQ(left["bad_rim_faces"].size(), 1U);
   EXPECT_EQ(left["bad_rim_faces"][0]["face"], dangling_face);
   EXPECT_EQ(left["bad_rim_faces"][0]["fault"], "dangling");
-  EXPECT_THAT(left["suggestion"].get<std::string>(), testing::HasSubstr("--trim-rim"));
+  EXPECT_THAT(left["suggestion"].get<std::string>(), testing::HasSubstr("--trim-boundary"));
 
-  const json trimmed = fill(ragged, "--trim-rim 2");
+  const json trimmed = fill(ragged, "--trim-boundary 2");
   ASSERT_EQ(trimmed["trimmed_faces"].size(), 1U);
   EXPECT_EQ(trimmed["trimmed_faces"][0]["face"], dangling_face);
   EXPECT_TRUE(trimmed["bad_rim_faces"].empty());
@@ -92,7 +92,7 @@ TEST_F(RimOptions, TrimmingIsOffButSuggestedAndToldFaceByFace) {
 TEST_F(RimOptions, EveryBadFaceOfARaggedRimIsTold) {
   const test::RaggedRim rim = test::ragged_rim();
   write_mesh(ragged, rim.ragged);
-  const json report = fill(ragged, "--trim-rim 3");
+  const json report = fill(ragged, "--trim-boundary 3");
   std::map<int, std::pair<std::string, int>> told, expected;
   for (const json& face : report["trimmed_faces"]) told[face["face"]] = {face["fault"], face["ring"]};
   for (const BadRimFace& bad : rim.bad) expected[bad.face] = {to_string(bad.fault), bad.ring};

@@ -111,19 +111,19 @@ TEST_F(UndoHistoryTest, IsSavedWhereItWasSaved) {
 
 TEST_F(UndoHistoryTest, PatchesComeAndGoWithTheirChange) {
   SheetDocument document;
-  const PatchStatePtr filler = state_at(PatchStatus::filled), moved = state_at(PatchStatus::converged);
-  OpenPatch before{document.next_patch_id(), 0, {square}, filler, std::make_shared<Timeline>(Timeline{filler}), {}};
+  const PatchStatePtr initial = state_at(PatchStatus::filled), moved = state_at(PatchStatus::converged);
+  OpenPatch before{document.next_patch_id(), 0, {square}, initial, std::make_shared<Timeline>(Timeline{initial}), {}};
   OpenPatch after = before;
   after.state = moved;
   history.push(std::make_unique<PatchChange>(document, std::vector<PatchChange::Pair>{{{}, before}}, QString()));
   history.push(std::make_unique<PatchChange>(document, std::vector<PatchChange::Pair>{{before, after}}, QString()));
   EXPECT_EQ(document.patch_of(square)->state, moved);
   history.undo();
-  EXPECT_EQ(document.patch_of(square)->state, filler);
+  EXPECT_EQ(document.patch_of(square)->state, initial);
   history.undo();
   EXPECT_EQ(document.patch_of(square), nullptr);
   history.redo();
-  EXPECT_EQ(document.patch_of(square)->state, filler);
+  EXPECT_EQ(document.patch_of(square)->state, initial);
 }
 
 TEST_F(UndoHistoryTest, AClosedScanComesBackWithItsPatches) {

@@ -140,7 +140,7 @@ TEST(LoopPatch, ALoopOfThreeEdges) {
 TEST(LoopPatch, SaysWhyItLeavesALoop) {
   const SurfaceModel model = test::open_sphere(3, 0.8);
   BoundaryLoop loop = find_boundary_loops(model).at(0);
-  for (LoopKind kind : {LoopKind::touching, LoopKind::crack, LoopKind::cut}) {
+  for (LoopKind kind : {LoopKind::crack, LoopKind::cut}) {
     loop.kind = kind;
     const LoopPatchOutcome outcome = fill_loop(model, loop, {}, {});
     EXPECT_FALSE(outcome.patch);

@@ -301,7 +301,8 @@ void KeepingTest::window_and_command_line_give_the_same_bits_data() {
   write_mesh(island.toStdString(), cut(make_icosphere(5), [](const Vec3& p) {
                return p.z() > 0.7 && (p - Vec3(0.2, 0, 0.98).normalized()).norm() > 0.15;
              }));
-  QTest::newRow("island") << island << QStringList{QStringLiteral("--bridge-islands")};
+  QTest::newRow("island") << island << QStringList();
+  QTest::newRow("island covered") << island << QStringList{QStringLiteral("--islands"), QStringLiteral("cover")};
   const QString ragged = folder_.filePath(QStringLiteral("ragged.ply"));
   TriangleSoup dangling = cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; });
   const SurfaceModel open = make_surface_model(dangling);
@@ -313,7 +314,7 @@ void KeepingTest::window_and_command_line_give_the_same_bits_data() {
   dangling.points.push_back((from + to) / 2 + (loop.center - (from + to) / 2) * 0.1);
   dangling.triangles.push_back({a, b, static_cast<int>(dangling.points.size()) - 1});
   write_mesh(ragged.toStdString(), dangling);
-  QTest::newRow("ragged boundary") << ragged << QStringList{QStringLiteral("--trim-rim"), QStringLiteral("3")};
+  QTest::newRow("ragged boundary") << ragged << QStringList{QStringLiteral("--trim-boundary"), QStringLiteral("3")};
 }
 
 /// Everything that a person gets who fills all holes, runs the flow and exports, against the command's file.
@@ -323,14 +324,14 @@ void KeepingTest::window_and_command_line_give_the_same_bits() {
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
   Shown shown({scan});
   MainWindow& window = shown.window;
-  if (options.contains(QStringLiteral("--trim-rim"))) {
+  if (options.contains(QStringLiteral("--trim-boundary"))) {
     const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
     press(window, "trim");
     QVERIFY(wait_idle(window));
     const int trimmed = window.document().scans().front();
     QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
   }
-  part<QCheckBox>(window, "islands")->setChecked(options.contains(QStringLiteral("--bridge-islands")));
+  part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
   press(window, "fill");
   QVERIFY(wait_idle(window));
   press(window, "steady");

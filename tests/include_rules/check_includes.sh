@@ -27,6 +27,7 @@ exec awk '
     may["rim"] = "core mesh operators solvers filling"
     may["evolution"] = "core mesh operators flows solvers remeshing filling rim"
     may["pipeline"] = "core mesh operators flows filling rim evolution analysis"
+    may["repair"] = "core mesh"
     may["samples"] = "core mesh"
 
     heavy = "^(CGAL/|suitesparse/|SuiteSparse|cholmod|umfpack|Eigen/(Cholmod|UmfPack)Support)"

@@ -47,12 +47,5 @@ TEST(PiecesOf, NumbersThem) {
   EXPECT_EQ(piece.back(), 80);
 }
 
-TEST(LoopsRoundPieces, TellsTheOutlineOfEachPieceFromItsHoles) {
-  const SurfaceModel model = make_surface_model(joined({sheet(), disc(9, 0, 0.5)}));
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);  // the sheet's rim, its hole, the disc's rim
-  ASSERT_EQ(loops.size(), 3u);
-  EXPECT_EQ(loops_round_pieces(model, loops), (std::vector<char>{1, 0, 1}));
-}
-
 }  // namespace
 }  // namespace loopmend

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -138,18 +139,99 @@ TEST(BoundaryLoops, EndsOfATubeAreHoles) {
   }
 }
 
-TEST(BoundaryLoops, TwoHolesThatMeetAtAVertexAreTouching) {
+TEST(BoundaryLoops, TwoHolesThatMeetAtAVertexAreTwoLoops) {
   const auto loops = loops_of(make_surface_model(grid_without(6, {{2, 2}, {3, 3}})));
-  ASSERT_EQ(loops.size(), 2u);
+  ASSERT_EQ(loops.size(), 3u);
   EXPECT_EQ(loops[0].first, LoopKind::outer_rim);
   EXPECT_EQ(loops[0].second.size(), 24u);
-  // One loop goes round both, twice through the vertex (3, 3), which is the 24th.
-  EXPECT_EQ(loops[1], std::pair(LoopKind::touching, std::vector<int>{16, 17, 23, 24, 24, 25, 31, 32}));
+  // Both pass the vertex (3, 3), which is the 24th.
+  EXPECT_EQ(loops[1], std::pair(LoopKind::hole, std::vector<int>{16, 17, 23, 24}));
+  EXPECT_EQ(loops[2], std::pair(LoopKind::hole, std::vector<int>{24, 25, 31, 32}));
   // One that they do not share makes them two holes.
   const auto apart = loops_of(make_surface_model(grid_without(6, {{2, 2}, {4, 3}})));
   ASSERT_EQ(apart.size(), 3u);
   EXPECT_EQ(apart[1].first, LoopKind::hole);
   EXPECT_EQ(apart[2].first, LoopKind::hole);
+}
+
+TEST(BoundaryLoops, AHoleThatMeetsTheOuterRimAtAVertexIsALoopOfItsOwn) {
+  const auto loops = loops_of(make_surface_model(grid_without(6, {{1, 0}, {2, 1}, {2, 2}})));
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[0].first, LoopKind::outer_rim);
+  EXPECT_EQ(loops[0].second.size(), 26u);
+  EXPECT_EQ(loops[1].first, LoopKind::hole);
+  EXPECT_EQ(loops[1].second.size(), 6u);
+}
+
+TEST(BoundaryLoops, ALoopRoundAnIslandThatTouchesItPassesTheirVertexTwice) {
+  // A ring of eight squares is missing, but for one corner of the ninth in its middle.
+  std::vector<std::pair<int, int>> ring{{1, 1}, {2, 1}, {3, 1}, {1, 2}, {3, 2}, {1, 3}, {2, 3}, {3, 3}};
+  TriangleSoup soup = grid_without(6, ring);
+  // The middle square's corner (2, 2) becomes the hole's corner (1, 1).
+  const int island = 2 * 7 + 2, corner = 1 * 7 + 1;
+  for (Triangle& t : soup.triangles)
+    for (int& v : t)
+      if (v == island) v = corner;
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(soup));
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[1].kind, LoopKind::hole);
+  EXPECT_EQ(loops[1].edges(), 12 + 4);
+  const auto& vertices = loops[1].vertices;
+  EXPECT_EQ(std::set<int>(vertices.begin(), vertices.end()).size(), 15u);
+}
+
+TEST(BoundaryLoops, SheetsThatTouchAtAVertexOneAboveTheOtherStayApart) {
+  TriangleSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0.2, 0.2}, {0.2, 1, 0.2}, {-1, 0.2, 0.2}};
+  soup.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 6}};
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.mesh.n_vertices(), 8u);
+  EXPECT_EQ(model.repairs.non_manifold_vertices, 1u);
+  EXPECT_EQ(find_boundary_loops(model).size(), 2u);
+}
+
+TEST(SurfaceModel, AtAnEdgeOfFourFacesTheFlattestPairsStayTogether) {
+  // Two sheets that cross along the line from (1, 0, 0) to (2, 0, 0), which is an edge of both.
+  TriangleSoup soup;
+  for (int k = 0; k <= 3; ++k) soup.points.emplace_back(k, 0, 0);
+  const auto add_sheet = [&](const Vec3& up) {
+    const int first = static_cast<int>(soup.points.size());
+    for (int k = 0; k <= 3; ++k) soup.points.push_back(Vec3(k, 0, 0) + up);
+    for (int k = 0; k <= 3; ++k) soup.points.push_back(Vec3(k, 0, 0) - up);
+    soup.triangles.push_back({1, 2, first + 1});
+    soup.triangles.push_back({2, 1, first + 4 + 1});
+  };
+  add_sheet({0, 1, 0.1});
+  add_sheet({0, 0.1, 1});
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.repairs.non_manifold_edges, 1u);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(loops.size(), 2u);
+  for (const BoundaryLoop& loop : loops) EXPECT_EQ(loop.edges(), 4);
+}
+
+TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
+  const auto cap = [](double height) {
+    return find_boundary_loops(make_surface_model(cut(make_icosphere(4), [=](const Vec3& p) { return p.z() < height; }))).at(0);
+  };
+  const BoundaryLoop mask = cap(0.5);
+  EXPECT_LT(mask.turning, 0.6);  // not what tells it from a hole
+  EXPECT_EQ(mask.kind, LoopKind::outer_rim);
+  EXPECT_NEAR(mask.depth, 0.29, 0.03);
+  EXPECT_NE(why_outer_rim(mask).find("loop diameters deep"), std::string::npos) << why_outer_rim(mask);
+  EXPECT_EQ(cap(0).kind, LoopKind::hole);
+  EXPECT_EQ(cap(-0.5).kind, LoopKind::hole);
+  EXPECT_EQ(why_outer_rim(cap(-0.5)), "");
+}
+
+TEST(BoundaryLoops, ASmallLoopThatTurnsLikeASheetIsAHole) {
+  // The tip of a needle on a ball is missing, where it flares.
+  TriangleSoup soup = cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.995; });
+  for (Vec3& p : soup.points)
+    if (const double d = Vec3(p - Vec3(0, 0, 1)).norm(); d < 0.13) p += Vec3(0, 0, 3 * (0.13 - d));
+  const BoundaryLoop loop = find_boundary_loops(make_surface_model(soup)).at(0);
+  EXPECT_LT(loop.extent, 0.2);
+  EXPECT_EQ(loop.kind, LoopKind::hole);
 }
 
 TEST(BoundaryLoops, ASlitBetweenCoincidentVerticesIsACrack) {
@@ -169,6 +251,22 @@ TEST(BoundaryLoops, ASlitBetweenCoincidentVerticesIsACrack) {
   EXPECT_EQ(loops[1].edges(), 4);
   EXPECT_EQ(loops[1].coincident, 4);
   EXPECT_EQ(loops[1].kind, LoopKind::crack);
+}
+
+TEST(BoundaryLoops, AMissingTriangleThatAnotherSheetCoversIsACrack) {
+  TriangleSoup soup = make_icosphere(2);
+  const Triangle gone = soup.triangles[10];
+  soup.triangles.erase(soup.triangles.begin() + 10);
+  EXPECT_EQ(find_boundary_loops(make_surface_model(soup)).at(0).kind, LoopKind::hole);
+  const int first = static_cast<int>(soup.points.size());
+  for (int v : gone) soup.points.push_back(Vec3(soup.points[static_cast<std::size_t>(v)]));
+  soup.points.push_back(2 * Vec3(soup.points.back()));
+  soup.triangles.push_back({first, first + 1, first + 2});
+  soup.triangles.push_back({first + 1, first, first + 3});  // a flap on one side, so that no more than two edges coincide
+  soup.triangles.push_back({first + 2, first + 1, first + 3});
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(soup));
+  const auto three = std::find_if(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.coincident < 3 && loop.kind == LoopKind::crack; });
+  EXPECT_NE(three, loops.end());
 }
 
 TEST(Patch, CarriesSixFixedRingsInOrder) {

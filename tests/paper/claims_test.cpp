@@ -16,7 +16,7 @@
 namespace loopmend {
 namespace {
 
-Patch filler_of(const SurfaceModel& model) {
+Patch initial_patch_of(const SurfaceModel& model) {
   std::vector<BoundaryLoop> holes;
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     if (loop.turning < -0.3) holes.push_back(loop);
@@ -45,7 +45,7 @@ Patch six_tube_start(int around) {
 
 /// Fig. 5.1, and the remark on time steps: the same surface comes back whatever the step.
 TEST(PaperClaims, TheCylinderComesBackWithSmallAndLargeSteps) {
-  const Patch start = filler_of(make_surface_model(make_pierced_cylinder()));
+  const Patch start = initial_patch_of(make_surface_model(make_pierced_cylinder()));
   for (double sigma : {10.0, 1e4}) {
     const PatchResult evolved = evolve_patch(start, scheme_with(sigma), nullptr, {});
     EXPECT_EQ(evolved.status, PatchStatus::converged) << sigma;
@@ -57,14 +57,14 @@ TEST(PaperClaims, TheCylinderComesBackWithSmallAndLargeSteps) {
 TEST(PaperClaims, TheSphereComesBackFromItsWireFrame) {
   const SurfaceModel model = make_surface_model(make_sphere_wireframe());
   EXPECT_EQ(find_boundary_loops(model).size(), 8u);
-  const PatchResult evolved = evolve_patch(filler_of(model), scheme_with(10), nullptr, {});
+  const PatchResult evolved = evolve_patch(initial_patch_of(model), scheme_with(10), nullptr, {});
   EXPECT_EQ(evolved.status, PatchStatus::converged);
   EXPECT_LT(rms(evolved.patch, [](const Vec3& p) { return p.norm() - 1; }), 1e-5);
 }
 
 /// Fig. 5.3: G² against the G⁰ initial patch.
 TEST(PaperClaims, TheHeadsHolesAreFilledWithoutAJumpOfH) {
-  const Patch start = filler_of(make_surface_model(make_holed_head()));
+  const Patch start = initial_patch_of(make_surface_model(make_holed_head()));
   const PatchResult evolved = evolve_patch(start, {}, nullptr, {});
   EXPECT_EQ(evolved.status, PatchStatus::converged);
   const std::vector<SeamReport> before = seam_reports(start), after = seam_reports(evolved.patch);

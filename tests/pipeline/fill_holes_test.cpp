@@ -139,7 +139,7 @@ TEST(FillLoops, CancelledLeavesTheModel) {
 TEST(FillLoops, ALoopThatCannotBeFilledSaysSoAndTheOthersAreFilled) {
   SurfaceModel model = holey_sphere();
   std::vector<BoundaryLoop> holes = holes_of(model);
-  holes[1].kind = LoopKind::touching;
+  holes[1].kind = LoopKind::crack;
   const std::vector<HoleResult> results = fill_holes(model, holes, {}, nullptr, {});
   ASSERT_EQ(results.size(), 4u);
   EXPECT_EQ(results[1].status, PatchStatus::failed);

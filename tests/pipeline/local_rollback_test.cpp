@@ -61,55 +61,55 @@ struct Scene {
     for (int i : raised) evolved.positions[i] += 1.4 * edge * n / start.scale;
   }
   Validity validity() const { return validate(ScanIndex(model), evolved); }
-  std::optional<LocalRollback> retreat(const CancelToken& cancel = {}) const {
+  std::optional<LocalRollback> rollback(const CancelToken& cancel = {}) const {
     return roll_back_locally(ScanIndex(model), start, evolved, limit, cancel);
   }
 };
 
 /// Clean; the other vertices as evolved, to the last bit; each that went back lies between the two.
-void expect_local(const Scene& scene, const LocalRollback& retreat) {
-  EXPECT_EQ(validate(ScanIndex(scene.model), retreat.patch).folds, 0);
-  EXPECT_EQ(validate(ScanIndex(scene.model), retreat.patch).intersections, 0);
-  EXPECT_GT(retreat.rings, 0);
-  EXPECT_GT(retreat.moved, 0);
+void expect_local(const Scene& scene, const LocalRollback& rollback) {
+  EXPECT_EQ(validate(ScanIndex(scene.model), rollback.patch).folds, 0);
+  EXPECT_EQ(validate(ScanIndex(scene.model), rollback.patch).intersections, 0);
+  EXPECT_GT(rollback.rings, 0);
+  EXPECT_GT(rollback.moved, 0);
   int changed = 0;
   for (int i = 0; i < scene.start.vertex_count(); ++i) {
-    const Vec3 &from = scene.start.positions[i], &to = scene.evolved.positions[i], &at = retreat.patch.positions[i];
+    const Vec3 &from = scene.start.positions[i], &to = scene.evolved.positions[i], &at = rollback.patch.positions[i];
     changed += at != to;
     EXPECT_LE((at - from).norm() + (to - at).norm(), (to - from).norm() + 1e-12) << i << " is not on its way";
   }
-  EXPECT_LE(changed, retreat.moved);
+  EXPECT_LE(changed, rollback.moved);
   EXPECT_LT(changed, scene.start.free_count / 3) << "not local";
-  EXPECT_EQ(retreat.patch.positions[scene.middle], scene.start.positions[scene.middle]);
+  EXPECT_EQ(rollback.patch.positions[scene.middle], scene.start.positions[scene.middle]);
 }
 
 TEST(LocalRollback, TakesAFoldBackAndNothingElse) {
   Scene scene;
   scene.fold();
   ASSERT_GT(scene.validity().folds, 0);
-  const std::optional<LocalRollback> retreat = scene.retreat();
-  ASSERT_TRUE(retreat);
-  expect_local(scene, *retreat);
+  const std::optional<LocalRollback> rollback = scene.rollback();
+  ASSERT_TRUE(rollback);
+  expect_local(scene, *rollback);
 }
 
 TEST(LocalRollback, TakesACutBackAndNothingElse) {
   Scene scene;
   scene.cut();
   ASSERT_GT(scene.validity().intersections, 0);
-  const std::optional<LocalRollback> retreat = scene.retreat();
-  ASSERT_TRUE(retreat);
-  expect_local(scene, *retreat);
+  const std::optional<LocalRollback> rollback = scene.rollback();
+  ASSERT_TRUE(rollback);
+  expect_local(scene, *rollback);
 }
 
 TEST(LocalRollback, LeavesWhatMayBeKeptAsItIs) {
   Scene scene;
-  const std::optional<LocalRollback> clean = scene.retreat();
+  const std::optional<LocalRollback> clean = scene.rollback();
   ASSERT_TRUE(clean);
   EXPECT_EQ(clean->rings, 0);
   EXPECT_EQ(clean->patch.positions, scene.evolved.positions);
   scene.fold();
   scene.limit = scene.validity();
-  const std::optional<LocalRollback> as_bad = scene.retreat();
+  const std::optional<LocalRollback> as_bad = scene.rollback();
   ASSERT_TRUE(as_bad);
   EXPECT_EQ(as_bad->patch.positions, scene.evolved.positions);
 }
@@ -119,7 +119,7 @@ TEST(LocalRollback, NeedsTheVerticesOfTheStart) {
   scene.fold();
   scene.start = test::exact_sphere_patch(5, 0.7);
   ASSERT_NE(scene.start.free_count, scene.evolved.free_count);
-  EXPECT_FALSE(scene.retreat());
+  EXPECT_FALSE(scene.rollback());
 }
 
 /// Turns the first edge between two triangles whose corners are all free.
@@ -145,10 +145,10 @@ TEST(LocalRollback, KeepsTheTrianglesOfTheEvolvedPatch) {
   ASSERT_GT(scene.validity().folds, 0);
   turn_an_edge(scene.start);
   ASSERT_NE(scene.start.triangles, scene.evolved.triangles);
-  const std::optional<LocalRollback> retreat = scene.retreat();
-  ASSERT_TRUE(retreat);
-  expect_local(scene, *retreat);
-  EXPECT_EQ(retreat->patch.triangles, scene.evolved.triangles);
+  const std::optional<LocalRollback> rollback = scene.rollback();
+  ASSERT_TRUE(rollback);
+  expect_local(scene, *rollback);
+  EXPECT_EQ(rollback->patch.triangles, scene.evolved.triangles);
 }
 
 TEST(LocalRollback, IsNoneWhereTheWholePatchWouldGoBack) {
@@ -156,7 +156,7 @@ TEST(LocalRollback, IsNoneWhereTheWholePatchWouldGoBack) {
   // Inside out: folded along the whole rim, and on its way back everywhere.
   for (int i = 0; i < scene.start.free_count; ++i)
     scene.evolved.positions[i] = scene.start.to_frame(-3 * scene.start.to_mesh(scene.start.positions[i]));
-  EXPECT_FALSE(scene.retreat());
+  EXPECT_FALSE(scene.rollback());
 }
 
 TEST(LocalRollback, EndsWhenCancelled) {
@@ -164,7 +164,7 @@ TEST(LocalRollback, EndsWhenCancelled) {
   scene.fold();
   const CancelToken cancel;
   cancel.cancel();
-  EXPECT_FALSE(scene.retreat(cancel));
+  EXPECT_FALSE(scene.rollback(cancel));
 }
 
 }  // namespace

@@ -35,11 +35,11 @@ SurfaceModel rough_open_sphere(double relief, double noise) {
 /// rim another triangulation alone moves the patch by up to 5 % of an edge, whatever the kinds do.
 struct Family {
   std::function<SurfaceModel(double)> surface;  ///< t = 0..1
-  Patch filler;                                 ///< of t = 0
+  Patch initial;                                 ///< of t = 0
 
   explicit Family(std::function<SurfaceModel(double)> of)
       : surface(std::move(of)),
-        filler(test::start_of(surface(0))) {}
+        initial(test::start_of(surface(0))) {}
 
   struct Member {
     Patch patch;
@@ -48,13 +48,13 @@ struct Family {
 
   Member at(double t) const {
     const SurfaceModel model = surface(t);
-    Patch moved = filler;
+    Patch moved = initial;
     for (int i = moved.free_count; i < moved.vertex_count(); ++i)
       moved.positions[i] = moved.to_frame(model.mesh.point(TriMesh::VertexHandle(moved.view_vertex[i])));
-    const Patch start = with_noise_again(filler, moved);
+    const Patch start = with_noise_again(initial, moved);
     PatchResult evolved = solved(ScanIndex(model), start, {});
     EXPECT_THAT(evolved.status, testing::AnyOf(PatchStatus::converged, PatchStatus::faired)) << evolved.message;
-    EXPECT_EQ(evolved.patch.free_count, filler.free_count) << "remeshed at t = " << t;
+    EXPECT_EQ(evolved.patch.free_count, initial.free_count) << "remeshed at t = " << t;
     return {std::move(evolved.patch), rim_roughness(start)};
   }
 };
@@ -160,11 +160,11 @@ TEST(RoughStart, TheTriangulationLiesNearerToABulgeThanTheMinimalSurface) {
 
 TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
   const Gutter gutter(1);
-  const Patch filler = gutter.start(InitialShape::minimal), triangulated = gutter.start(InitialShape::triangulated);
-  const RimRoughness rim = rim_roughness(filler);
+  const Patch initial = gutter.start(InitialShape::minimal), triangulated = gutter.start(InitialShape::triangulated);
+  const RimRoughness rim = rim_roughness(initial);
   ASSERT_EQ(rim.rough_share, 1);
   const ScanIndex site(gutter.model);
-  const PatchResult evolved = solved(site, filler, {gutter.hole});
+  const PatchResult evolved = solved(site, initial, {gutter.hole});
   EXPECT_EQ(evolved.status, PatchStatus::faired) << evolved.message;
   EXPECT_EQ(evolved.validity.intersections + evolved.validity.folds, 0);
   EvolutionOptions robust;
@@ -177,28 +177,28 @@ TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
 
 TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
   const Gutter gutter(1);
-  const Patch filler = gutter.start(InitialShape::minimal);
+  const Patch initial = gutter.start(InitialShape::minimal);
   BoundaryLoop other = gutter.hole;
   other.number += 1;
   const ScanIndex site(gutter.model);
-  EXPECT_EQ(solved(site, filler, {other}).patch.positions, solved(site, filler, {}).patch.positions);
+  EXPECT_EQ(solved(site, initial, {other}).patch.positions, solved(site, initial, {}).patch.positions);
 }
 
 TEST(RoughStart, SmoothSurroundingsGiveTheSameBitsWithAndWithoutLoops) {
   const Gutter gutter(0);
-  const Patch filler = gutter.start(InitialShape::minimal);
-  ASSERT_EQ(rim_roughness(filler).rough_share, 0);
+  const Patch initial = gutter.start(InitialShape::minimal);
+  ASSERT_EQ(rim_roughness(initial).rough_share, 0);
   const ScanIndex site(gutter.model);
-  EXPECT_EQ(solved(site, filler, {gutter.hole}).patch.positions, solved(site, filler, {}).patch.positions);
+  EXPECT_EQ(solved(site, initial, {gutter.hole}).patch.positions, solved(site, initial, {}).patch.positions);
 }
 
 /// A sheet of its own stands across the top of where the patch would run.
 TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
   const SurfaceModel open = rough_open_sphere(1, 0);
   const BoundaryLoop hole = find_boundary_loops(open).at(0);
-  const Patch filler = *make_initial_patch(open, {hole}, {}, {}).patch;
-  ASSERT_EQ(rim_roughness(filler).rough_share, 1);
-  const PatchResult free = solved(ScanIndex(open), filler, {});
+  const Patch initial = *make_initial_patch(open, {hole}, {}, {}).patch;
+  ASSERT_EQ(rim_roughness(initial).rough_share, 1);
+  const PatchResult free = solved(ScanIndex(open), initial, {});
   ASSERT_EQ(free.validity.intersections, 0);
   double top = 0;
   for (int i = 0; i < free.patch.free_count; ++i) top = std::max(top, free.patch.to_mesh(free.patch.positions[i]).z());
@@ -212,18 +212,18 @@ TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
   soup.triangles.push_back({first, first + 1, first + 2});
   const SurfaceModel barred = make_surface_model(soup);
   const ScanIndex site(barred);
-  ASSERT_EQ(validate(site, filler).intersections, 0);
+  ASSERT_EQ(validate(site, initial).intersections, 0);
   ASSERT_GT(validate(site, free.patch).intersections, 0);
 
-  const PatchResult evolved = solved(site, filler, {});
+  const PatchResult evolved = solved(site, initial, {});
   EXPECT_EQ(evolved.status, PatchStatus::faired);
   EXPECT_EQ(evolved.validity.intersections + evolved.validity.folds, 0);
   EXPECT_NE(evolved.message.find("goes back"), std::string::npos) << evolved.message;
   ASSERT_EQ(evolved.patch.free_count, free.patch.free_count);
   int same = 0;
-  for (int i = 0; i < filler.free_count; ++i) same += evolved.patch.positions[i] == free.patch.positions[i];
-  EXPECT_GT(same, filler.free_count / 2);
-  EXPECT_LT(same, filler.free_count);
+  for (int i = 0; i < initial.free_count; ++i) same += evolved.patch.positions[i] == free.patch.positions[i];
+  EXPECT_GT(same, initial.free_count / 2);
+  EXPECT_LT(same, initial.free_count);
 }
 
 }  // namespace

@@ -100,25 +100,25 @@ std::vector<Triangles> triangles_per_loop(const HoleProblem& problem, const Fill
 }
 
 /// Empty when the triangles use other vertices than the loop's and new ones.
-LoopPatch loop_filler(const HoleProblem& problem, const Filling& filling, const BoundaryLoop& loop,
+LoopPatch patch_of_loop(const HoleProblem& problem, const Filling& filling, const BoundaryLoop& loop,
                       const Triangles& triangles) {
   const int old = static_cast<int>(problem.model.mesh.n_vertices());
-  LoopPatch filler;
+  LoopPatch loop_patch;
   std::unordered_map<int, int> index;
   for (int v : loop.vertices) {
-    index[v] = static_cast<int>(filler.points.size());
-    filler.points.push_back(problem.model.mesh.point(TriMesh::VertexHandle(v)));
+    index[v] = static_cast<int>(loop_patch.points.size());
+    loop_patch.points.push_back(problem.model.mesh.point(TriMesh::VertexHandle(v)));
   }
   for (Triangle t : triangles) {
     for (int& v : t) {
-      const auto [entry, added] = index.try_emplace(v, static_cast<int>(filler.points.size()));
+      const auto [entry, added] = index.try_emplace(v, static_cast<int>(loop_patch.points.size()));
       if (added && v < old) return {};
-      if (added) filler.points.push_back(filling.points[v - old]);
+      if (added) loop_patch.points.push_back(filling.points[v - old]);
       v = entry->second;
     }
-    filler.triangles.push_back(t);
+    loop_patch.triangles.push_back(t);
   }
-  return filler;
+  return loop_patch;
 }
 
 /// rms over the loops, each weighted by its number of vertices.
@@ -126,9 +126,9 @@ void measure_seams(const HoleProblem& problem, const Filling& filling, PatchFigu
   const std::vector<Triangles> parts = triangles_per_loop(problem, filling);
   double angle2 = 0, jump2 = 0, weight = 0;
   for (std::size_t l = 0; l < problem.loops.size(); ++l) {
-    const LoopPatch filler = loop_filler(problem, filling, problem.loops[l], parts[l]);
-    if (filler.triangles.empty()) continue;
-    const SeamReport seam = seam_report(make_patch(problem.model, {problem.loops[l]}, {filler}), 0);
+    const LoopPatch loop_patch = patch_of_loop(problem, filling, problem.loops[l], parts[l]);
+    if (loop_patch.triangles.empty()) continue;
+    const SeamReport seam = seam_report(make_patch(problem.model, {problem.loops[l]}, {loop_patch}), 0);
     if (!std::isfinite(seam.g1_rms_deg)) continue;
     const double edges = problem.loops[l].edges();
     angle2 += edges * seam.g1_rms_deg * seam.g1_rms_deg;

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Holes that a saw made: the boundary lies in one plane, and the surface runs through it without bending towards closing.
+#pragma once
+
+#include "mesh/boundary_loops.h"
+
+namespace loopmend {
+
+/// Whether what is missing is a flat cap, as at the base of a bust or the end of a tube, and not a dome: the loop is plane, the
+/// surface meets the plane steeply, and it bends inward there by less than half of what a ball through the loop would.
+bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop);
+
+}  // namespace loopmend

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/hand_bridge.h"
+
+#include "core/error.h"
+#include "pipeline/fill_holes.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+SurfaceModel open_sphere() {
+  return make_surface_model(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.6; }));
+}
+
+TEST(HandBridge, PartsAHoleIntoTwoThatCloseToASphere) {
+  const SurfaceModel model = open_sphere();
+  const BoundaryLoop hole = find_boundary_loops(model).at(0);
+  const int half = hole.edges() / 2;
+  const int a = model.soup_vertex[hole.vertices[0]], b = model.soup_vertex[hole.vertices[half]];
+  const TriangleSoup soup = with_bridge(model, a, b);
+  for (std::size_t v = 0; v < model.soup.points.size(); ++v) EXPECT_EQ(soup.points[v], model.soup.points[v]);
+  SurfaceModel bridged = make_surface_model(soup);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(bridged);
+  ASSERT_EQ(loops.size(), 2u);
+  for (const BoundaryLoop& loop : loops) EXPECT_EQ(loop.kind, LoopKind::hole);
+  for (std::size_t v = model.soup.points.size(); v < soup.points.size(); ++v) EXPECT_NEAR(soup.points[v].norm(), 1, 0.1);
+  for (const HoleResult& result : fill_all_holes(bridged)) EXPECT_TRUE(is_filled(result.status)) << result.message;
+  EXPECT_TRUE(find_boundary_loops(bridged).empty());
+}
+
+TEST(HandBridge, MakesOneLoopOfTwo) {
+  const SurfaceModel model =
+      make_surface_model(cut(make_cylinder(4, 32), [](const Vec3& p) { return std::abs(p.z()) > 1.5; }));
+  const std::vector<BoundaryLoop> ends = find_boundary_loops(model);
+  ASSERT_EQ(ends.size(), 2u);
+  const TriangleSoup soup =
+      with_bridge(model, model.soup_vertex[ends[0].vertices[0]], model.soup_vertex[ends[1].vertices[0]]);
+  EXPECT_EQ(find_boundary_loops(make_surface_model(soup)).size(), 1u);
+}
+
+TEST(HandBridge, RefusesNeighborsAndWhatIsNotOnABoundary) {
+  const SurfaceModel model = open_sphere();
+  const BoundaryLoop hole = find_boundary_loops(model).at(0);
+  const int a = model.soup_vertex[hole.vertices[0]], b = model.soup_vertex[hole.vertices[1]];
+  EXPECT_THROW(with_bridge(model, a, b), InvalidArgument);
+  EXPECT_THROW(with_bridge(model, a, a), InvalidArgument);
+  int inside = 0;
+  while (std::any_of(hole.vertices.begin(), hole.vertices.end(), [&](int v) { return model.soup_vertex[v] == inside; })) ++inside;
+  EXPECT_THROW(with_bridge(model, a, inside), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace loopmend

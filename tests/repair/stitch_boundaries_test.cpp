@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "repair/stitch_boundaries.h"
+
+#include "core/error.h"
+#include "mesh/boundary_loops.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace loopmend {
+namespace {
+
+/// Flat squares of a width, from a corner on.
+TriangleSoup tile(double left, double width, int columns, int rows, double height) {
+  TriangleSoup soup;
+  for (int y = 0; y <= rows; ++y)
+    for (int x = 0; x <= columns; ++x) soup.points.emplace_back(left + width * x / columns, height * y / rows, 0);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const int a = y * (columns + 1) + x, b = a + 1, c = b + columns + 1, d = a + columns + 1;
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+  return soup;
+}
+
+std::vector<BoundaryLoop> loops_of(const TriangleSoup& soup) { return find_boundary_loops(make_surface_model(soup)); }
+
+TEST(StitchBoundaries, LeavesAHoleAndADistantNeighborAlone) {
+  const TriangleSoup soup = joined({cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; }), tile(3, 1, 3, 3, 1)});
+  const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+  EXPECT_EQ(stitched.joined_vertices + stitched.split_faces + stitched.removed_faces, 0u);
+  EXPECT_EQ(stitched.soup.triangles, soup.triangles);
+}
+
+TEST(StitchBoundaries, ZipsTilesThatNearlyCoincide) {
+  TriangleSoup soup = joined({tile(0, 4, 4, 6, 6), tile(4, 4, 4, 6, 6)});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-0.03, 0.03);
+  for (std::size_t v = 35; v < soup.points.size(); ++v) soup.points[v] += Vec3(noise(random), noise(random), noise(random));
+  ASSERT_EQ(loops_of(soup).size(), 2u);
+  const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+  EXPECT_EQ(stitched.joined_vertices, 7u);
+  EXPECT_EQ(stitched.soup.points, soup.points);
+  const auto loops = loops_of(stitched.soup);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_EQ(loops[0].edges(), 2 * (8 + 6));
+}
+
+TEST(StitchBoundaries, SplitsFacesAtJunctions) {
+  // The right tile has twice the vertices along the common side.
+  const TriangleSoup soup = joined({tile(0, 4, 4, 6, 6), tile(4, 4, 4, 12, 6)});
+  const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+  EXPECT_EQ(stitched.joined_vertices, 7u);
+  EXPECT_EQ(stitched.split_faces, 6u);
+  EXPECT_EQ(stitched.soup.triangles.size(), soup.triangles.size() + 6);
+  const auto loops = loops_of(stitched.soup);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_EQ(loops[0].edges(), 8 + 6 + 8 + 12);
+}
+
+TEST(StitchBoundaries, ASlitIsClosedAndAHoleBesideItStaysOne) {
+  // Cut along the equator for half a turn; a cap is missing as well.
+  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
+  const std::size_t before = soup.points.size();
+  std::map<int, int> twin;
+  for (std::size_t v = 0; v < before; ++v)
+    if (const Vec3 p = soup.points[v]; std::abs(p.z()) < 1e-12 && p.x() > 0.3) {
+      twin[static_cast<int>(v)] = static_cast<int>(soup.points.size());
+      soup.points.push_back(p);
+    }
+  ASSERT_GT(twin.size(), 5u);
+  for (Triangle& t : soup.triangles) {
+    double z = 0;
+    for (int v : t) z += soup.points[static_cast<std::size_t>(v)].z();
+    for (int& v : t)
+      if (z > 0 && twin.contains(v)) v = twin[v];
+  }
+  const auto open = loops_of(soup);
+  const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+  const auto loops = loops_of(stitched.soup);
+  EXPECT_GE(open.size(), 2u);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_EQ(loops[0].kind, LoopKind::hole);
+  EXPECT_NEAR(loops[0].center.z(), 0.8, 0.05);
+}
+
+TEST(StitchBoundaries, RefusesATolerance) {
+  const SurfaceModel model = make_surface_model(tile(0, 1, 1, 1, 1));
+  for (double wrong : {-0.1, 0.5}) EXPECT_THROW(stitch_boundaries(model, wrong), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace loopmend
