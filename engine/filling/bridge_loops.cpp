@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "filling/bridge_topology.h"
 #include "filling/fairing.h"
+#include "mesh/directed_edges.h"
 #include "mesh/loop_facing.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
@@ -98,8 +99,8 @@ std::vector<FirstBridge> first_bridges(const Patch& empty, const std::vector<Bri
   const auto add = [&](const Triangles& triangles) {
     if (triangles.empty()) return;
     Patch patch = with_triangles(empty, triangles);
-    // A strip edge that is there already, as an edge of the surroundings, leaves a triangle out.
-    if (open_for_remeshing(patch).triangles().size() == triangles.size())
+    // No edge may run the same way in two triangles, in the strip or beside it.
+    if (!DirectedEdges(patch.triangles, static_cast<int>(patch.triangles.size())).any_twice())
       bridges.push_back({std::move(patch), FirstBridge::Shape::angular});
   };
   if (ends.size() == 2)

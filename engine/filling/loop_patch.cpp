@@ -8,6 +8,7 @@
 #include "mesh/self_intersections.h"
 #include "mesh/vertex_fans.h"
 #include "remeshing/constrained_remesher.h"
+#include "remeshing/double_edges.h"
 #include "remeshing/patch_remesh.h"
 #include "remeshing/size_field.h"
 
@@ -161,6 +162,7 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
     if (c.triangles.empty()) continue;
     c.points.assign(site.points.begin(), site.points.begin() + site.n);
     split_shared_chords(site, c);
+    split_double_edges(site.vertex, c.points, c.triangles);
     c.quality = assess(site, c);
     candidates.push_back(std::move(c));
     if (!candidates.back().wants_another(site.n)) break;
@@ -179,6 +181,7 @@ Candidate harvest(const LoopSite& site, const ConstrainedRemesher& mesh) {
   Candidate c;
   c.points = mesh.points();
   c.triangles = mesh.triangles();
+  split_double_edges(site.vertex, c.points, c.triangles);
   c.quality = assess(site, c);
   return c;
 }

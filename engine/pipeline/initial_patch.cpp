@@ -78,40 +78,74 @@ std::vector<T> picked(const std::vector<T>& all, const std::vector<int>& which) 
 
 }  // namespace
 
-std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  std::unordered_map<int, int> loop_at;
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    for (int v : loops[k].vertices) loop_at[v] = static_cast<int>(k);
-  std::vector<int> parent(loops.size());
+namespace {
+
+/// Loops of which one lies within so many edges of the other, directly or by way of others. @param members  indices into `loops`.
+std::vector<std::vector<int>> loops_within(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                           const std::vector<int>& members, int rings) {
+  std::unordered_map<int, std::vector<int>> loops_at;  // by place in `members`
+  for (std::size_t k = 0; k < members.size(); ++k)
+    for (int v : loops[members[k]].vertices) loops_at[v].push_back(static_cast<int>(k));
+  std::vector<int> parent(members.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int k) {
     while (parent[k] != k) k = parent[k] = parent[parent[k]];
     return k;
   };
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    std::unordered_map<int, int> ring;
-    std::vector<int> queue = loops[k].vertices;
-    for (int v : queue) ring[v] = 1;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    std::unordered_map<int, int> distance;
+    std::vector<int> queue = loops[members[k]].vertices;
+    for (int v : queue) distance[v] = 0;
     for (std::size_t q = 0; q < queue.size(); ++q) {
       const int v = queue[q];
-      const auto met = loop_at.find(v);
-      if (met != loop_at.end()) {
-        const int a = root(static_cast<int>(k)), b = root(met->second);
-        parent[std::max(a, b)] = std::min(a, b);
-      }
-      if (ring[v] >= patch_rings) continue;
+      if (const auto met = loops_at.find(v); met != loops_at.end())
+        for (int other : met->second) {
+          const int a = root(static_cast<int>(k)), b = root(other);
+          parent[std::max(a, b)] = std::min(a, b);
+        }
+      if (distance[v] >= rings) continue;
       for (const auto w : model.mesh.vv_range(TriMesh::VertexHandle(v)))
-        if (ring.emplace(w.idx(), ring[v] + 1).second) queue.push_back(w.idx());
+        if (distance.emplace(w.idx(), distance[v] + 1).second) queue.push_back(w.idx());
     }
   }
   std::vector<std::vector<int>> groups;
   std::unordered_map<int, std::size_t> group_of;
-  for (std::size_t k = 0; k < loops.size(); ++k) {
+  for (std::size_t k = 0; k < members.size(); ++k) {
     const auto [entry, added] = group_of.emplace(root(static_cast<int>(k)), groups.size());
     if (added) groups.emplace_back();
-    groups[entry->second].push_back(static_cast<int>(k));
+    groups[entry->second].push_back(members[k]);
   }
   return groups;
+}
+
+/// On a scan full of holes each lies near some other, and all would be one problem.
+constexpr std::size_t most_jointly = 24;
+
+}  // namespace
+
+std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<int> all(loops.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::vector<int>> groups{all};
+  for (const int rings : {patch_rings - 1, 2, 0}) {
+    std::vector<std::vector<int>> finer;
+    for (const std::vector<int>& group : groups) {
+      const bool whole = rings < patch_rings - 1 && group.size() <= most_jointly;
+      const auto parts = whole ? std::vector<std::vector<int>>{group} : loops_within(model, loops, group, rings);
+      finer.insert(finer.end(), parts.begin(), parts.end());
+    }
+    groups = std::move(finer);
+  }
+  std::vector<std::vector<int>> result;
+  for (const std::vector<int>& group : groups) {
+    if (group.size() <= most_jointly) {
+      result.push_back(group);
+      continue;
+    }
+    for (int k : group) result.push_back({k});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 std::string InitialPatch::message() const {

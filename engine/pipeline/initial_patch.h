@@ -16,7 +16,8 @@ namespace loopmend {
 inline constexpr const char* no_memory_message =
     "not enough memory for this hole: left open; a smaller density needs less";
 
-/// Loops whose neighborhoods overlap belong to one problem. @returns groups of indices into `loops`.
+/// Loops whose neighborhoods overlap belong to one problem; of more than two dozen, only those that lie closer, and of these, where
+/// they are still as many, those that touch. @returns groups of indices into `loops`.
 std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
 /// The holes of one group and what fills them before any flow. Loops without a valid initial patch are left out of `patch`.

@@ -3,6 +3,7 @@
 
 #include "mesh/directed_edges.h"
 #include "mesh/quality.h"
+#include "remeshing/double_edges.h"
 #include "remeshing/size_field.h"
 
 #include <algorithm>
@@ -131,9 +132,11 @@ ConstrainedRemesher open_for_remeshing(const Patch& patch) {
 }
 
 Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {
-  const Points points = mesh.points();
+  Points points = mesh.points();
+  Triangles own = mesh.triangles();
   const int locked = mesh.locked();
   const std::vector<int> rim_vertex = LockedVertices(patch, rim_size(patch)).rim_vertex();
+  split_double_edges(rim_vertex, points, own);
   Patch result = patch;
   result.free_count = static_cast<int>(points.size()) - locked;
   const int shift = result.free_count - patch.free_count;
@@ -145,7 +148,7 @@ Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {
   result.view_vertex.insert(result.view_vertex.end(), patch.view_vertex.begin() + patch.free_count,
                             patch.view_vertex.end());
   result.triangles.clear();
-  for (Triangle t : mesh.triangles()) {
+  for (Triangle t : own) {
     for (int& v : t) v = v < locked ? rim_vertex[v] + result.free_count : v - locked;
     result.triangles.push_back(t);
   }

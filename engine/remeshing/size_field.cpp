@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remeshing/size_field.h"
 
+#include "core/quantile.h"
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -15,6 +18,25 @@ using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 
 /// By how much the target may fall per length of way from the rim.
 constexpr double steepest_fall = 0.4;
+
+/// A rim vertex with tiny edges among ordinary ones, as where a scan has two vertices nearly in one place, would fill its
+/// surroundings with millions of triangles: no size is below this share of the median of those near it.
+constexpr double least_of_the_median = 0.2;
+constexpr std::size_t near_sizes = 9;
+
+std::vector<double> without_tiny_ones(const Points& places, const std::vector<double>& sizes) {
+  std::vector<double> raised = sizes;
+  std::vector<std::pair<double, double>> near(places.size());  // squared distance, size
+  const std::size_t count = std::min(near_sizes, places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < places.size(); ++k) near[k] = {(places[k] - places[i]).squaredNorm(), sizes[k]};
+    std::nth_element(near.begin(), near.begin() + static_cast<long>(count - 1), near.end());
+    std::vector<double> nearest;
+    for (std::size_t k = 0; k < count; ++k) nearest.push_back(near[k].second);
+    raised[i] = std::max(sizes[i], least_of_the_median * median(std::move(nearest)));
+  }
+  return raised;
+}
 
 }  // namespace
 
@@ -36,6 +58,7 @@ SizeField::SizeField(const Points& places, const std::vector<double>& sizes, con
     size_.push_back(sizes[i]);
     mean += sizes[i];
   }
+  size_ = without_tiny_ones(place_, size_);
   mean /= static_cast<double>(place_.size());
   floor_ = 0.01 * mean * mean;
   if (grading.density <= 1 && grading.growth == 0) return;
