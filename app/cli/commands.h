@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/error.h"
-#include "pipeline/fill_holes.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "pipeline/fill_holes.h"
 #include "progress_line.h"
 
 #include <filesystem>
@@ -47,7 +47,7 @@ struct FillCommand {
   enum class Repair { no, yes } repair = Repair::no;  ///< make an oriented manifold of the mesh first
   std::vector<std::string> bridges;                   ///< "A,B": input vertices between which a strip is laid first
   int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100
-  std::string report;   ///< file or "-"; empty: none
+  std::string report;                                 ///< file or "-"; empty: none
   Encoding encoding = Encoding::binary;
   Verbosity verbosity = Verbosity::normal;
   std::string command_line;  ///< as typed, for the report

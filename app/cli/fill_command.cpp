@@ -133,8 +133,10 @@ Preparation prepare(OpenedModel& opened, const FillCommand& command) {
 
 void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.stitched)
-    std::fprintf(out, "Stitched: %zu vertices joined to others, %zu faces split; the output is compared with the stitched mesh.\n",
-                 done.stitched->joined_vertices, done.stitched->split_faces);
+    std::fprintf(
+        out,
+        "Stitched: %zu vertices joined to others, %zu faces split; the output is compared with the stitched mesh.\n",
+        done.stitched->joined_vertices, done.stitched->split_faces);
   if (done.bridges > 0)
     std::fprintf(out, "%zu %s laid across holes.\n", done.bridges, done.bridges == 1 ? "strip was" : "strips were");
   if (!done.repaired) return;
@@ -143,11 +145,12 @@ void print_preparation(std::FILE* out, const Preparation& done) {
     std::fprintf(out, "Repair: nothing to do.\n");
     return;
   }
-  std::fprintf(out,
-               "Repaired: %zu edges and %zu vertices separated, %zu faces turned, %zu degenerate and %zu duplicate faces and "
-               "%zu crumbs (%zu faces) removed; the output is compared with the repaired mesh.\n",
-               c.separated_edges, c.separated_vertices, c.turned_faces, c.degenerate_faces, c.duplicate_faces,
-               c.removed_pieces, c.removed_faces);
+  std::fprintf(
+      out,
+      "Repaired: %zu edges and %zu vertices separated, %zu faces turned, %zu degenerate and %zu duplicate faces and "
+      "%zu crumbs (%zu faces) removed; the output is compared with the repaired mesh.\n",
+      c.separated_edges, c.separated_vertices, c.turned_faces, c.degenerate_faces, c.duplicate_faces, c.removed_pieces,
+      c.removed_faces);
 }
 
 nlohmann::ordered_json preparation_json(const Preparation& done) {
@@ -157,13 +160,11 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
                         {"split_faces", done.stitched->split_faces},
                         {"removed_faces", done.stitched->removed_faces}};
   if (done.repaired)
-    json["repaired"] = {{"separated_edges", done.repaired->separated_edges},
-                        {"separated_vertices", done.repaired->separated_vertices},
-                        {"turned_faces", done.repaired->turned_faces},
-                        {"degenerate_faces", done.repaired->degenerate_faces},
-                        {"duplicate_faces", done.repaired->duplicate_faces},
-                        {"removed_pieces", done.repaired->removed_pieces},
-                        {"removed_faces", done.repaired->removed_faces}};
+    json["repaired"] = {
+        {"separated_edges", done.repaired->separated_edges}, {"separated_vertices", done.repaired->separated_vertices},
+        {"turned_faces", done.repaired->turned_faces},       {"degenerate_faces", done.repaired->degenerate_faces},
+        {"duplicate_faces", done.repaired->duplicate_faces}, {"removed_pieces", done.repaired->removed_pieces},
+        {"removed_faces", done.repaired->removed_faces}};
   if (done.bridges > 0) json["bridges"] = done.bridges;
   return json;
 }
@@ -297,8 +298,9 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["trimmed_faces"] = faces_json(rims.removed);
   json["bad_rim_faces"] = faces_json(rims.bad);
   if (!rims.bad.empty() && command.trim_rounds == 0)
-    json["suggestion"] = std::to_string(rims.bad.size()) +
-                         " bad triangles at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
+    json["suggestion"] =
+        std::to_string(rims.bad.size()) +
+        " bad triangles at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
   for (const HoleResult& result : results) json["loops"].push_back(loop_json(result));
   return json;

@@ -73,7 +73,8 @@ std::set<std::size_t> named_loops(const SurfaceModel& model, const std::vector<B
 
 /// Why nothing can be filled at a loop that nobody named; empty where something can.
 std::string why_no_hole(const BoundaryLoop& loop, FillCommand::OuterRim outer_rim) {
-  if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut (--repair makes a hole of it, or nothing)";
+  if (loop.kind == LoopKind::cut)
+    return "no hole: runs where the surface had to be cut (--repair makes a hole of it, or nothing)";
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
     return "crack: a face at the same place covers it already";
   if (loop.kind == LoopKind::crack)

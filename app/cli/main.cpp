@@ -84,22 +84,24 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   fill->add_option("--islands", words.islands,
                    "Pieces of surface within a hole: join them to its patch, or cover them with it")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, FillOptions::Islands>{{"join", FillOptions::Islands::join},
-                                                      {"cover", FillOptions::Islands::cover}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, FillOptions::Islands>{
+          {"join", FillOptions::Islands::join}, {"cover", FillOptions::Islands::cover}}))
       ->type_name("TEXT:{join,cover}=join");
   fill->add_flag("--stitch", words.stitch, "Zip boundaries that lie within a tenth of their edges of each other first");
-  fill->add_flag("--repair", words.repair,
-                 "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, remove "
-                 "degenerate and duplicate faces and crumbs");
-  fill->add_option("--bridge", command.bridges,
-                   "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")
+  fill->add_flag(
+      "--repair", words.repair,
+      "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, remove "
+      "degenerate and duplicate faces and crumbs");
+  fill->add_option(
+          "--bridge", command.bridges,
+          "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")
       ->type_name("A,B")
       ->expected(1)
       ->take_all();
   fill->add_option("--trim-rim", command.trim_rounds)->check(between(0, 100))->group("");  // its name before
-  fill->add_option("--trim-boundary", command.trim_rounds,
-                   "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped, crossing)")
+  fill->add_option(
+          "--trim-boundary", command.trim_rounds,
+          "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped, crossing)")
       ->check(between(0, 100))
       ->type_name("N");
   add_flow_options(*fill, words.flow, DensityOption::offer);

@@ -53,7 +53,8 @@ class ScanCommands {
   void add(const OpenPatch& patch, QStringList& remarks) {
     const PatchRecipe& recipe = patch.state->recipe;
     QString options = options_of(recipe);
-    if (recipe.start == PatchRecipe::Start::holes && covers_islands(patch)) options += QStringLiteral(" --islands cover");
+    if (recipe.start == PatchRecipe::Start::holes && covers_islands(patch))
+      options += QStringLiteral(" --islands cover");
     auto& loops = by_options_[options];
     loops.insert(patch.loops.begin(), patch.loops.end());
     const QString name = labels::sentence(labels::holes(document_, {patch.loops.begin(), patch.loops.end()}));

@@ -210,8 +210,9 @@ QString import_summary(const OpenedScan& scan) {
   for (const BoundaryLoop& loop : scan.loops) coincident += loop.kind == LoopKind::cut ? 0 : loop.coincident;
   if (in.coincident_vertices > 0)
     note(static_cast<std::size_t>(coincident),
-         QT_TRANSLATE_NOOP("loopmend::labels",
-                           "%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)"));
+         QT_TRANSLATE_NOOP(
+             "loopmend::labels",
+             "%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)"));
   if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));
   if (!in.not_kept.empty()) text += QLatin1Char(' ') + tr("Will not be saved: %1.").arg(not_kept(in.not_kept));
   return text;

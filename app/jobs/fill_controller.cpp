@@ -182,9 +182,10 @@ std::optional<MendedScan> trimmed(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
   TrimmedModel result = trim_rim(*old.model, task.loops, rounds);
   if (result.removed.empty()) return std::nullopt;
-  const QString words = FillController::tr("%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
-                            .arg(old.name)
-                            .arg(result.removed.size());
+  const QString words =
+      FillController::tr("%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
+          .arg(old.name)
+          .arg(result.removed.size());
   return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
                     FillController::tr("Trim the boundaries of %1").arg(old.name), words};
 }
@@ -193,10 +194,11 @@ std::optional<MendedScan> stitched(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
   StitchedSurface result = stitch_boundaries(*old.model);
   if (result.joined_vertices + result.split_faces == 0) return std::nullopt;
-  const QString words = FillController::tr("%1: %2 vertices were joined to others, %3 faces split; Ctrl+Z takes it back.")
-                            .arg(old.name)
-                            .arg(result.joined_vertices)
-                            .arg(result.split_faces);
+  const QString words =
+      FillController::tr("%1: %2 vertices were joined to others, %3 faces split; Ctrl+Z takes it back.")
+          .arg(old.name)
+          .arg(result.joined_vertices)
+          .arg(result.split_faces);
   return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
                     FillController::tr("Stitch %1").arg(old.name), words};
 }
@@ -207,8 +209,9 @@ std::optional<MendedScan> repaired(const MendingTask& task) {
   const RepairCounts& counts = result.counts;
   if (!counts.any()) return std::nullopt;
   const QString words =
-      FillController::tr("%1: %2 edges and %3 vertices were separated, %4 faces turned, %5 degenerate and %6 duplicate faces and "
-                         "%7 crumbs removed; Ctrl+Z takes it back.")
+      FillController::tr(
+          "%1: %2 edges and %3 vertices were separated, %4 faces turned, %5 degenerate and %6 duplicate faces and "
+          "%7 crumbs removed; Ctrl+Z takes it back.")
           .arg(old.name)
           .arg(counts.separated_edges)
           .arg(counts.separated_vertices)

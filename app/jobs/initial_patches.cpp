@@ -35,7 +35,8 @@ std::vector<Group> bridges_of(const FillTask& task) {
     Group group{&task, PatchRecipe::Start::bridge, {}, std::move(loops)};
     for (const BoundaryLoop& loop : group.loops) group.indices.push_back(task.first_loop + loop.number - 1);
     // An island that has a patch of its own stays as it is.
-    if (std::any_of(group.indices.begin(), group.indices.end(), [&](int k) { return task.taken.contains(k); })) continue;
+    if (std::any_of(group.indices.begin(), group.indices.end(), [&](int k) { return task.taken.contains(k); }))
+      continue;
     groups.push_back(std::move(group));
   }
   return groups;

@@ -70,16 +70,18 @@ void FillBox::build() {
   islands_->setChecked(true);
   explain(islands_, tr("Join islands"),
           tr("Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them"));
-  trim_ =
-      make_button("trim", tr("&Trim"),
-                  tr("Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to "
-                     "three rings of them, before they are filled; Ctrl+Z brings them back"));
-  stitch_ = make_button("stitch", tr("&Stitch"),
-                        tr("Zip boundaries that lie within a tenth of their edges of each other, such as cracks and the seams "
-                           "between tiles; Ctrl+Z takes it back"));
-  repair_ = make_button("repair", tr("&Repair"),
-                        tr("Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove "
-                           "degenerate and duplicate faces and crumbs; Ctrl+Z takes it back"));
+  trim_ = make_button(
+      "trim", tr("&Trim"),
+      tr("Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to "
+         "three rings of them, before they are filled; Ctrl+Z brings them back"));
+  stitch_ = make_button(
+      "stitch", tr("&Stitch"),
+      tr("Zip boundaries that lie within a tenth of their edges of each other, such as cracks and the seams "
+         "between tiles; Ctrl+Z takes it back"));
+  repair_ = make_button(
+      "repair", tr("&Repair"),
+      tr("Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove "
+         "degenerate and duplicate faces and crumbs; Ctrl+Z takes it back"));
   fill_ = make_button("fill", tr("&Fill"), tr("Close the selected holes, or all holes when none is selected (Ctrl+F)"));
   grid->addWidget(target_, 0, 0, 1, 3);
   grid->addWidget(density_label, 1, 0);

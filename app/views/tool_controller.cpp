@@ -195,7 +195,8 @@ ProblemRequest ToolController::blend_wish() const {
     const int scan = document_.scan_of(loop);
     auto at = std::find(request.scans.begin(), request.scans.end(), scan);
     if (at == request.scans.end()) at = request.scans.insert(request.scans.end(), scan);
-    chosen.push_back({static_cast<std::size_t>(at - request.scans.begin()), document_.scan(scan), document_.loop(loop)});
+    chosen.push_back(
+        {static_cast<std::size_t>(at - request.scans.begin()), document_.scan(scan), document_.loop(loop)});
   }
   QStringList names;
   for (int scan : request.scans) names << document_.scan(scan)->name;

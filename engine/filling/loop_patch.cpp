@@ -24,10 +24,10 @@ namespace {
 constexpr int longest_for_cubic_first = 100;
 constexpr int longest_for_cubic = 350;  // docs/dev/filling.md, "Triangulation"
 constexpr int longest_for_all_methods = 5000;
-constexpr double from_coarse_to_fine = 200;       // vertices
-constexpr double one_try_only = 20000;            // vertices: where the best triangulation fails, others would for as long
-constexpr int beyond_the_cache = 5000;            // free vertices on the last coarse level
-constexpr double most_vertices = 2e6;             // some 13 GB of solver memory
+constexpr double from_coarse_to_fine = 200;  // vertices
+constexpr double one_try_only = 20000;       // vertices: where the best triangulation fails, others would for as long
+constexpr int beyond_the_cache = 5000;       // free vertices on the last coarse level
+constexpr double most_vertices = 2e6;        // some 13 GB of solver memory
 
 /// Everything the initial patch needs to know about a loop, in the patch frame; the loop's places are 0..n−1. A vertex that
 /// the loop passes twice has two places.
@@ -77,8 +77,7 @@ LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
         site.rim_normals[{edge->second, (edge->second + 1) % site.n}] =
             unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
     }
-  for (int i = 0; i < site.n; ++i)
-    site.size.push_back(sum[site.vertex[i]] / std::max(1.0, count[site.vertex[i]]));
+  for (int i = 0; i < site.n; ++i) site.size.push_back(sum[site.vertex[i]] / std::max(1.0, count[site.vertex[i]]));
   return site;
 }
 

@@ -27,7 +27,7 @@ namespace {
 constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
 /// So does a rim that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
 /// mask, or a ragged scan seen from one side, however its rim turns.
-constexpr double whole_extent = 0.84, sheet_depth = 0.5, straight_on = 0.9;
+constexpr double whole_extent = 0.84, sheet_depth = 0.475, straight_on = 0.9;
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
   Points points;
@@ -132,7 +132,11 @@ bool runs_round_a_sheet(const BoundaryLoop& loop) {
 /// The pieces of surface and their boxes.
 class Pieces {
  public:
-  explicit Pieces(const TriMesh& mesh) : mesh_(mesh), piece_(pieces_of(mesh)), box_(piece_.size()), faces_(piece_.size()) {
+  explicit Pieces(const TriMesh& mesh)
+      : mesh_(mesh),
+        piece_(pieces_of(mesh)),
+        box_(piece_.size()),
+        faces_(piece_.size()) {
     for (const auto face : mesh.faces()) {
       const int piece = piece_[face.idx()];
       faces_[piece].push_back(face.idx());

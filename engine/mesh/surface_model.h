@@ -11,9 +11,9 @@ namespace loopmend {
 
 /// What had to be done to the soup before it could be seen as an oriented manifold. Counts; all 0 for a clean mesh.
 struct ModelRepairs {
-  std::size_t degenerate_faces = 0;       ///< a vertex twice in one face: kept in the file, left out of the view
-  std::size_t duplicate_faces = 0;        ///< same three vertices as an earlier face: likewise
-  std::size_t non_manifold_edges = 0;     ///< edges with more than two faces: the view is cut there
+  std::size_t degenerate_faces = 0;    ///< a vertex twice in one face: kept in the file, left out of the view
+  std::size_t duplicate_faces = 0;     ///< same three vertices as an earlier face: likewise
+  std::size_t non_manifold_edges = 0;  ///< edges with more than two faces: the view is cut there
   /// Vertices with more than one fan of faces: split in the view, but for those whose fans lie side by side, as where two
   /// holes touch.
   std::size_t non_manifold_vertices = 0;

@@ -35,7 +35,8 @@ struct Task {
 constexpr double least_island = 0.05;
 
 /// Those with the most edges first: they take the longest.
-std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, FillOptions::Islands islands) {
+std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                            FillOptions::Islands islands) {
   std::vector<Task> tasks;
   std::set<int> joined;
   if (islands == FillOptions::Islands::join)
@@ -73,8 +74,8 @@ GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops
 }
 
 /// One patch between a hole and the islands in it. @param why  is set where there is none; its reason may be empty.
-std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<BoundaryLoop>& place, const GroupOptions& options,
-                                   const CancelToken& cancel, std::string& why) {
+std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<BoundaryLoop>& place,
+                                   const GroupOptions& options, const CancelToken& cancel, std::string& why) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   try {
@@ -172,8 +173,9 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   std::vector<char> finished(tasks.size(), 0);
   std::mutex progress_mutex;
   FillProgress state;
-  state.loops_total = std::accumulate(tasks.begin(), tasks.end(), static_cast<int>(solved.size()),
-                                      [](int sum, const Task& task) { return sum + static_cast<int>(task.loops.size()); });
+  state.loops_total =
+      std::accumulate(tasks.begin(), tasks.end(), static_cast<int>(solved.size()),
+                      [](int sum, const Task& task) { return sum + static_cast<int>(task.loops.size()); });
   state.loops_done = static_cast<int>(solved.size());
   parallel_for(0, static_cast<int>(tasks.size()), 1, [&](int k) {
     if (cancel.cancelled()) return;

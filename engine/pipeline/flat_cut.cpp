@@ -16,9 +16,11 @@ namespace loopmend {
 namespace {
 
 constexpr int fewest_edges = 4;
-constexpr double plane = 0.003;       ///< rms distance from the plane, in diameters
-constexpr double steep = 0.5;         ///< sine of the angle between surface and plane
-constexpr double ball_share = 0.5;    ///< of the curvature of a ball that meets the plane at this angle
+constexpr double plane = 0.003;  ///< rms distance from the plane, in diameters
+constexpr double steep = 0.5;    ///< sine of the angle between surface and plane
+/// Of the curvature of a ball that meets the plane at this angle: below, the surface runs straight on; above, it is an edge that
+/// is rounded, as of a plinth.
+constexpr double least_of_a_dome = 0.5, most_of_a_dome = 1.5;
 constexpr double reach_of_fit = 0.3;  ///< in loop radii; at least so many boundary edges:
 constexpr double edges_of_fit = 4;
 constexpr std::size_t most_fits = 200;
@@ -67,7 +69,8 @@ bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop) {
     if (std::isfinite(curvature)) curvatures.push_back(curvature);
   }
   if (curvatures.empty()) return steepness > 0.9;  // a coarse box: its walls tell nothing but that they are steep
-  return median(std::move(curvatures)) * facing.radius < ball_share * steepness;
+  const double share = median(std::move(curvatures)) * facing.radius / steepness;
+  return share < least_of_a_dome || share > most_of_a_dome;
 }
 
 }  // namespace loopmend

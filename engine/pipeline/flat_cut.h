@@ -7,7 +7,7 @@
 namespace loopmend {
 
 /// Whether what is missing is a flat cap, as at the base of a bust or the end of a tube, and not a dome: the loop is plane, the
-/// surface meets the plane steeply, and it bends inward there by less than half of what a ball through the loop would.
+/// surface meets the plane steeply, and it bends inward there much less than a ball through the loop would, or much more.
 bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop);
 
 }  // namespace loopmend

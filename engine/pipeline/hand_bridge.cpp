@@ -54,8 +54,8 @@ TriangleSoup with_bridge(const SurfaceModel& model, int a, int b) {
     for (const BridgeSeat& second : seats_b)
       if (first.loop == second.loop) s = first, t = second;
   if (s.from == t.from || s.from == t.to || s.to == t.from)
-    throw InvalidArgument("the boundary edges that begin at vertices " + std::to_string(a) + " and " + std::to_string(b) +
-                          " have a vertex in common: a bridge needs two that lie apart");
+    throw InvalidArgument("the boundary edges that begin at vertices " + std::to_string(a) + " and " +
+                          std::to_string(b) + " have a vertex in common: a bridge needs two that lie apart");
   TriangleSoup soup = model.soup;
   const auto at = [&](int v) { return Vec3(model.soup.points[v]); };
   const double edge = ((at(s.to) - at(s.from)).norm() + (at(t.to) - at(t.from)).norm()) / 2;

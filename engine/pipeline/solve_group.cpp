@@ -72,8 +72,8 @@ class GroupSolver {
       std::vector<BoundaryLoop> loops;
       for (int k : members) loops.push_back(known.loops[k]);
       const bool all = members.size() == known.loops.size();
-      put(guarded(loops, [&] { return part(all ? known : part_of(scan_.model, known, members, options_.initial)); }), members,
-          result);
+      put(guarded(loops, [&] { return part(all ? known : part_of(scan_.model, known, members, options_.initial)); }),
+          members, result);
     }
     return result;
   }

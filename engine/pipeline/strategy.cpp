@@ -96,7 +96,8 @@ bool flat_cap(const Situation& s, PatchResult& result) {
 }
 
 constexpr const char* flat_cut_reason =
-    "the boundary lies in a plane that the surface runs into without bending, so that it was closed flat; boundary exact asks "
+    "the boundary lies in a plane that the surface runs into without bending, so that it was closed flat; boundary "
+    "exact asks "
     "for the flow itself";
 
 bool is_flat(const Situation& s) { return s.flat_cut; }
@@ -233,9 +234,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   }
   Situation situation{{problem, {}, on_step, cancel}, options, judge_neighborhood(problem, options), std::nullopt};
   situation.flat_cut = is_judged(options) && !problem.loops.empty() &&
-                       std::all_of(problem.loops.begin(), problem.loops.end(), [&](const BoundaryLoop& loop) {
-                         return is_flat_cut(problem.scan.model, loop);
-                       });
+                       std::all_of(problem.loops.begin(), problem.loops.end(),
+                                   [&](const BoundaryLoop& loop) { return is_flat_cut(problem.scan.model, loop); });
   if (situation.judged) {
     situation.options.roughness.reset();  // of the initial patch as it is: runs with other boundary data have another
     situation.context.boundary.noise_share = situation.judged->roughness.noise_share;

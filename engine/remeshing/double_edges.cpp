@@ -41,7 +41,8 @@ void split_double_edges(const std::vector<int>& vertex, Points& points, Triangle
   for (const Triangle& t : triangles)
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
-      if (repeated.contains(a) || repeated.contains(b)) edges[std::minmax(vertex_of(a), vertex_of(b))].insert(std::minmax(a, b));
+      if (repeated.contains(a) || repeated.contains(b))
+        edges[std::minmax(vertex_of(a), vertex_of(b))].insert(std::minmax(a, b));
     }
   for (const auto& [ends, same] : edges)
     for (auto edge = std::next(same.begin()); edge != same.end(); ++edge) split(*edge, points, triangles);

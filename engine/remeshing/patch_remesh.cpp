@@ -25,7 +25,8 @@ int rim_size(const Patch& patch) {
 /// several fans; each but the first gets a copy of the vertex, so that the remesher has an ordinary mesh.
 class LockedVertices {
  public:
-  LockedVertices(const Patch& patch, int rim) : own_(patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles) {
+  LockedVertices(const Patch& patch, int rim)
+      : own_(patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles) {
     rim_vertex_.resize(rim);
     std::iota(rim_vertex_.begin(), rim_vertex_.end(), 0);
     std::vector<std::vector<int>> faces(rim);
@@ -128,7 +129,8 @@ ConstrainedRemesher open_for_remeshing(const Patch& patch) {
   }
   const auto field = std::make_shared<SizeField>(Points(points.begin(), points.begin() + rim),
                                                  rim_edge_lengths(patch, rim), patch.grading);
-  return ConstrainedRemesher(points, triangles, locked.count(), normals, [field](const Vec3& p) { return field->at(p); });
+  return ConstrainedRemesher(points, triangles, locked.count(), normals,
+                             [field](const Vec3& p) { return field->at(p); });
 }
 
 Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {

@@ -46,7 +46,8 @@ class Stitching {
     StitchedSurface stitched{soup_, 0, 0, 0};
     join_near_vertices();
     split_at_junctions(stitched);
-    for (std::size_t v = 0; v < parent_.size(); ++v) stitched.joined_vertices += root(static_cast<int>(v)) != static_cast<int>(v);
+    for (std::size_t v = 0; v < parent_.size(); ++v)
+      stitched.joined_vertices += root(static_cast<int>(v)) != static_cast<int>(v);
     Triangles kept;
     for (Triangle t : stitched.soup.triangles) {
       for (int& v : t) v = root(v);

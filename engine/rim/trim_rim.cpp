@@ -141,7 +141,8 @@ std::vector<BadRimFace> bad_rim_faces(const SurfaceModel& model, const std::vect
 namespace {
 
 /// To the other bad faces, by rising number.
-void add_crossing_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, std::vector<BadRimFace>& bad) {
+void add_crossing_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                        std::vector<BadRimFace>& bad) {
   for (int f : crossing_faces(model, rim_faces(model, loops))) {
     const BadRimFace face{model.soup_face[f], RimFault::crossing, 1};
     const auto at = std::lower_bound(bad.begin(), bad.end(), face,

@@ -102,10 +102,10 @@ Row measured(const fs::path& scan, const Arguments& arguments) {
   const fs::path output = fs::path(arguments.work) / (row.scan + ".ply"), report = output.string() + ".json";
   fs::remove(output);
   fs::remove(report);
-  const std::string command =
-      arguments.peer.empty() ? in_quotes(arguments.program) + " fill " + in_quotes(scan) + " -o " + in_quotes(output) +
-                                   " --report " + in_quotes(report) + " --quiet " + arguments.options
-                             : arguments.peer + " " + in_quotes(scan) + " " + in_quotes(output);
+  const std::string command = arguments.peer.empty() ? in_quotes(arguments.program) + " fill " + in_quotes(scan) +
+                                                           " -o " + in_quotes(output) + " --report " +
+                                                           in_quotes(report) + " --quiet " + arguments.options
+                                                     : arguments.peer + " " + in_quotes(scan) + " " + in_quotes(output);
   row.ending = run(command + " > " + in_quotes(output.string() + ".log") + " 2>&1", arguments.time_limit, row.seconds);
   count_loops(report, row, arguments.verbose);
   count_parts(scan, output, row, arguments.verbose);
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   fs::create_directories(arguments.work);
 
-  const std::vector<std::string> columns{"scan",  "loops",     "filled", "failed",  "left",   "parts",
+  const std::vector<std::string> columns{"scan",  "loops",     "filled", "failed",  "left",  "parts",
                                          "clean", "crossings", "s",      "slowest", "ending"};
   Table table(columns);
   Row sum;

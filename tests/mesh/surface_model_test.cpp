@@ -212,7 +212,9 @@ TEST(SurfaceModel, AtAnEdgeOfFourFacesTheFlattestPairsStayTogether) {
 
 TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   const auto cap = [](double height) {
-    return find_boundary_loops(make_surface_model(cut(make_icosphere(4), [=](const Vec3& p) { return p.z() < height; }))).at(0);
+    return find_boundary_loops(
+               make_surface_model(cut(make_icosphere(4), [=](const Vec3& p) { return p.z() < height; })))
+        .at(0);
   };
   const BoundaryLoop mask = cap(0.5);
   EXPECT_LT(mask.turning, 0.6);  // not what tells it from a hole
@@ -262,10 +264,13 @@ TEST(BoundaryLoops, AMissingTriangleThatAnotherSheetCoversIsACrack) {
   for (int v : gone) soup.points.push_back(Vec3(soup.points[static_cast<std::size_t>(v)]));
   soup.points.push_back(2 * Vec3(soup.points.back()));
   soup.triangles.push_back({first, first + 1, first + 2});
-  soup.triangles.push_back({first + 1, first, first + 3});  // a flap on one side, so that no more than two edges coincide
+  soup.triangles.push_back(
+      {first + 1, first, first + 3});  // a flap on one side, so that no more than two edges coincide
   soup.triangles.push_back({first + 2, first + 1, first + 3});
   const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(soup));
-  const auto three = std::find_if(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.coincident < 3 && loop.kind == LoopKind::crack; });
+  const auto three = std::find_if(loops.begin(), loops.end(), [](const BoundaryLoop& loop) {
+    return loop.coincident < 3 && loop.kind == LoopKind::crack;
+  });
   EXPECT_NE(three, loops.end());
 }
 

@@ -26,7 +26,8 @@ FanLink fan(double from, double to, double height = 0) {
 }
 
 TEST(ArrangeFans, OrdersThemAboutTheirNormalAndMeasuresTheGaps) {
-  const auto arrangement = arrange_fans(Vec3::Zero(), {fan(pi, 1.25 * pi), fan(-0.25 * pi, 0.25 * pi), fan(0.5 * pi, 0.75 * pi)});
+  const auto arrangement =
+      arrange_fans(Vec3::Zero(), {fan(pi, 1.25 * pi), fan(-0.25 * pi, 0.25 * pi), fan(0.5 * pi, 0.75 * pi)});
   ASSERT_TRUE(arrangement);
   // From the fan that begins first, seen from any direction in the plane: compare cyclically.
   const auto first = std::find(arrangement->order.begin(), arrangement->order.end(), 1) - arrangement->order.begin();

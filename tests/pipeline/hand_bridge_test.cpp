@@ -28,7 +28,8 @@ TEST(HandBridge, PartsAHoleIntoTwoThatCloseToASphere) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(bridged);
   ASSERT_EQ(loops.size(), 2u);
   for (const BoundaryLoop& loop : loops) EXPECT_EQ(loop.kind, LoopKind::hole);
-  for (std::size_t v = model.soup.points.size(); v < soup.points.size(); ++v) EXPECT_NEAR(soup.points[v].norm(), 1, 0.1);
+  for (std::size_t v = model.soup.points.size(); v < soup.points.size(); ++v)
+    EXPECT_NEAR(soup.points[v].norm(), 1, 0.1);
   for (const HoleResult& result : fill_all_holes(bridged)) EXPECT_TRUE(is_filled(result.status)) << result.message;
   EXPECT_TRUE(find_boundary_loops(bridged).empty());
 }
@@ -50,7 +51,8 @@ TEST(HandBridge, RefusesNeighborsAndWhatIsNotOnABoundary) {
   EXPECT_THROW(with_bridge(model, a, b), InvalidArgument);
   EXPECT_THROW(with_bridge(model, a, a), InvalidArgument);
   int inside = 0;
-  while (std::any_of(hole.vertices.begin(), hole.vertices.end(), [&](int v) { return model.soup_vertex[v] == inside; })) ++inside;
+  while (std::any_of(hole.vertices.begin(), hole.vertices.end(), [&](int v) { return model.soup_vertex[v] == inside; }))
+    ++inside;
   EXPECT_THROW(with_bridge(model, a, inside), InvalidArgument);
 }
 

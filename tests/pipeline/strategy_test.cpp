@@ -35,7 +35,7 @@ SurfaceModel rough_open_sphere(double relief, double noise) {
 /// rim another triangulation alone moves the patch by up to 5 % of an edge, whatever the kinds do.
 struct Family {
   std::function<SurfaceModel(double)> surface;  ///< t = 0..1
-  Patch initial;                                 ///< of t = 0
+  Patch initial;                                ///< of t = 0
 
   explicit Family(std::function<SurfaceModel(double)> of)
       : surface(std::move(of)),

@@ -31,7 +31,8 @@ TriangleSoup tile(double left, double width, int columns, int rows, double heigh
 std::vector<BoundaryLoop> loops_of(const TriangleSoup& soup) { return find_boundary_loops(make_surface_model(soup)); }
 
 TEST(StitchBoundaries, LeavesAHoleAndADistantNeighborAlone) {
-  const TriangleSoup soup = joined({cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; }), tile(3, 1, 3, 3, 1)});
+  const TriangleSoup soup =
+      joined({cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; }), tile(3, 1, 3, 3, 1)});
   const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
   EXPECT_EQ(stitched.joined_vertices + stitched.split_faces + stitched.removed_faces, 0u);
   EXPECT_EQ(stitched.soup.triangles, soup.triangles);
@@ -41,7 +42,8 @@ TEST(StitchBoundaries, ZipsTilesThatNearlyCoincide) {
   TriangleSoup soup = joined({tile(0, 4, 4, 6, 6), tile(4, 4, 4, 6, 6)});
   std::mt19937 random(1);
   std::uniform_real_distribution<double> noise(-0.03, 0.03);
-  for (std::size_t v = 35; v < soup.points.size(); ++v) soup.points[v] += Vec3(noise(random), noise(random), noise(random));
+  for (std::size_t v = 35; v < soup.points.size(); ++v)
+    soup.points[v] += Vec3(noise(random), noise(random), noise(random));
   ASSERT_EQ(loops_of(soup).size(), 2u);
   const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
   EXPECT_EQ(stitched.joined_vertices, 7u);

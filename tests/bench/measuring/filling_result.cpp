@@ -101,7 +101,7 @@ std::vector<Triangles> triangles_per_loop(const HoleProblem& problem, const Fill
 
 /// Empty when the triangles use other vertices than the loop's and new ones.
 LoopPatch patch_of_loop(const HoleProblem& problem, const Filling& filling, const BoundaryLoop& loop,
-                      const Triangles& triangles) {
+                        const Triangles& triangles) {
   const int old = static_cast<int>(problem.model.mesh.n_vertices());
   LoopPatch loop_patch;
   std::unordered_map<int, int> index;

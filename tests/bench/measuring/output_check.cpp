@@ -134,9 +134,7 @@ OutputCheck check_output(const TriangleSoup& input, const TriangleSoup& output) 
   const int first_new = static_cast<int>(input.triangles.size()), count = static_cast<int>(output.triangles.size());
   // Faces at each edge of a new triangle; the sign of a direction says how the edge runs in it.
   std::map<Edge, std::vector<std::pair<int, bool>>> at;
-  const auto edge_of = [&](int f, int k) {
-    return Edge{output.triangles[f][k], output.triangles[f][(k + 1) % 3]};
-  };
+  const auto edge_of = [&](int f, int k) { return Edge{output.triangles[f][k], output.triangles[f][(k + 1) % 3]}; };
   for (int f = first_new; f < count; ++f)
     for (int k = 0; k < 3; ++k) at[std::minmax(edge_of(f, k).first, edge_of(f, k).second)];
   for (int f = 0; f < count; ++f)
@@ -159,7 +157,8 @@ OutputCheck check_output(const TriangleSoup& input, const TriangleSoup& output) 
   std::map<int, double> area_of;
   const auto normal = [&](int f) {
     const Triangle& t = output.triangles[f];
-    return Vec3((output.points[t[1]] - output.points[t[0]]).cross(output.points[t[2]] - output.points[t[0]]).normalized());
+    return Vec3(
+        (output.points[t[1]] - output.points[t[0]]).cross(output.points[t[2]] - output.points[t[0]]).normalized());
   };
   for (int f = first_new; f < count; ++f) {
     const Triangle& t = output.triangles[f];
