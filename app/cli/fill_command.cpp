@@ -63,6 +63,7 @@ struct Outcome {
   int filled = 0, failed = 0;
   int doubtful = 0;         ///< of those filled
   int left = 0;             ///< as asked
+  int unfinished = 0;       ///< when the command was stopped
   int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
   bool holes_left = false;  ///< some loop that could be filled was left as asked
 
@@ -78,6 +79,10 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
     outcome.failed += results[k].status == PatchStatus::failed;
     outcome.doubtful += results[k].status == PatchStatus::doubtful;
     if (results[k].status != PatchStatus::skipped) continue;
+    if (choices[k].fill) {
+      ++outcome.unfinished;
+      continue;
+    }
     const bool no_hole = choices[k].left == LoopChoice::Left::no_hole;
     ++(no_hole ? outcome.no_hole : outcome.left);
     outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_rim);
@@ -90,6 +95,8 @@ struct Preparation {
   std::optional<StitchedSurface> stitched;  ///< without its soup
   std::optional<RepairCounts> repaired;
   std::size_t bridges = 0;
+  ModelRepairs before;           ///< of the mesh as it was read
+  std::size_t turned_faces = 0;  ///< in the mesh as it was read, where another mesh came out of it
 };
 
 /// @throws UsageError unless the text is two whole numbers of input vertices.
@@ -106,7 +113,9 @@ std::pair<int, int> bridge_ends(const std::string& text, const SurfaceModel& mod
 /// The mesh is replaced by the prepared one, with which the output is compared then.
 Preparation prepare(OpenedModel& opened, const FillCommand& command) {
   Preparation done;
+  done.before = opened.model.repairs;
   const auto replace = [&](TriangleSoup soup) {
+    done.turned_faces += opened.model.repairs.reoriented_faces;
     opened.as_read = std::move(soup);
     opened.model = model_of(command.input, opened.as_read);
   };
@@ -170,13 +179,15 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
 }
 
 /// What would help where no loop is a hole.
-void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<BoundaryLoop>& loops) {
+void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<BoundaryLoop>& loops,
+                const FillCommand& command) {
   const auto count = [&](auto is) { return std::count_if(loops.begin(), loops.end(), is); };
   const auto cut = count([](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
   const auto split = count([](const BoundaryLoop& loop) { return loop.kind != LoopKind::cut && loop.coincident > 0; });
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
-  if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
-  if (cut > 0)
+  if (split > 0 && command.stitch == FillCommand::Stitch::no)
+    std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
+  if (cut > 0 && command.repair == FillCommand::Repair::no)
     std::fprintf(
         out,
         " %td run along edges with more than two faces (%zu edges) or where the surface is one-sided: fill again with "
@@ -206,6 +217,7 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
   std::fprintf(out, "%d filled, ", outcome.filled);
   if (outcome.doubtful > 0) std::fprintf(out, "%d of them doubtful, ", outcome.doubtful);
   std::fprintf(out, "%d failed, %d left as asked", outcome.failed, outcome.left);
+  if (outcome.unfinished > 0) std::fprintf(out, ", %d not finished", outcome.unfinished);
   if (outcome.no_hole > 0) std::fprintf(out, ", %d left because they are no holes", outcome.no_hole);
   std::fprintf(out, "; %s written in %.2f s\n", command.output.c_str(), seconds);
 }
@@ -334,7 +346,7 @@ int run_fill(const FillCommand& command) {
   const Outcome outcome = outcome_of(results, choices);
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  nlohmann::ordered_json json = fill_report(command, opened.import, model.repairs, results, rims, preparation);
+  nlohmann::ordered_json json = fill_report(command, opened.import, preparation.before, results, rims, preparation);
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
   json["output"] = losses_json(losses);
   json["stopped"] = stopped;
@@ -347,9 +359,8 @@ int run_fill(const FillCommand& command) {
       std::fprintf(out, "%zu vertices were welded; the output is compared with the welded mesh.\n",
                    opened.import.vertices_welded);
     print_preparation(out, preparation);
-    if (model.repairs.reoriented_faces > 0)
-      std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n",
-                   model.repairs.reoriented_faces);
+    if (const std::size_t turned = preparation.turned_faces + model.repairs.reoriented_faces; turned > 0)
+      std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n", turned);
     if (!rims.removed.empty())
       std::fprintf(out, "%zu bad triangles were removed at the boundaries.\n", rims.removed.size());
     else if (!rims.bad.empty())
@@ -361,7 +372,7 @@ int run_fill(const FillCommand& command) {
     print_losses(out, command.output, losses);
     print_import_losses(out, opened.import);
     print_coincident(out, opened.import, loops);
-    if (outcome.in_vain()) print_cure(out, model.repairs, loops);
+    if (outcome.in_vain()) print_cure(out, model.repairs, loops, command);
   }
   return stopped ? exit_cancelled : outcome.exit_code();
 }

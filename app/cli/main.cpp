@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <new>
 #include <thread>
 
@@ -65,7 +64,7 @@ void add_info(CLI::App& app, InfoCommand& command) {
 struct FillWords {
   FlowWords flow;
   bool include_outer_rim = false, stitch = false, repair = false, keep_partial = false;
-  FillOptions::Islands islands = FillOptions::Islands::join;
+  std::string islands = "join";
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
@@ -84,9 +83,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   fill->add_option("--islands", words.islands,
                    "Pieces of surface within a hole: join them to its patch, or cover them with it")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, FillOptions::Islands>{
-          {"join", FillOptions::Islands::join}, {"cover", FillOptions::Islands::cover}}))
-      ->type_name("TEXT:{join,cover}=join");
+      ->check(CLI::IsMember({"join", "cover"}))
+      ->capture_default_str();
   fill->add_flag("--stitch", words.stitch, "Zip boundaries that lie within a tenth of their edges of each other first");
   fill->add_flag(
       "--repair", words.repair,
@@ -99,9 +97,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->expected(1)
       ->take_all();
   fill->add_option("--trim-rim", command.trim_rounds)->check(between(0, 100))->group("");  // its name before
-  fill->add_option(
-          "--trim-boundary", command.trim_rounds,
-          "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped, crossing)")
+  fill->add_option("--trim-boundary", command.trim_rounds,
+                   "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped), and up "
+                   "to ten of those "
+                   "that cross the surface")
       ->check(between(0, 100))
       ->type_name("N");
   add_flow_options(*fill, words.flow, DensityOption::offer);
@@ -129,7 +128,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   const int threads = command.fill.threads;
   command.fill = options_of(words.flow);
   command.fill.threads = threads;
-  command.fill.islands = words.islands;
+  command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
   if (words.keep_partial) command.fill.on_cancel = FillOptions::OnCancel::keep_finished;
   if (words.stitch) command.stitch = FillCommand::Stitch::yes;
   if (words.repair) command.repair = FillCommand::Repair::yes;

@@ -47,10 +47,17 @@ Json input_json(const std::filesystem::path& path, const ImportReport& import, c
 }
 
 Json loop_json(const BoundaryLoop& loop) {
-  return {{"number", loop.number},       {"edges", loop.edges()},
-          {"perimeter", loop.perimeter}, {"diameter", loop.diameter},
-          {"planarity", loop.planarity}, {"area", loop.area},
-          {"turning", loop.turning},     {"coincident_edges", loop.coincident},
+  return {{"number", loop.number},
+          {"edges", loop.edges()},
+          {"perimeter", loop.perimeter},
+          {"diameter", loop.diameter},
+          {"planarity", loop.planarity},
+          {"area", loop.area},
+          {"turning", loop.turning},
+          {"extent", loop.extent},
+          {"depth", number(loop.depth > 0 ? loop.depth : std::nan(""))},
+          {"onward", loop.onward},
+          {"coincident_edges", loop.coincident},
           {"kind", to_string(loop.kind)}};
 }
 

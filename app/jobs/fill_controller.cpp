@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/fill_controller.h"
 
+#include "core/error.h"
 #include "document/labels.h"
 #include "document/timeline.h"
 #include "jobs/state_making.h"
@@ -173,7 +174,7 @@ struct MendingTask {
 
 struct MendedScan {
   int scan = 0;
-  OpenedScanPtr made;
+  OpenedScanPtr made;    ///< null: it could not be mended, and `words` say why
   QString title, words;  ///< of the change, and of what was done
 };
 
@@ -271,14 +272,19 @@ void FillController::mend(Mending what, const std::set<int>& loops) {
       job,
       [what, tasks] {
         std::vector<MendedScan> all;
-        for (const MendingTask& task : tasks)
-          if (auto scan = mended(what, task)) all.push_back(std::move(*scan));
+        for (const MendingTask& task : tasks) {
+          try {
+            if (auto scan = mended(what, task)) all.push_back(std::move(*scan));
+          } catch (const Error& error) {  // one scan does not take the others with it
+            all.push_back({task.scan, nullptr, {}, QString::fromStdString(error.what())});
+          }
+        }
         return all;
       },
       [this, what](const std::vector<MendedScan>& all) {
         end();
         for (const MendedScan& one : all) {
-          replace_scans({one.scan}, one.made, one.title);
+          if (one.made) replace_scans({one.scan}, one.made, one.title);
           Q_EMIT logged(one.words);
         }
         if (all.empty()) Q_EMIT notice(nothing_to_mend(what));

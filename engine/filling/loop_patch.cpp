@@ -161,7 +161,7 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
     if (c.triangles.empty()) continue;
     c.points.assign(site.points.begin(), site.points.begin() + site.n);
     split_shared_chords(site, c);
-    split_double_edges(site.vertex, c.points, c.triangles);
+    split_double_edges(site.n, c.points, c.triangles);
     c.quality = assess(site, c);
     candidates.push_back(std::move(c));
     if (!candidates.back().wants_another(site.n)) break;
@@ -180,7 +180,7 @@ Candidate harvest(const LoopSite& site, const ConstrainedRemesher& mesh) {
   Candidate c;
   c.points = mesh.points();
   c.triangles = mesh.triangles();
-  split_double_edges(site.vertex, c.points, c.triangles);
+  split_double_edges(site.n, c.points, c.triangles);
   c.quality = assess(site, c);
   return c;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace loopmend {
 
@@ -51,17 +52,21 @@ class Outline {
 }  // namespace
 
 std::vector<int> pieces_of(const TriMesh& mesh) {
-  std::vector<int> piece(mesh.n_faces(), -1);
-  for (const auto seed : mesh.faces()) {
-    if (piece[seed.idx()] >= 0) continue;
-    std::vector<TriMesh::FaceHandle> queue{seed};
-    piece[seed.idx()] = seed.idx();
-    for (std::size_t q = 0; q < queue.size(); ++q)
-      for (const auto f : mesh.ff_range(queue[q]))
-        if (piece[f.idx()] < 0) {
-          piece[f.idx()] = seed.idx();
-          queue.push_back(f);
-        }
+  std::vector<int> parent(mesh.n_vertices());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto face : mesh.faces()) {
+    const int first = root(mesh.from_vertex_handle(mesh.halfedge_handle(face)).idx());
+    for (const auto v : mesh.fv_range(face)) parent[root(v.idx())] = first;
+  }
+  std::vector<int> lowest(mesh.n_vertices(), -1), piece(mesh.n_faces());
+  for (const auto face : mesh.faces()) {
+    int& name = lowest[root(mesh.from_vertex_handle(mesh.halfedge_handle(face)).idx())];
+    if (name < 0) name = face.idx();
+    piece[face.idx()] = name;
   }
   return piece;
 }

@@ -8,7 +8,7 @@
 
 namespace loopmend {
 
-/// For each view face the lowest face of its piece of surface.
+/// For each view face the lowest face of its piece of surface. Pieces that have a vertex in common are one.
 std::vector<int> pieces_of(const TriMesh& mesh);
 
 /// The piece that a loop bounds, by the numbers of `piece` (of pieces_of).

@@ -277,7 +277,7 @@ std::vector<int> link_of(const std::map<int, int>& next) {
 }
 
 /// Where fans that share nothing but a vertex lie side by side around it, as where two holes touch, that vertex is one again:
-/// its copies take the number of the first.
+/// its copies take the number of the first. Fans that share an edge of the file with another stay apart.
 void rejoin_fans(const Points& points, const std::vector<int>& origin, Triangles& triangles) {
   std::map<int, std::map<int, std::map<int, int>>> fans_at;  // split point → copy → next corner → previous corner
   for (std::size_t copy = points.size(); copy < origin.size(); ++copy) fans_at[origin[copy]];
@@ -287,19 +287,23 @@ void rejoin_fans(const Points& points, const std::vector<int>& origin, Triangles
         split->second[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
   std::map<int, int> joined;  // copy → the one whose number it takes
   for (const auto& [point, fans] : fans_at) {
-    std::vector<FanLink> links;
-    std::set<int> neighbors;
-    bool share_only_the_point = true;
-    for (const auto& [copy, next] : fans) {
-      FanLink& link = links.emplace_back();
+    std::map<int, std::vector<int>> link_at;  // copy → neighbors in the file
+    std::map<int, int> uses;
+    for (const auto& [copy, next] : fans)
       for (int v : link_of(next)) {
-        link.push_back(points[origin[v]]);
-        share_only_the_point = neighbors.insert(origin[v]).second && share_only_the_point;
+        link_at[copy].push_back(origin[v]);
+        ++uses[origin[v]];
       }
-      share_only_the_point = share_only_the_point && !link.empty();
+    std::vector<FanLink> links;
+    std::vector<int> copies;
+    for (const auto& [copy, neighbors] : link_at) {
+      if (std::any_of(neighbors.begin(), neighbors.end(), [&](int v) { return uses.at(v) > 1; })) continue;
+      copies.push_back(copy);
+      FanLink& link = links.emplace_back();
+      for (int v : neighbors) link.push_back(points[v]);
     }
-    if (links.size() < 2 || !share_only_the_point || !arrange_fans(points[point], links)) continue;
-    for (const auto& [copy, next] : fans) joined[copy] = fans.begin()->first;
+    if (links.size() < 2 || !arrange_fans(points[point], links)) continue;
+    for (int copy : copies) joined[copy] = copies.front();
   }
   for (Triangle& t : triangles)
     for (int& v : t)

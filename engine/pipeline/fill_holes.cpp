@@ -24,6 +24,7 @@ namespace {
 struct Task {
   enum class Kind { fill, join } kind = Kind::fill;
   std::vector<BoundaryLoop> loops;  ///< of `join` the hole's first
+  std::set<int> asked;              ///< of `join`: numbers of those islands that are to be filled themselves
 
   int edges() const {
     return std::accumulate(loops.begin(), loops.end(), 0,
@@ -35,14 +36,23 @@ struct Task {
 constexpr double least_island = 0.05;
 
 /// Those with the most edges first: they take the longest.
+/// @param refused  numbers of loops that no patch can close.
 std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                            FillOptions::Islands islands) {
+                            FillOptions::Islands islands, const std::set<int>& refused) {
   std::vector<Task> tasks;
   std::set<int> joined;
   if (islands == FillOptions::Islands::join)
     for (std::vector<BoundaryLoop>& place : holes_with_islands(model, loops)) {
+      std::erase_if(place, [&](const BoundaryLoop& loop) { return refused.contains(loop.number); });
+      if (place.size() < 2) continue;
+      Task& task = tasks.emplace_back();
+      task.kind = Task::Kind::join;
+      for (const BoundaryLoop& loop : loops)
+        if (loop.number != place.front().number &&
+            std::any_of(place.begin(), place.end(), [&](const auto& end) { return end.number == loop.number; }))
+          task.asked.insert(loop.number);
       for (const BoundaryLoop& loop : place) joined.insert(loop.number);
-      tasks.push_back({Task::Kind::join, std::move(place)});
+      task.loops = std::move(place);
     }
   std::vector<BoundaryLoop> others;
   for (const BoundaryLoop& loop : loops)
@@ -96,13 +106,18 @@ std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<Boun
 }
 
 /// The hole's islands joined to it, or where that fails covered by its patch.
-GroupResult joined(const ScanIndex& scan, const std::vector<BoundaryLoop>& place, const GroupOptions& options,
-                   const CancelToken& cancel) {
+GroupResult joined(const ScanIndex& scan, const Task& task, const GroupOptions& options, const CancelToken& cancel) {
+  const std::vector<BoundaryLoop>& place = task.loops;
   std::string why;
   std::optional<PatchResult> made = bridged(scan, place, options, cancel, why);
   if (!made) {
     GroupResult alone = filled(scan, {place.front()}, options, cancel);
     for (HoleResult& hole : alone.holes) hole.message += (hole.message.empty() ? "" : "; ") + island_not_joined(why);
+    for (const BoundaryLoop& island : place)
+      if (task.asked.contains(island.number))
+        alone.holes.push_back(open_hole(island, PatchStatus::skipped,
+                                        "the piece lies within hole " + std::to_string(place[0].number) +
+                                            ", whose patch covers it: left as it is"));
     return alone;
   }
   GroupResult result;
@@ -161,14 +176,27 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   const ScanIndex scan(model);
   std::vector<GroupResult> solved;
   std::vector<BoundaryLoop> possible;
+  std::set<int> refused;
   for (const BoundaryLoop& loop : loops) {  // what no patch can fill is known before any is made
-    const std::string why = loop.kind == LoopKind::cut ? "" : why_no_patch_exists(scan, loop);
-    if (why.empty())
+    if (cancel.cancelled()) break;
+    std::string why;
+    try {
+      if (loop.kind != LoopKind::cut) why = why_no_patch_exists(scan, loop);
+    } catch (const std::exception& error) {
+      why = error.what();
+    }
+    if (why.empty()) {
       possible.push_back(loop);
-    else
-      solved.push_back(open_group({loop}, PatchStatus::failed, why));
+      continue;
+    }
+    refused.insert(loop.number);
+    solved.push_back(open_group({loop}, PatchStatus::failed, why));
   }
-  const std::vector<Task> tasks = tasks_for(model, possible, options.islands);
+  if (cancel.cancelled()) {
+    if (options.on_cancel == FillOptions::OnCancel::discard) return {};
+    return pasted(model, loops, {open_group(loops, PatchStatus::skipped, "not finished when stopped")});
+  }
+  const std::vector<Task> tasks = tasks_for(model, possible, options.islands, refused);
   std::vector<GroupResult> results(tasks.size());
   std::vector<char> finished(tasks.size(), 0);
   std::mutex progress_mutex;
@@ -180,8 +208,8 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   parallel_for(0, static_cast<int>(tasks.size()), 1, [&](int k) {
     if (cancel.cancelled()) return;
     const Task& task = tasks[k];
-    results[k] = task.kind == Task::Kind::join ? joined(scan, task.loops, options, cancel)
-                                               : filled(scan, task.loops, options, cancel);
+    results[k] =
+        task.kind == Task::Kind::join ? joined(scan, task, options, cancel) : filled(scan, task.loops, options, cancel);
     const std::lock_guard lock(progress_mutex);
     if (cancel.cancelled()) return;
     finished[k] = 1;

@@ -53,14 +53,14 @@ TriangleSoup with_bridge(const SurfaceModel& model, int a, int b) {
   for (const BridgeSeat& first : seats_a)  // where loops touch, both ends on one loop if that can be
     for (const BridgeSeat& second : seats_b)
       if (first.loop == second.loop) s = first, t = second;
-  if (s.from == t.from || s.from == t.to || s.to == t.from)
+  if (s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to)
     throw InvalidArgument("the boundary edges that begin at vertices " + std::to_string(a) + " and " +
                           std::to_string(b) + " have a vertex in common: a bridge needs two that lie apart");
   TriangleSoup soup = model.soup;
   const auto at = [&](int v) { return Vec3(model.soup.points[v]); };
   const double edge = ((at(s.to) - at(s.from)).norm() + (at(t.to) - at(t.from)).norm()) / 2;
   const double span = ((at(t.from) - at(s.to)).norm() + (at(t.to) - at(s.from)).norm()) / 2;
-  const int rows = std::clamp(static_cast<int>(std::lround(span / std::max(edge, 1e-300))), 1, 10000);
+  const int rows = std::clamp(static_cast<int>(std::lround(span / std::max(edge, 1e-300))), 2, 10000);
   // Two rails: from the end of the first edge to the begin of the second, and from its begin to the other's end.
   std::vector<int> right{s.to}, left{s.from};
   const auto add = [&](const Vec3& p) {

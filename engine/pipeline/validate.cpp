@@ -114,6 +114,7 @@ int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop) {
   for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
     const int a = loop.vertices[k], b = loop.vertices[(k + 1) % loop.vertices.size()];
     const Vec3 &p = scan.points[a], &q = scan.points[b];
+    if (p == q) continue;
     const Kernel::Segment_3 edge(exact(p), exact(q));
     const std::vector<int> near = scan.index.near(p.cwiseMin(q), p.cwiseMax(q));
     count += std::any_of(near.begin(), near.end(), [&](int f) {
@@ -121,8 +122,9 @@ int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop) {
       // A corner in the same place, as along a seam, is a common one.
       const bool beside =
           std::any_of(t.begin(), t.end(), [&](int v) { return scan.points[v] == p || scan.points[v] == q; });
-      return !beside && CGAL::do_intersect(edge, Kernel::Triangle_3(exact(scan.points[t[0]]), exact(scan.points[t[1]]),
-                                                                    exact(scan.points[t[2]])));
+      if (beside) return false;
+      const Kernel::Triangle_3 face(exact(scan.points[t[0]]), exact(scan.points[t[1]]), exact(scan.points[t[2]]));
+      return !face.is_degenerate() && CGAL::do_intersect(edge, face);
     });
   }
   return count;

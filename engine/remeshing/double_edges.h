@@ -4,12 +4,11 @@
 
 #include "core/types.h"
 
-#include <vector>
-
 namespace loopmend {
 
-/// Splits edges in their middle until no two edges, seen with each place replaced by its vertex, have the same ends.
-/// @param vertex  for each of the first points, its places, the first place of the same vertex. No work where none is repeated.
-void split_double_edges(const std::vector<int>& vertex, Points& points, Triangles& triangles);
+/// Splits edges between triangles in their middle until none has its ends in the places of another edge. Those on the boundary
+/// stay.
+/// @param places  the first so many points are on the boundary; only they may lie in one place. No work where none do.
+void split_double_edges(int places, Points& points, Triangles& triangles);
 
 }  // namespace loopmend

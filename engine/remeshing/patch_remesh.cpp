@@ -138,7 +138,7 @@ Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {
   Triangles own = mesh.triangles();
   const int locked = mesh.locked();
   const std::vector<int> rim_vertex = LockedVertices(patch, rim_size(patch)).rim_vertex();
-  split_double_edges(rim_vertex, points, own);
+  split_double_edges(locked, points, own);
   Patch result = patch;
   result.free_count = static_cast<int>(points.size()) - locked;
   const int shift = result.free_count - patch.free_count;

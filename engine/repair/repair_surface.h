@@ -10,9 +10,10 @@ namespace loopmend {
 
 /// What was done. All 0 for a sound mesh.
 struct RepairCounts {
-  std::size_t degenerate_faces = 0;    ///< with a vertex twice: removed
-  std::size_t duplicate_faces = 0;     ///< over the vertices of an earlier one: removed
-  std::size_t separated_edges = 0;     ///< had more than two faces; each now has two or one
+  std::size_t degenerate_faces = 0;  ///< with a vertex twice: removed
+  std::size_t duplicate_faces = 0;   ///< over the vertices of an earlier one: removed
+  std::size_t separated_edges = 0;   ///< had more than two faces; each now has two or one
+  /// Fans that lie side by side, as where two holes touch, keep their vertex in common.
   std::size_t separated_vertices = 0;  ///< became several at one place: ends of such edges, and where sheets touch
   std::size_t turned_faces = 0;        ///< to agree with their neighbors
   std::size_t removed_pieces = 0;      ///< of surface, tiny

@@ -138,6 +138,7 @@ class Stitching {
     std::map<int, std::vector<std::pair<int, std::vector<int>>>> cuts;  // face → corner, vertices on that side
     for (const BoundaryEdge& e : edges_) {
       if (directed.contains({root(e.to), root(e.from)})) continue;  // zipped already
+      const int apex = soup_.triangles[e.face][(e.corner + 2) % 3];
       const Vec3 &a = soup_.points[e.from], &b = soup_.points[e.to];
       const double length = (b - a).norm();
       if (!(length > 0)) continue;
@@ -145,7 +146,7 @@ class Stitching {
       std::map<double, int> on;
       for (int v : near(a.cwiseMin(b) - reach, a.cwiseMax(b) + reach)) {
         if (root(v) == root(e.from) || root(v) == root(e.to)) continue;
-        if (neighbors_.contains(std::minmax(v, e.from)) && neighbors_.contains(std::minmax(v, e.to))) continue;
+        if (root(v) == root(apex)) continue;
         const Vec3 d = soup_.points[v] - a;
         const double t = along.dot(d);
         if (t > tolerance_ * length && t < (1 - tolerance_) * length &&
@@ -162,7 +163,6 @@ class Stitching {
       const auto& [corner, vertices] = sides.front();  // one side of a face: the others wait for another run
       const Triangle t = stitched.soup.triangles[face];
       const int to = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
-      if (std::find(vertices.begin(), vertices.end(), root(apex)) != vertices.end()) continue;
       int from = t[corner];
       stitched.soup.triangles[face] = {from, vertices.front(), apex};
       for (std::size_t k = 0; k < vertices.size(); ++k) {

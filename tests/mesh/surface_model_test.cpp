@@ -176,6 +176,9 @@ TEST(BoundaryLoops, ALoopRoundAnIslandThatTouchesItPassesTheirVertexTwice) {
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_EQ(loops[1].kind, LoopKind::hole);
   EXPECT_EQ(loops[1].edges(), 12 + 4);
+  // Whatever the numbers of the vertices: the island's first, too.
+  std::reverse(soup.triangles.begin(), soup.triangles.end());
+  EXPECT_EQ(find_boundary_loops(make_surface_model(soup)).at(1).kind, LoopKind::hole);
   const auto& vertices = loops[1].vertices;
   EXPECT_EQ(std::set<int>(vertices.begin(), vertices.end()).size(), 15u);
 }

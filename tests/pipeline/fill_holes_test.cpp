@@ -11,11 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <set>
 
 namespace loopmend {
@@ -123,6 +125,73 @@ TEST(FillLoops, NoFlowLeavesTheFiller) {
   EXPECT_EQ(results[0].steps(), 0);
   EXPECT_EQ(results[0].message, "");
   EXPECT_TRUE(find_boundary_loops(model).empty());
+}
+
+TEST(FillLoops, KeepsWhatWasFinishedWhenAskedTo) {
+  SurfaceModel model = holey_sphere();
+  FillOptions options;
+  options.on_cancel = FillOptions::OnCancel::keep_finished;
+  options.threads = 1;
+  const CancelToken cancel;
+  const auto results = fill_holes(
+      model, holes_of(model), options, [&](const FillProgress&) { cancel.cancel(); }, cancel);
+  ASSERT_EQ(results.size(), 4u);
+  const auto filled =
+      std::count_if(results.begin(), results.end(), [](const HoleResult& result) { return is_filled(result.status); });
+  EXPECT_GT(filled, 0);
+  EXPECT_LT(filled, 4);
+  for (const HoleResult& result : results)
+    EXPECT_TRUE(is_filled(result.status) || result.status == PatchStatus::skipped);
+  EXPECT_EQ(find_boundary_loops(model).size(), 4u - static_cast<std::size_t>(filled));
+}
+
+/// A chain of holes of which each lies near the next is no problem of its own size.
+TEST(GroupLoops, BoundsWhatIsSolvedAtOnce) {
+  TriangleSoup soup = make_torus(10, 1, 600, 40);
+  soup = cut(soup, [](const Vec3& p) {
+    const double turn = std::atan2(p.y(), p.x()) * 60 / std::numbers::pi;  // 120 holes
+    return p.z() > 0.9 && std::abs(turn - std::round(turn)) < 0.2;
+  });
+  const SurfaceModel model = make_surface_model(soup);
+  const std::vector<BoundaryLoop> holes = find_boundary_loops(model);
+  ASSERT_GT(holes.size(), 100u);
+  std::size_t loops = 0;
+  for (const std::vector<int>& group : group_loops(model, holes)) {
+    EXPECT_LE(group.size(), 24u);
+    loops += group.size();
+  }
+  EXPECT_EQ(loops, holes.size());
+}
+
+TEST(FillLoops, HolesThatTouchAndIslandsThatTouchTheirHoleAreClosed) {
+  // Two caps of a sphere that meet at one vertex; and an island whose one vertex is its hole's.
+  SurfaceModel chain = make_surface_model(read_mesh(LOOPMEND_TEST_DATA "/touching_holes.obj").soup);
+  for (const HoleResult& result : fill_all_holes(chain)) EXPECT_TRUE(is_filled(result.status)) << result.message;
+  EXPECT_EQ(find_boundary_loops(chain).size(), 1u);  // the sheet's outline
+
+  // A sheet in which a ring of squares is missing; the piece within it hangs on the sheet by one vertex.
+  TriangleSoup soup;
+  constexpr int side = 13;
+  const auto number = [](int x, int y) { return y * (side + 1) + x; };
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x) soup.points.emplace_back(x, y, 0.3 * std::sin(0.4 * x) * std::cos(0.3 * y));
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const bool within = x >= 4 && x <= 8 && y >= 4 && y <= 8, island = x >= 5 && x <= 7 && y >= 5 && y <= 7;
+      if (within && !island) continue;
+      soup.triangles.push_back({number(x, y), number(x + 1, y), number(x + 1, y + 1)});
+      soup.triangles.push_back({number(x, y), number(x + 1, y + 1), number(x, y + 1)});
+    }
+  for (Triangle& t : soup.triangles)
+    for (int& v : t)
+      if (v == number(5, 5)) v = number(4, 4);
+  SurfaceModel model = make_surface_model(soup);
+  ASSERT_EQ(find_boundary_loops(model).size(), 2u);
+  for (const HoleResult& result : fill_all_holes(model)) EXPECT_TRUE(is_filled(result.status)) << result.message;
+  EXPECT_EQ(find_boundary_loops(model).size(), 1u);
+  const test::MeshFacts facts = test::mesh_facts(model.soup);
+  EXPECT_TRUE(facts.oriented);
+  EXPECT_TRUE(facts.vertex_manifold);
 }
 
 TEST(FillLoops, CancelledLeavesTheModel) {

@@ -65,6 +65,26 @@ TEST(StitchBoundaries, SplitsFacesAtJunctions) {
   EXPECT_EQ(loops[0].edges(), 8 + 6 + 8 + 12);
 }
 
+TEST(StitchBoundaries, ClosesATJunctionWhoseEndsAreSharedAlready) {
+  // One vertex more on one side of an inner edge: a flat loop of three edges.
+  TriangleSoup soup = tile(0, 4, 4, 4, 4);
+  const int a = 2 * 5 + 1, b = a + 1, extra = static_cast<int>(soup.points.size());
+  soup.points.push_back((soup.points[a] + soup.points[b]) / 2);
+  for (Triangle& t : soup.triangles)
+    for (int k = 0; k < 3; ++k)
+      if (t[k] == a && t[(k + 1) % 3] == b) {
+        const int apex = t[(k + 2) % 3];
+        t = {a, extra, apex};
+        soup.triangles.push_back({extra, b, apex});
+        ASSERT_EQ(loops_of(soup).size(), 2u);
+        const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+        EXPECT_EQ(stitched.split_faces, 1u);
+        EXPECT_EQ(loops_of(stitched.soup).size(), 1u);
+        return;
+      }
+  FAIL() << "no such edge";
+}
+
 TEST(StitchBoundaries, ASlitIsClosedAndAHoleBesideItStaysOne) {
   // Cut along the equator for half a turn; a cap is missing as well.
   TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
