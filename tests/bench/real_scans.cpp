@@ -90,7 +90,7 @@ Place place_of(const Vec3& p) {
 }
 
 /// What a peer wrote as the input with the new triangles behind it: other programs number anew and round to single precision.
-/// The input is rounded likewise.
+/// The input is rounded likewise, and loses what the peer changed: triangles beside the hole that it split or flipped.
 TriangleSoup as_appended(TriangleSoup& input, const TriangleSoup& output) {
   std::map<Place, int> number;
   for (Vec3& p : input.points) {
@@ -103,7 +103,9 @@ TriangleSoup as_appended(TriangleSoup& input, const TriangleSoup& output) {
     std::sort(places.begin(), places.end());
     return places;
   };
-  std::set<std::array<Place, 3>> known;
+  std::set<std::array<Place, 3>> known, written;
+  for (const Triangle& t : output.triangles) written.insert(key(output, t));
+  std::erase_if(input.triangles, [&](const Triangle& t) { return !written.contains(key(input, t)); });
   for (const Triangle& t : input.triangles) known.insert(key(input, t));
   TriangleSoup all = input;
   for (const Triangle& t : output.triangles) {
