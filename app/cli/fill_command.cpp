@@ -147,7 +147,8 @@ void print_preparation(std::FILE* out, const Preparation& done) {
         "Stitched: %zu vertices joined to others, %zu faces split; the output is compared with the stitched mesh.\n",
         done.stitched->joined_vertices, done.stitched->split_faces);
   if (done.bridges > 0)
-    std::fprintf(out, "%zu %s laid across holes.\n", done.bridges, done.bridges == 1 ? "strip was" : "strips were");
+    std::fprintf(out, "%zu %s laid across holes; the output is compared with the mesh that has them.\n", done.bridges,
+                 done.bridges == 1 ? "strip was" : "strips were");
   if (!done.repaired) return;
   const RepairCounts& c = *done.repaired;
   if (!c.any()) {

@@ -99,8 +99,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--trim-rim", command.trim_rounds)->check(between(0, 100))->group("");  // its name before
   fill->add_option("--trim-boundary", command.trim_rounds,
                    "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped), and up "
-                   "to ten of those "
-                   "that cross the surface")
+                   "to ten of those that cross the surface")
       ->check(between(0, 100))
       ->type_name("N");
   add_flow_options(*fill, words.flow, DensityOption::offer);

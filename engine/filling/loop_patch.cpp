@@ -293,8 +293,10 @@ std::string reason_not_to_fill(const BoundaryLoop& loop) {
     case LoopKind::hole:
     case LoopKind::outer_rim: return "";
     case LoopKind::crack:
-      return "a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them; welding "
-             "the vertices joins them";
+      return loop.coincident < loop.edges()
+                 ? "a crack: a face at the same place covers it already"
+                 : "a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them; "
+                   "stitching joins them";
     case LoopKind::cut:
       return "no hole: it runs where the surface had to be cut, along an edge with more than two faces or because the "
              "surface is one-sided";

@@ -31,7 +31,7 @@ struct BoundaryLoop {
       0;  ///< total geodesic curvature seen from the surface, in units of 2π: −1 round hole, +1 rim of a sheet
   Vec3 center = Vec3::Zero();  ///< mean of the loop's vertices
   double extent = 0;           ///< diagonal of the loop's box divided by that of its piece of surface
-  double depth = 0;   ///< how far its piece reaches from the loop's plane, to the farther side, divided by the diameter
+  double depth = 0;   ///< reach of its piece from the loop's plane, in diameters; 0 where the extent rules an outline out
   double onward = 0;  ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
   int coincident = 0;  ///< edges that lie exactly on another boundary edge, of this loop or another
   LoopKind kind = LoopKind::hole;

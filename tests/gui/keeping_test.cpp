@@ -31,6 +31,8 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -291,6 +293,35 @@ void KeepingTest::where_the_flow_must_give_way() {
   QCOMPARE(document.patches().size(), std::size_t(1));
 }
 
+namespace {
+
+/// A sphere with a hole, a fin, and a crack along part of its equator.
+TriangleSoup to_be_mended() {
+  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
+  const std::size_t before = soup.points.size();
+  std::map<int, int> twin;
+  for (std::size_t v = 0; v < before; ++v)
+    if (const Vec3 p = soup.points[v]; std::abs(p.z()) < 1e-12 && p.x() > 0.3) {
+      twin[static_cast<int>(v)] = static_cast<int>(soup.points.size());
+      soup.points.push_back(p);
+    }
+  for (Triangle& t : soup.triangles) {
+    double z = 0;
+    for (int v : t) z += soup.points[static_cast<std::size_t>(v)].z();
+    for (int& v : t)
+      if (z > 0 && twin.contains(v)) v = twin[v];
+  }
+  const auto lowest = std::min_element(soup.triangles.begin(), soup.triangles.end(), [&](const auto& s, const auto& t) {
+    return soup.points[static_cast<std::size_t>(s[0])].z() < soup.points[static_cast<std::size_t>(t[0])].z();
+  });
+  const Triangle fin{(*lowest)[0], (*lowest)[1], static_cast<int>(soup.points.size())};
+  soup.points.emplace_back(0, 0, -2);
+  soup.triangles.push_back(fin);
+  return soup;
+}
+
+}  // namespace
+
 void KeepingTest::window_and_command_line_give_the_same_bits_data() {
   QTest::addColumn<QString>("scan");
   QTest::addColumn<QStringList>("options");
@@ -303,6 +334,10 @@ void KeepingTest::window_and_command_line_give_the_same_bits_data() {
              }));
   QTest::newRow("island") << island << QStringList();
   QTest::newRow("island covered") << island << QStringList{QStringLiteral("--islands"), QStringLiteral("cover")};
+  const QString mend = folder_.filePath(QStringLiteral("mend.ply"));
+  write_mesh(mend.toStdString(), to_be_mended());
+  for (const char* option : {"--stitch", "--repair"})
+    QTest::newRow(option) << mend << QStringList{QLatin1String(option)};
   const QString ragged = folder_.filePath(QStringLiteral("ragged.ply"));
   TriangleSoup dangling = cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; });
   const SurfaceModel open = make_surface_model(dangling);
@@ -330,6 +365,13 @@ void KeepingTest::window_and_command_line_give_the_same_bits() {
     QVERIFY(wait_idle(window));
     const int trimmed = window.document().scans().front();
     QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
+  }
+  for (const char* mending : {"stitch", "repair"}) {
+    if (!options.contains(QStringLiteral("--") + QLatin1String(mending))) continue;
+    const int before = window.document().scans().front();
+    press(window, mending);
+    QVERIFY(wait_idle(window));
+    QVERIFY(window.document().scans().front() != before);  // another one came in its place
   }
   part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
   press(window, "fill");

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/mend_scan.h"
+
+#include "jobs/fill_controller.h"
+#include "repair/repair_surface.h"
+#include "repair/stitch_boundaries.h"
+#include "rim/trim_rim.h"
+
+namespace loopmend {
+
+namespace {
+
+std::optional<MendedScan> trimmed(const MendingTask& task) {
+  constexpr int rounds = 3;
+  const OpenedScan& old = *task.opened;
+  TrimmedModel result = trim_rim(*old.model, task.loops, rounds);
+  if (result.removed.empty()) return std::nullopt;
+  const QString words =
+      FillController::tr("%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
+          .arg(old.name)
+          .arg(result.removed.size());
+  return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
+                    FillController::tr("Trim the boundaries of %1").arg(old.name), words};
+}
+
+std::optional<MendedScan> stitched(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  StitchedSurface result = stitch_boundaries(*old.model);
+  if (result.joined_vertices + result.split_faces == 0) return std::nullopt;
+  const QString words =
+      FillController::tr("%1: %2 vertices were joined to others, %3 faces split; Ctrl+Z takes it back.")
+          .arg(old.name)
+          .arg(result.joined_vertices)
+          .arg(result.split_faces);
+  return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
+                    FillController::tr("Stitch %1").arg(old.name), words};
+}
+
+std::optional<MendedScan> repaired(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  RepairedSurface result = repair_surface(old.model->soup);
+  const RepairCounts& counts = result.counts;
+  if (!counts.any()) return std::nullopt;
+  const QString words =
+      FillController::tr(
+          "%1: %2 edges and %3 vertices were separated, %4 faces turned, %5 degenerate and %6 duplicate faces and "
+          "%7 crumbs removed; Ctrl+Z takes it back.")
+          .arg(old.name)
+          .arg(counts.separated_edges)
+          .arg(counts.separated_vertices)
+          .arg(counts.turned_faces)
+          .arg(counts.degenerate_faces)
+          .arg(counts.duplicate_faces)
+          .arg(counts.removed_pieces);
+  return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
+                    FillController::tr("Repair %1").arg(old.name), words};
+}
+
+}  // namespace
+
+std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
+  switch (what) {
+    case Mending::trim: return trimmed(task);
+    case Mending::stitch: return stitched(task);
+    case Mending::repair: return repaired(task);
+  }
+  return std::nullopt;
+}
+
+QString nothing_to_mend(Mending what) {
+  switch (what) {
+    case Mending::trim: return FillController::tr("There are no bad triangles at these boundaries.");
+    case Mending::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
+    case Mending::repair: return FillController::tr("There is nothing to repair.");
+  }
+  return {};
+}
+
+QString mending_title(Mending what) {
+  switch (what) {
+    case Mending::trim: return FillController::tr("Trimming boundaries");
+    case Mending::stitch: return FillController::tr("Stitching boundaries");
+    case Mending::repair: return FillController::tr("Repairing the scan");
+  }
+  return {};
+}
+
+}  // namespace loopmend

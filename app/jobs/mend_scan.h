@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is done to a scan before it is filled: trimming, stitching, repairing.
+#pragma once
+
+#include "document/opened_scan.h"
+#include "jobs/load_scan.h"
+#include "mesh/boundary_loops.h"
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+enum class Mending;
+
+/// A scan to be mended, and those of its loops that were chosen.
+struct MendingTask {
+  int scan = 0;
+  std::shared_ptr<const OpenedScan> opened;
+  std::vector<BoundaryLoop> loops;
+};
+
+struct MendedScan {
+  int scan = 0;
+  OpenedScanPtr made;    ///< null: it could not be mended, and `words` say why
+  QString title, words;  ///< of the change, and of what was done
+};
+
+/// The mended scan; empty where there is nothing to mend. @throws Error as the function of the engine does.
+std::optional<MendedScan> mended(Mending what, const MendingTask& task);
+
+QString mending_title(Mending what);
+/// What is said where no scan had anything to mend.
+QString nothing_to_mend(Mending what);
+
+}  // namespace loopmend
