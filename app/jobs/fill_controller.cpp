@@ -176,6 +176,15 @@ void FillController::mend(Mending what, const std::set<int>& loops) {
     task.opened = document_.scan(scan);
     tasks.push_back(std::move(task));
   }
+  run_mending(what, std::move(tasks));
+}
+
+void FillController::bridge(int scan, int soup_a, int soup_b) {
+  if (busy() || !document_.scan(scan)) return;
+  run_mending(Mending::bridge, {{scan, document_.scan(scan), {}, {soup_a, soup_b}}});
+}
+
+void FillController::run_mending(Mending what, std::vector<MendingTask> tasks) {
   const JobPtr job = begin(Activity::filling, mending_title(what));
   tasks_.run(
       job,
@@ -193,8 +202,12 @@ void FillController::mend(Mending what, const std::set<int>& loops) {
       [this, what](const std::vector<MendedScan>& all) {
         end();
         for (const MendedScan& one : all) {
-          if (one.made) replace_scans({one.scan}, one.made, one.title);
-          Q_EMIT logged(one.words);
+          if (one.made) {
+            replace_scans({one.scan}, one.made, one.title);
+            Q_EMIT logged(one.words);
+          } else {
+            Q_EMIT notice(labels::sentence(one.words));
+          }
         }
         if (all.empty()) Q_EMIT notice(nothing_to_mend(what));
       },

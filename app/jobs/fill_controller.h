@@ -32,7 +32,10 @@ enum class Mending {
   trim,    ///< --trim-boundary 3: bad triangles at the boundaries of these holes are removed
   stitch,  ///< --stitch: boundaries that nearly coincide are zipped, all over the scan
   repair,  ///< --repair: the scan becomes an oriented manifold
+  bridge,  ///< --bridge A,B: a strip parts a hole into two, or joins two
 };
+
+struct MendingTask;
 
 /// How holes are filled.
 struct FillChoice {
@@ -72,6 +75,8 @@ class FillController : public QObject {
   /// Each scan that has one of these loops, or all scans where there are none, is replaced by a mended one without patches; can
   /// be undone. Where there is nothing to mend, that is told.
   void mend(Mending what, const std::set<int>& loops);
+  /// A strip between the boundary edges that begin at these soup points of a scan; as with_bridge() of the engine.
+  void bridge(int scan, int soup_a, int soup_b);
   void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
   void pause();
   /// Comes back at once; what was accepted so far stays and can be undone.
@@ -118,6 +123,7 @@ class FillController : public QObject {
   void report_failure(const QString& words);
   /// The job has failed.
   void give_up(const QString& text);
+  void run_mending(Mending what, std::vector<MendingTask> tasks);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
   void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);

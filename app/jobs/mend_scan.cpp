@@ -2,6 +2,7 @@
 #include "jobs/mend_scan.h"
 
 #include "jobs/fill_controller.h"
+#include "pipeline/hand_bridge.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 #include "rim/trim_rim.h"
@@ -56,6 +57,18 @@ std::optional<MendedScan> repaired(const MendingTask& task) {
                     FillController::tr("Repair %1").arg(old.name), words};
 }
 
+MendedScan bridged(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  const auto [a, b] = task.bridge_ends;
+  const QString words =
+      FillController::tr("%1: a bridge was laid between the vertices %2 and %3; Ctrl+Z takes it back.")
+          .arg(old.name)
+          .arg(a)
+          .arg(b);
+  return MendedScan{task.scan, made_scan(with_bridge(*old.model, a, b), old.name, old.origin),
+                    FillController::tr("Bridge a hole of %1").arg(old.name), words};
+}
+
 }  // namespace
 
 std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
@@ -63,6 +76,7 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
     case Mending::trim: return trimmed(task);
     case Mending::stitch: return stitched(task);
     case Mending::repair: return repaired(task);
+    case Mending::bridge: return bridged(task);
   }
   return std::nullopt;
 }
@@ -72,6 +86,7 @@ QString nothing_to_mend(Mending what) {
     case Mending::trim: return FillController::tr("There are no bad triangles at these boundaries.");
     case Mending::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
     case Mending::repair: return FillController::tr("There is nothing to repair.");
+    case Mending::bridge: break;
   }
   return {};
 }
@@ -81,6 +96,7 @@ QString mending_title(Mending what) {
     case Mending::trim: return FillController::tr("Trimming boundaries");
     case Mending::stitch: return FillController::tr("Stitching boundaries");
     case Mending::repair: return FillController::tr("Repairing the scan");
+    case Mending::bridge: return FillController::tr("Bridging a hole");
   }
   return {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done to a scan before it is filled: trimming, stitching, repairing.
+// What is done to a scan before it is filled: trimming, stitching, repairing, bridging.
 #pragma once
 
 #include "document/opened_scan.h"
@@ -8,6 +8,7 @@
 
 #include <QString>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,7 @@ struct MendingTask {
   int scan = 0;
   std::shared_ptr<const OpenedScan> opened;
   std::vector<BoundaryLoop> loops;
+  std::array<int, 2> bridge_ends{-1, -1};  ///< soup points
 };
 
 struct MendedScan {

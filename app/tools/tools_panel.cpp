@@ -43,13 +43,21 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Pr
   choice("toolRegion", tr("Region"), tr("Make a region of a surface smooth, its surroundings held (R)"), Tool::region);
   choice("toolPoints", tr("Points"), tr("A smooth surface through the vertices of a polyhedron (I)"), Tool::points);
   choice("toolBlend", tr("Blend"), tr("Join two or more rims by one patch (B)"), Tool::blend);
+  choice("toolBridge", tr("Bridge"), tr("Part a hole into two by a strip between two of its vertices (G)"),
+         Tool::bridge);
   auto* none = make_note("toolsHint");
   none->setText(
       tr("Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
-         "of a polyhedron; Blend joins rims of one or several parts."));
+         "of a polyhedron; Blend joins rims of one or several parts; Bridge parts a hole into two."));
   none->setAlignment(Qt::AlignTop);
+  auto* bridge = make_note("bridgeHint");
+  bridge->setText(
+      tr("Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On "
+         "one "
+         "loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one."));
+  bridge->setAlignment(Qt::AlignTop);
   pages_ = {none, group(tr("Region"), region), group(tr("Surface through points"), points),
-            group(tr("Join rims"), blend)};
+            group(tr("Join rims"), blend), group(tr("Bridge"), bridge)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 8);
@@ -72,7 +80,7 @@ void ToolsPanel::choose(Tool tool) {
   const int page = static_cast<int>(tool);
   for (std::size_t k = 0; k < pages_.size(); ++k) pages_[k]->setVisible(static_cast<int>(k) == page);
   for (std::size_t k = 0; k < choices_.size(); ++k) choices_[k]->setChecked(static_cast<int>(k) + 1 == page);
-  trial_->setVisible(tool != Tool::none);
+  trial_->setVisible(tool != Tool::none && tool != Tool::bridge);
   Q_EMIT tool_chosen(tool);
 }
 

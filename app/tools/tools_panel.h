@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace loopmend {
 
-enum class Tool { none, region, points, blend };
+enum class Tool { none, region, points, blend, bridge };
 
 class ToolsPanel : public QScrollArea {
   Q_OBJECT

@@ -96,7 +96,8 @@ void MainWindow::connect_patch_actions() {
   a.on("copyAction", &patch_->decision_box(), &DecisionBox::copy_command);
   for (const auto& [name, tool] : {std::pair{"toolRegionAction", Tool::region},
                                    {"toolPointsAction", Tool::points},
-                                   {"toolBlendAction", Tool::blend}})
+                                   {"toolBlendAction", Tool::blend},
+                                   {"toolBridgeAction", Tool::bridge}})
     a.on(name, this, [this, wanted = tool] {
       findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
       tools_->take(tools_->panel()->tool() == wanted ? Tool::none : wanted);
@@ -127,9 +128,9 @@ void MainWindow::update_actions() {
   a["undo"]->setText(undo_.can_undo() ? tr("&Undo: %1").arg(undo_.undo_text()) : tr("&Undo"));
   a["redo"]->setText(undo_.can_redo() ? tr("&Redo: %1").arg(undo_.redo_text()) : tr("&Redo"));
   for (const char* name : {"export", "saveSession", "saveSessionAs"}) a[name]->setEnabled(idle && scan);
-  for (const char* name : {"add", "compare", "toolRegionAction", "toolPointsAction", "toolBlendAction", "screenshot",
-                           "frame", "probe", "wireframe", "seams", "selectAll", "nextHole", "previousHole", "curvature",
-                           "gaussian", "plain", "zebra", "isophotes"})
+  for (const char* name : {"add", "compare", "toolRegionAction", "toolPointsAction", "toolBlendAction",
+                           "toolBridgeAction", "screenshot", "frame", "probe", "wireframe", "seams", "selectAll",
+                           "nextHole", "previousHole", "curvature", "gaussian", "plain", "zebra", "isophotes"})
     a[name]->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));

@@ -19,6 +19,7 @@ ToolController::ToolController(Document& document, HoleSelection& selection, Fil
       region_(new RegionTool(document, this)),
       points_(new PointsTool(document, this)),
       part_(new PartTool(document, this)),
+      bridge_(new BridgeTool(document, this)),
       trial_(new ProblemController(document, controller, this)),
       place_(new PlacePart(document, controller, this)),
       points_box_(new PointsBox(document, *points_)),
@@ -39,6 +40,8 @@ ToolController::ToolController(Document& document, HoleSelection& selection, Fil
     view_.update_tool();
   });
   connect(blend_box_, &BlendBox::select_facing_wanted, this, &ToolController::select_facing);
+  connect(bridge_, &BridgeTool::changed, &view_, &MeshView::update_tool);
+  connect(bridge_, &BridgeTool::bridge_wanted, &controller, &FillController::bridge);
   connect(part_, &PartTool::placed, this, [this] {
     give_up_trial();
     view_.place_scan(part_->scan(), part_->placement().matrix());
@@ -71,11 +74,13 @@ void ToolController::take(Tool tool) { panel_->choose(tool); }
 void ToolController::on_tool(Tool tool) {
   give_up_trial();
   if (tool != Tool::blend) part_->set_scan(-1);
+  bridge_->clear();
   switch (tool) {
     case Tool::none: view_.set_tool(nullptr); break;
     case Tool::region: view_.set_tool(region_); break;
     case Tool::points: view_.set_tool(points_); break;
     case Tool::blend: view_.set_tool(part_); break;
+    case Tool::bridge: view_.set_tool(bridge_); break;
   }
   show_region();
   update_wanting();
@@ -87,6 +92,8 @@ bool ToolController::step_back() {
     trial_->cancel();
   } else if (trial_->stage() != ProblemController::Stage::none) {
     trial_->discard();
+  } else if (bridge_->is_begun()) {
+    bridge_->clear();
   } else if (panel_->tool() != Tool::none) {
     take(Tool::none);
   } else {
@@ -105,7 +112,8 @@ void ToolController::give_up_trial() {
 void ToolController::update_wanting() {
   QString words;
   switch (panel_->tool()) {
-    case Tool::none: break;
+    case Tool::none:
+    case Tool::bridge: break;
     case Tool::region: words = region_->count() > 0 ? QString() : tr("Paint a region first."); break;
     case Tool::points: words = points_box_->wanting(); break;
     case Tool::blend: words = blend_box_->wanting(); break;
@@ -125,14 +133,15 @@ void ToolController::pose(Then then) {
     on_stage();
     return;
   }
-  if (panel_->tool() == Tool::none) return;
+  if (panel_->tool() == Tool::none || panel_->tool() == Tool::bridge) return;
   trial_->pose(request());
   current_ = true;
 }
 
 ProblemRequest ToolController::request() const {
   switch (panel_->tool()) {
-    case Tool::none: break;
+    case Tool::none:
+    case Tool::bridge: break;
     case Tool::region: return region_wish();
     case Tool::points: return points_wish();
     case Tool::blend: return blend_wish();

@@ -4,6 +4,7 @@
 
 #include "jobs/place_part.h"
 #include "jobs/problem_controller.h"
+#include "tools/bridge_tool.h"
 #include "tools/tools_panel.h"
 
 #include <QObject>
@@ -24,6 +25,7 @@ class ToolController : public QObject {
   RegionTool& region() { return *region_; }
   PointsTool& points() { return *points_; }
   PartTool& part() { return *part_; }
+  BridgeTool& bridge() { return *bridge_; }
 
   void take(Tool tool);
   /// As the buttons do.
@@ -62,6 +64,7 @@ class ToolController : public QObject {
   RegionTool* region_;
   PointsTool* points_;
   PartTool* part_;
+  BridgeTool* bridge_;
   ProblemController* trial_;
   PlacePart* place_;
   PointsBox* points_box_;

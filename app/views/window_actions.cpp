@@ -96,6 +96,9 @@ const Spec specs[] = {
      nullptr},
     {"toolBlendAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Blend rims"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Join two or more rims by one patch"), "B", nullptr},
+    {"toolBridgeAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Brid&ge"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part a hole into two by a strip between two of its vertices"), "G",
+     nullptr},
     {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep the patch as it is, or take it up again"), "A", nullptr},
     {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "R&eject"),
@@ -169,7 +172,8 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   view->addActions(docks);
   add_menu(tr("&Patch"), {"fillAction", "-", "stepAction", "runAction", "steadyAction", "-", "compare", "-",
                           "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
-  add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction"});
+  add_menu(tr("&Tools"),
+           {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
 }
 

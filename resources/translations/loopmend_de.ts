@@ -1153,6 +1153,18 @@
             <source>Repairing the scan</source>
             <translation>Scan reparieren</translation>
         </message>
+        <message>
+            <source>%1: a bridge was laid between the vertices %2 and %3; Ctrl+Z takes it back.</source>
+            <translation>%1: Zwischen den Ecken %2 und %3 wurde eine Brücke gelegt; Strg+Z nimmt sie zurück.</translation>
+        </message>
+        <message>
+            <source>Bridge a hole of %1</source>
+            <translation>Loch von %1 überbrücken</translation>
+        </message>
+        <message>
+            <source>Bridging a hole</source>
+            <translation>Loch wird überbrückt</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowBox</name>
@@ -2851,16 +2863,28 @@
             <translation>Zwei oder mehr Ränder durch einen Flicken verbinden (B)</translation>
         </message>
         <message>
-            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins rims of one or several parts.</source>
-            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen.</translation>
-        </message>
-        <message>
             <source>Surface through points</source>
             <translation>Fläche durch Punkte</translation>
         </message>
         <message>
             <source>Join rims</source>
             <translation>Ränder verbinden</translation>
+        </message>
+        <message>
+            <source>Bridge</source>
+            <translation>Brücke</translation>
+        </message>
+        <message>
+            <source>Part a hole into two by a strip between two of its vertices (G)</source>
+            <translation>Ein Loch durch einen Streifen zwischen zweien seiner Ecken in zwei teilen (G)</translation>
+        </message>
+        <message>
+            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins rims of one or several parts; Bridge parts a hole into two.</source>
+            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei.</translation>
+        </message>
+        <message>
+            <source>Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On one loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one.</source>
+            <translation>Klicken Sie zwei Ecken eines Randes an. Sofort wird ein Flächenstreifen zwischen sie gelegt; Strg+Z nimmt ihn zurück. Auf einem Rand entstehen so zwei einfachere Löcher, von denen Sie auch nur eines füllen können. Zwischen zwei Rändern verbindet er sie zu einem.</translation>
         </message>
     </context>
     <context>
@@ -3275,6 +3299,14 @@
         <message>
             <source>Step after step until the flow converges</source>
             <translation>Schritt um Schritt, bis der Fluss konvergiert</translation>
+        </message>
+        <message>
+            <source>Brid&amp;ge</source>
+            <translation>B&amp;rücke</translation>
+        </message>
+        <message>
+            <source>Part a hole into two by a strip between two of its vertices</source>
+            <translation>Ein Loch durch einen Streifen zwischen zweien seiner Ecken in zwei teilen</translation>
         </message>
     </context>
     <context>

@@ -8,6 +8,7 @@
 #include "document/preferences.h"
 #include "jobs/load_scan.h"
 #include "problems/paper_examples.h"
+#include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 #include "views/tool_controller.h"
 
@@ -244,6 +245,35 @@ void show_blend(MainWindow& window) {
   window.tools().take(Tool::none);
 }
 
+/// The mouse between the two clicks.
+void show_bridge(MainWindow& window) {
+  TriangleSoup ball = make_icosphere(5);
+  std::erase_if(ball.triangles, [&](const auto& triangle) {
+    const auto cut_away = [&](int v) {
+      const Vec3& p = ball.points[static_cast<std::size_t>(v)];
+      return p.z() > 0.75 && std::abs(p.y()) < 0.2 + 0.25 * p.x() * p.x();
+    };
+    return std::all_of(triangle.begin(), triangle.end(), cut_away);
+  });
+  show_example(window, ball, QStringLiteral("ball"));
+  trigger(window, "toolBridgeAction");
+  BridgeTool& tool = window.tools().bridge();
+  const int last = window.document().loop_count() - 1, scan = window.document().scan_of(last);
+  const BoundaryLoop loop = window.document().loop(last);
+  const std::vector<int>& soup = window.document().scan(scan)->model->soup_vertex;
+  QWidget* canvas = window.view().canvas();
+  const auto position = [&](std::size_t k) {
+    const int v = loop.vertices[k % loop.vertices.size()];
+    return tool.position_of(scan, soup[static_cast<std::size_t>(v)], window.view().space()).toPoint();
+  };
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, position(0));
+  const QPoint at = position(loop.vertices.size() / 4);
+  QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+  QCoreApplication::sendEvent(canvas, &move);
+  shoot(window, "bridge");
+  window.tools().take(Tool::none);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -276,6 +306,7 @@ int main(int argc, char** argv) {
     show_gallery(window);
     show_points(window);
     show_blend(window);
+    show_bridge(window);
     window.autosave().finish();
     return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
   }
@@ -287,6 +318,7 @@ int main(int argc, char** argv) {
   show_gallery(window);
   show_points(window);
   show_blend(window);
+  show_bridge(window);
   window.autosave().finish();
   return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
 }

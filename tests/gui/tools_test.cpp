@@ -6,6 +6,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "jobs/load_scan.h"
+#include "pipeline/hand_bridge.h"
 #include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
@@ -97,6 +98,7 @@ class ToolsTest : public QObject {
   void a_region_takes_patches_along();
   void points_of_a_polyhedron();
   void picked_points_and_a_box();
+  void a_bridge_parts_a_hole_in_two();
   void rims_of_three_parts_are_joined();
   void a_part_is_placed_by_its_handle();
   void made_surfaces_survive_a_session();
@@ -249,6 +251,60 @@ void ToolsTest::picked_points_and_a_box() {
   part<QSpinBox>(window, "pointsSubdivide")->setValue(2);
   press(window, "trialEvolve");
   QVERIFY(reach(window, ProblemController::Stage::solved));
+}
+
+void ToolsTest::a_bridge_parts_a_hole_in_two() {
+  const QString path = file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  window.view().frame();
+  settle(300);
+  key(window, Qt::Key_G);
+  QVERIFY(window.tools().panel()->tool() == Tool::bridge);
+  QVERIFY(!part<QPushButton>(window, "trialEvolve")->isVisible());
+  const BoundaryLoop loop = window.document().loop(0);
+  const SurfaceModel before = *window.document().scan(0)->model;
+  const std::vector<int>& soup = before.soup_vertex;
+  BridgeTool& tool = window.tools().bridge();
+  QWidget* canvas = window.view().canvas();
+  const auto click = [&](int vertex) {
+    const QPointF at = tool.position_of(0, soup[static_cast<std::size_t>(vertex)], window.view().space());
+    QTest::mouseMove(canvas, at.toPoint());
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, at.toPoint());
+  };
+  // Esc forgets the first vertex, and then the tool.
+  const auto visible = [&](int vertex) {
+    click(vertex);
+    const bool begun = tool.is_begun();
+    if (begun) key(window, Qt::Key_Escape);
+    return begun;
+  };
+  std::vector<int> seen;
+  for (int v : loop.vertices)
+    if (visible(v)) seen.push_back(v);
+  QVERIFY(window.tools().panel()->tool() == Tool::bridge);
+  QVERIFY(seen.size() > 8);
+  const int a = seen.front(), b = seen[seen.size() / 2];
+  click(a);
+  QVERIFY(tool.is_begun());
+  click(b);
+  QVERIFY(wait_idle(window));
+  QCOMPARE(window.document().scans(), std::vector<int>{1});
+  QCOMPARE(window.document().loop_count() - window.document().first_loop_of(1), 2);
+
+  QVERIFY(
+      same(made(window), with_bridge(before, soup[static_cast<std::size_t>(a)], soup[static_cast<std::size_t>(b)])));
+
+  // One of the two holes alone can be filled.
+  window.selection().select({window.document().first_loop_of(1)});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(window.document().patches().size(), std::size_t(1));
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(window.document().scans(), std::vector<int>{0});
+  key(window, Qt::Key_Escape);
+  QVERIFY(window.tools().panel()->tool() == Tool::none);
 }
 
 void ToolsTest::rims_of_three_parts_are_joined() {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/bridge_tool.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+constexpr double pick_reach = 14;  ///< logical pixels
+
+}  // namespace
+
+BridgeTool::BridgeTool(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+  for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
+    connect(&document_, signal, this, &BridgeTool::forget);
+}
+
+void BridgeTool::forget() {
+  fresh_ = false;
+  clear();
+}
+
+void BridgeTool::clear() {
+  hovered_ = begun_ = -1;
+  Q_EMIT changed();
+}
+
+void BridgeTool::take_loops() {
+  if (std::exchange(fresh_, true)) return;
+  std::vector<float> xyz;
+  seats_.clear();
+  for (int loop = 0; loop < document_.loop_count(); ++loop) {
+    if (!document_.present(loop) || document_.patch_of(loop)) continue;
+    const int scan = document_.scan_of(loop);
+    const auto opened = document_.scan(scan);
+    for (int v : document_.loop(loop).vertices) {
+      const auto begin = opened->shape->points.begin() + 3 * static_cast<std::ptrdiff_t>(v);
+      xyz.insert(xyz.end(), begin, begin + 3);
+      seats_.push_back({scan, opened->model->soup_vertex[static_cast<std::size_t>(v)]});
+    }
+  }
+  points_.set_points(std::move(xyz));
+}
+
+bool BridgeTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space) {
+  take_loops();
+  at_ = event.localPos();
+  hovered_ = points_.nearest(space, at_, pick_reach);
+  if (act != Act::press) return act == Act::hover;
+  if (event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier)) return false;
+  if (hovered_ < 0) return false;  // beside the boundaries: the picture turns
+  const Seat second = seats_[static_cast<std::size_t>(hovered_)];
+  if (begun_ < 0 || seats_[static_cast<std::size_t>(begun_)].scan != second.scan) {
+    begun_ = hovered_;
+    Q_EMIT changed();
+    return true;
+  }
+  const Seat first = seats_[static_cast<std::size_t>(begun_)];
+  clear();
+  if (!(first == second)) Q_EMIT bridge_wanted(first.scan, first.soup_point, second.soup_point);
+  return true;
+}
+
+void BridgeTool::paint(QPainter& painter, const ViewSpace& space) {
+  take_loops();
+  const QColor held(214, 104, 16), loose(255, 255, 255), ink(24, 28, 34);
+  const auto dot = [&](int seat, const QColor& color) {
+    const QPointF at = points_.on_screen(space, seat);
+    if (!std::isfinite(at.x())) return;
+    painter.setPen(QPen(ink, 1.6));
+    painter.setBrush(color);
+    painter.drawEllipse(at, 6, 6);
+  };
+  if (begun_ >= 0) {
+    const QPointF from = points_.on_screen(space, begun_);
+    const QPointF to = hovered_ >= 0 ? points_.on_screen(space, hovered_) : at_;
+    if (std::isfinite(from.x()) && std::isfinite(to.x())) {
+      painter.setPen(QPen(ink, 4));
+      painter.drawLine(from, to);
+      painter.setPen(QPen(held, 2, Qt::DashLine));
+      painter.drawLine(from, to);
+    }
+    dot(begun_, held);
+  }
+  if (hovered_ >= 0 && hovered_ != begun_) dot(hovered_, loose);
+}
+
+QPointF BridgeTool::position_of(int scan, int soup_point, const ViewSpace& space) {
+  take_loops();
+  const auto found = std::find(seats_.begin(), seats_.end(), Seat{scan, soup_point});
+  return found == seats_.end() ? QPointF(-1, -1) : points_.on_screen(space, static_cast<int>(found - seats_.begin()));
+}
+
+}  // namespace loopmend
