@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication::setApplicationName(QStringLiteral("Loopmend"));
   QApplication::setApplicationVersion(QStringLiteral(LOOPMEND_VERSION));
-  QApplication::setDesktopFileName(QStringLiteral("loopmend"));
+  QApplication::setDesktopFileName(QStringLiteral("org.loopmend.Loopmend"));
   qInstallMessageHandler(explain_and_leave);
   QApplication application(argc, argv);
   qInstallMessageHandler(nullptr);

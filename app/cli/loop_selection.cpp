@@ -80,7 +80,7 @@ std::string why_no_hole(const BoundaryLoop& loop, FillCommand::OuterRim outer_ri
   if (loop.kind == LoopKind::crack)
     return "crack: nothing is missing, its sides are only not joined (--stitch joins them)";
   if (loop.kind == LoopKind::outer_rim && outer_rim == FillCommand::OuterRim::leave && loop.coincident > 0)
-    return "rim that lies on another along " + std::to_string(loop.coincident) +
+    return "boundary that coincides with another along " + std::to_string(loop.coincident) +
            " edges: the mesh is split there (--stitch joins it)";
   return "";
 }

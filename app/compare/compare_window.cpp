@@ -118,7 +118,7 @@ QWidget* CompareWindow::build_run_bar() {
   mode_->setObjectName(QStringLiteral("compareMode"));
   mode_->addItem(tr("To the steady state"), static_cast<int>(EvolutionMode::steady));
   mode_->addItem(tr("Step by step"), static_cast<int>(EvolutionMode::steps));
-  explain(mode_, tr("How"), tr("Straight to where each flow comes to rest, or in time steps, as in the paper"));
+  explain(mode_, tr("How"), tr("Straight to where each flow converges, or in time steps, as in the paper"));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("compareSigma"));
   sigma_->setRange(-2 * ticks_per_decade, 5 * ticks_per_decade);

@@ -20,14 +20,15 @@ struct Page {
   const char* title;
 };
 
-constexpr Page pages[] = {{"first-steps", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "First steps")},
-                          {"holes", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Holes")},
-                          {"patch", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Patch and flow")},
-                          {"look", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Looking at curvature")},
-                          {"inspect", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Inspecting the seam")},
-                          {"tools", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Compare, region, points, blend")},
-                          {"files", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Files, sessions, recovery")},
-                          {"trouble", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "When something goes wrong")}};
+constexpr Page pages[] = {
+    {"first-steps", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "First steps")},
+    {"holes", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Holes")},
+    {"patch", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Patch and flow")},
+    {"display", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Looking at curvature")},
+    {"inspect", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Inspecting the seam")},
+    {"tools", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Compare, region, points, blend, bridge")},
+    {"files", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Files, sessions, recovery")},
+    {"problems", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "When something goes wrong")}};
 
 /// In the language of the window; English where a page has not been translated.
 QString page_file(const QString& name) {
@@ -36,13 +37,13 @@ QString page_file(const QString& name) {
   return QFile::exists(translated) ? translated : QStringLiteral(":/help/%1.md").arg(name);
 }
 
-/// Links between pages are "page.md"; pictures lie beside the pages.
+/// Links between pages are "page.md", to pictures "pictures/name.png" or, from a translated page, "../pictures/name.png".
 class Browser : public QTextBrowser {
  public:
   QVariant loadResource(int type, const QUrl& name) override {
     if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
     constexpr int widest = 650;  // fits beside the list of pages
-    const QImage picture(QStringLiteral(":/help/") + name.path());
+    const QImage picture(QStringLiteral(":/help/pictures/") + name.fileName());
     return picture.width() > widest ? picture.scaledToWidth(widest, Qt::SmoothTransformation) : picture;
   }
 };

@@ -14,7 +14,7 @@ class HelpWindow : public QDialog {
 
  public:
   explicit HelpWindow(QWidget* parent = nullptr);
-  /// @param name  file name in resources/help without extension.
+  /// @param name  file name in docs/user/window without extension.
   void show_page(const QString& name);
   QString shown_text() const;
 

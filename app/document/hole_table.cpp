@@ -49,11 +49,11 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
   if (role == Qt::ToolTipRole) {
     switch (section) {
       case number: return tr("The loop's number within its scan, by falling perimeter");
-      case edges: return tr("Number of edges along the rim");
-      case diameter: return tr("Largest distance between two rim vertices, in the scan's unit");
-      case perimeter: return tr("Length of the rim, in the scan's unit");
-      case area: return tr("Area of the rim's projection to its best plane, in the scan's unit squared");
-      case planarity: return tr("How far the rim leaves its best plane: rms distance divided by the diameter");
+      case edges: return tr("Number of edges along the boundary");
+      case diameter: return tr("Largest distance between two boundary vertices, in the scan's unit");
+      case perimeter: return tr("Length of the boundary, in the scan's unit");
+      case area: return tr("Area of the boundary's projection to its best plane, in the scan's unit squared");
+      case planarity: return tr("How far the boundary leaves its best plane: rms distance divided by the diameter");
       case kind: return tr("Hole, outer rim of a sheet, crack, ...");
       case scan: return tr("The file that the loop belongs to");
       case rim:
@@ -73,7 +73,7 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
     case planarity: return tr("Planarity");
     case kind: return tr("Kind");
     case scan: return tr("Scan");
-    case rim: return tr("Rim");
+    case rim: return tr("Boundary");
     case state: return tr("State");
     default: return {};
   }

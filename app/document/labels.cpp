@@ -53,7 +53,7 @@ QString kind_help(LoopKind kind) {
   switch (kind) {
     case LoopKind::hole: return tr("A hole in the surface.");
     case LoopKind::outer_rim:
-      return tr("The rim of an open sheet. It is left out unless you select it yourself and press Fill.");
+      return tr("The outline of an open sheet. It is left out unless you select it yourself and press Fill.");
     case LoopKind::crack:
       return tr(
           "A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.");
@@ -125,6 +125,8 @@ QString flow_help(FlowKind flow) {
   return {};
 }
 
+QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
+
 QString number(double value) {
   constexpr int digits = 3;
   const double size = std::abs(value);
@@ -165,7 +167,8 @@ QString surroundings(Surroundings kind) {
 QString rim_help(const RimSummary& rim) {
   return tr("What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits "
             "tell the "
-            "normal at the rim to %3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the section "
+            "normal at the boundary to %3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the "
+            "section "
             "shows "
             "it.")
       .arg(number(rim.noise), QString::number(100 * rim.noise_per_edge, 'g', 2), number(rim.normal_sigma_deg),

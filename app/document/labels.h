@@ -25,6 +25,9 @@ QString sentence(QString text);
 /// Three digits: 0.123, 12.3, 1230, 1.20·10⁻⁵.
 QString number(double value);
 
+/// With one decimal place, without a unit.
+QString seconds(qint64 milliseconds);
+
 /// One sentence on how the patch meets the scan at a loop.
 QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage);
 

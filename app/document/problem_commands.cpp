@@ -104,7 +104,7 @@ ProblemWords blend_words(const Document& document, const std::vector<int>& loops
     if (at == scans.end()) {
       add_input(words, document, scan);
       if (has_patches(document, scan))
-        words.remarks << tr("Its rims have other numbers then: 'loopmend info' tells them.");
+        words.remarks << tr("Its boundary loops have other numbers then: 'loopmend info' prints them.");
       at = scans.insert(scans.end(), scan);
     }
     names << QStringLiteral("%1:%2").arg(at - scans.begin() + 1).arg(loop - document.first_loop_of(scan) + 1);

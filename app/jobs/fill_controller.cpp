@@ -12,8 +12,6 @@
 namespace loopmend {
 namespace {
 
-QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
-
 Activity activity_of(Pace pace) {
   switch (pace) {
     case Pace::one_step: return Activity::stepping;
@@ -242,7 +240,7 @@ void FillController::on_filled(FillResult result, const std::set<int>& wanted) {
     const QString name = labels::holes(document_, done);
     push(std::move(pairs), tr("Fill %1").arg(name));
     Q_EMIT logged(
-        tr("Filled %1 with %2 triangles in %3 s.").arg(name, labels::count(triangles), seconds(milliseconds)));
+        tr("Filled %1 with %2 triangles in %3 s.").arg(name, labels::count(triangles), labels::seconds(milliseconds)));
   }
   if (!refilled.empty())
     Q_EMIT logged(tr("Some of these holes lie so close to filled ones that both were filled anew, as one."));

@@ -14,12 +14,6 @@
 #include <algorithm>
 
 namespace loopmend {
-namespace {
-
-QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
-
-}  // namespace
-
 void FillController::open(const QStringList& paths, OpenMode mode) {
   if (paths.isEmpty()) return;
   load(paths, document_.has_scan() ? mode : OpenMode::replace,
@@ -45,7 +39,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         stages.opened = [this, job, next](const OpenedScanPtr& scan) {
           job->post([this, scan, next] {
             on_opened(scan, next);
-            Q_EMIT logged(labels::import_summary(*scan) + tr(" Opened in %1 s.").arg(seconds(clock_.elapsed())));
+            Q_EMIT logged(labels::import_summary(*scan) + tr(" Opened in %1 s.").arg(labels::seconds(clock_.elapsed())));
             if (scan->loops.empty()) Q_EMIT notice(tr("This surface is closed: there is no hole to fill."));
           });
         };
@@ -185,7 +179,7 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
   if (restored.view) Q_EMIT view_restored(*restored.view);
   const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;
   Q_EMIT logged(
-      tr("Restored %1: %2 patches, in %3 s.").arg(name).arg(restored.patches.size()).arg(seconds(clock_.elapsed())));
+      tr("Restored %1: %2 patches, in %3 s.").arg(name).arg(restored.patches.size()).arg(labels::seconds(clock_.elapsed())));
   if (shown_as.isEmpty()) {
     undo_.mark_saved();
     Q_EMIT session_saved(path);

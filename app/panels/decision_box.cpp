@@ -29,7 +29,7 @@ QString state_words(const PatchState& state) {
 
 DecisionBox::DecisionBox(const Document& document, const HoleSelection& selection, FillController& controller,
                          QWidget* parent)
-    : QGroupBox(tr("3  Look back, decide"), parent),
+    : QGroupBox(tr("3  Review, decide"), parent),
       document_(document),
       selection_(selection),
       controller_(controller) {
@@ -50,7 +50,8 @@ void DecisionBox::build() {
   timeline_ = new QSlider(Qt::Horizontal);
   timeline_->setObjectName(QStringLiteral("timeline"));
   timeline_->setPageStep(1);
-  explain(timeline_, tr("Timeline"), tr("Go back to any recorded state, from the initial patch on the left to the latest"));
+  explain(timeline_, tr("Timeline"),
+          tr("Go back to any recorded state, from the initial patch on the left to the latest"));
   place_ = make_note("timelinePlace");
   accept_ = make_button("accept", tr("&Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
   reject_ = make_button("reject", tr("R&eject"), tr("Throw this patch away; the hole is open again (Delete)"));

@@ -38,7 +38,7 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
       table_(new QTableView),
       summary_(new QLabel),
       all_(make_button("selectAllHoles", tr("Select &all"),
-                       tr("Select every hole; rims, cracks and cuts are left out"))),
+                       tr("Select every hole; outer rims, cracks and cuts are left out"))),
       small_(new SmallHolesBox(document)) {
   setObjectName(QStringLiteral("holesPanel"));
   summary_->setObjectName(QStringLiteral("holesSummary"));
@@ -82,10 +82,10 @@ QWidget* HolesPanel::build_filter() {
   group_ = new QComboBox;
   group_->setObjectName(QStringLiteral("holesGroup"));
   for (const auto& [text, group] : {std::pair{tr("All loops"), HoleGroup::all},
-                                    {tr("To do"), HoleGroup::to_do},
+                                    {tr("Open"), HoleGroup::to_do},
                                     {tr("Filled"), HoleGroup::filled},
                                     {tr("Accepted"), HoleGroup::accepted},
-                                    {tr("Trouble"), HoleGroup::trouble},
+                                    {tr("Problems"), HoleGroup::trouble},
                                     {tr("Left out"), HoleGroup::left_out}})
     group_->addItem(text, static_cast<int>(group));
   explain(group_, tr("Group"), tr("Show only the loops of one group"));

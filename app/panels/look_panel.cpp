@@ -84,9 +84,9 @@ void LookPanel::build() {
   edges_ = new QCheckBox(tr("&Wireframe: the triangles' edges"));
   edges_->setObjectName(QStringLiteral("showEdges"));
   explain(edges_, tr("Wireframe"), tr("Draw the triangles' edges (W)"));
-  seams_ = new QCheckBox(tr("Rims and sea&ms as lines"));
+  seams_ = new QCheckBox(tr("Boundaries and sea&ms as lines"));
   seams_->setObjectName(QStringLiteral("showSeams"));
-  explain(seams_, tr("Rims and seams"), tr("Draw the rims of holes and the seams of patches (M)"));
+  explain(seams_, tr("Boundaries and seams"), tr("Draw the boundaries of holes and the seams of patches (M)"));
   auto* overlays = new QGroupBox(tr("Drawn over it"));
   auto* overlay_layout = new QVBoxLayout(overlays);
   overlay_layout->addWidget(edges_);

@@ -53,13 +53,13 @@ void SmallHolesBox::build() {
   measure_->addItem(tr("edges"), static_cast<int>(SizeMeasure::edges));
   measure_->addItem(tr("diameter"), static_cast<int>(SizeMeasure::diameter));
   explain(measure_, tr("Measure"),
-          tr("What the size of a hole is: edges along its rim, or its diameter in the scan's unit"));
+          tr("What the size of a hole is: edges along its boundary, or its diameter in the scan's unit"));
   fill_ = make_button("fillUpTo", tr("Fill"), tr("Fill every open hole up to this size"));
   rims_ = new QCheckBox;
   rims_->setObjectName(QStringLiteral("includeRims"));
   explain(rims_, tr("Include outer rims"),
-          tr("The rim of an open sheet looks like a hole to a program. It is left out unless you include it here, or "
-             "select it yourself"));
+          tr("The outline of an open sheet looks like a hole to a program. It is left out unless you include it here, "
+             "or select it yourself"));
   grid->addWidget(label, 0, 0);
   grid->addWidget(limit_, 0, 1);
   grid->addWidget(measure_, 0, 2);

@@ -24,7 +24,8 @@ BlendBox::BlendBox(const Document& document, const HoleSelection& selection, Par
       density_(new QDoubleSpinBox),
       part_(new QComboBox) {
   auto* hint = make_note("blendHint");
-  hint->setText(tr("Select two or more rims, in the picture or in the table; Ctrl adds. One patch will join them."));
+  hint->setText(
+      tr("Select two or more boundaries, in the picture or in the table; Ctrl adds. One patch will join them."));
   density_->setObjectName(QStringLiteral("blendDensity"));
   density_->setRange(0.1, 10);
   density_->setSingleStep(0.1);
@@ -81,12 +82,12 @@ QString BlendBox::wanting() const {
       return tr("Only holes and outer rims can be joined, not a loop of the kind: %1.").arg(labels::kind(kind));
     if (document_.patch_of(loop)) return tr("A selected hole is filled: reject its patch first.");
   }
-  return loops().size() < 2 ? tr("Select at least two rims.") : QString();
+  return loops().size() < 2 ? tr("Select at least two boundaries.") : QString();
 }
 
 void BlendBox::update_state() {
   const std::vector<int> chosen = loops();
-  chosen_->setText(chosen.empty() ? tr("No rim is selected.")
+  chosen_->setText(chosen.empty() ? tr("No boundary is selected.")
                                   : tr("Selected: %1").arg(labels::holes(document_, {chosen.begin(), chosen.end()})));
   facing_->setEnabled(document_.scans().size() > 1);
   part_->setEnabled(document_.scans().size() > 1);

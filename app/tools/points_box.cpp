@@ -32,7 +32,7 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
       picked_(new QRadioButton(tr("Only those I pic&k"))),
       clear_(make_button("pointsClear", tr("Clea&r"), tr("No vertex is picked"))),
       subdivide_(new QSpinBox),
-      open_(new QCheckBox(tr("Its ri&ms stay as they are"))),
+      open_(new QCheckBox(tr("Its &boundaries stay as they are"))),
       count_(make_note("pointsCount")),
       size_(make_note("pointsSize")) {
   auto* hint = make_note("pointsHint");
@@ -52,8 +52,8 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
   subdivide_->setValue(3);
   explain(subdivide_, tr("Subdivisions"), tr("Every one makes four triangles of each"));
   open_->setObjectName(QStringLiteral("pointsOpen"));
-  explain(open_, tr("Smooth rims"),
-          tr("For a polyhedron with holes: its rims become smooth curves through their vertices"));
+  explain(open_, tr("Smooth boundaries"),
+          tr("For a polyhedron with holes: its boundaries become smooth curves through their vertices"));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(6);
@@ -100,7 +100,7 @@ QString PointsBox::wanting() const {
   const auto scan = document_.scan(tool_.scan());
   if (tool_.count() < fewest) return tr("At least 4 vertices have to be picked.");
   if (!scan->loops.empty() && !open_->isChecked())
-    return tr("This surface has holes: close them, or let its rims become smooth curves.");
+    return tr("This surface has holes: close them, or let its boundaries become smooth curves.");
   if (scan->model->mesh.n_faces() << (2 * subdivide_->value()) > most_triangles)
     return tr("That would be more than 4 million triangles: fewer subdivisions do.");
   return {};

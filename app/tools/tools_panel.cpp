@@ -42,13 +42,13 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Pr
   };
   choice("toolRegion", tr("Region"), tr("Make a region of a surface smooth, its surroundings held (R)"), Tool::region);
   choice("toolPoints", tr("Points"), tr("A smooth surface through the vertices of a polyhedron (I)"), Tool::points);
-  choice("toolBlend", tr("Blend"), tr("Join two or more rims by one patch (B)"), Tool::blend);
+  choice("toolBlend", tr("Blend"), tr("Join two or more boundaries by one patch (B)"), Tool::blend);
   choice("toolBridge", tr("Bridge"), tr("Part a hole into two by a strip between two of its vertices (G)"),
          Tool::bridge);
   auto* none = make_note("toolsHint");
   none->setText(
       tr("Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
-         "of a polyhedron; Blend joins rims of one or several parts; Bridge parts a hole into two."));
+         "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two."));
   none->setAlignment(Qt::AlignTop);
   auto* bridge = make_note("bridgeHint");
   bridge->setText(
@@ -57,7 +57,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Pr
          "loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one."));
   bridge->setAlignment(Qt::AlignTop);
   pages_ = {none, group(tr("Region"), region), group(tr("Surface through points"), points),
-            group(tr("Join rims"), blend), group(tr("Bridge"), bridge)};
+            group(tr("Join boundaries"), blend), group(tr("Bridge"), bridge)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 8);

@@ -109,7 +109,7 @@ void MainWindow::build_docks() {
   };
   QDockWidget* left = dock("holesDock", tr("Holes"), holes_, Qt::LeftDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
-  QDockWidget* look = dock("lookDock", tr("Look"), look_, Qt::RightDockWidgetArea);
+  QDockWidget* look = dock("lookDock", tr("Display"), look_, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("inspectDock", tr("Inspect"), inspect_, Qt::BottomDockWidgetArea);
   QDockWidget* tools = dock("toolsDock", tr("Tools"), tools_->panel(), Qt::RightDockWidgetArea);
   tabifyDockWidget(right, tools);

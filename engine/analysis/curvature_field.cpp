@@ -13,7 +13,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr int vertices_at_a_time = 1024;  ///< by a thread
+constexpr int fits_at_a_time = 1024;  ///< by a thread
 
 CurvatureField field_of(const Points& points, const Triangles& triangles) {
   const int n = static_cast<int>(points.size());
@@ -24,7 +24,7 @@ CurvatureField field_of(const Points& points, const Triangles& triangles) {
   field.H.assign(n, nan);
   field.K.assign(n, nan);
   const auto make_scratch = [n] { return std::pair(FitScratch(n), PolynomialFit()); };
-  parallel_for(0, n, vertices_at_a_time, make_scratch, [&](int i, auto& scratch) {
+  parallel_for(0, n, fits_at_a_time, make_scratch, [&](int i, auto& scratch) {
     auto& [work, fit] = scratch;
     const Vec3 reference = field.normals[i];
     if (!fit_polynomial(points, topology, i, reference, FitOptions{}, work, fit)) return;

@@ -26,7 +26,7 @@ constexpr int free_per_rim_edge = 10;
 constexpr int fewest_free = 1200;
 constexpr int coarsening_rounds = 4;
 constexpr int forms_for_a_point = 9;
-constexpr int vertices_at_a_time = 64;  ///< by a thread
+constexpr int projections_at_a_time = 64;  ///< by a thread
 
 TreePoint place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -116,7 +116,7 @@ Patch refined(const EvolutionState& coarse, const Grading& grading) {
   }
   Patch result = with_interior(start, mesh);
   const SurfaceOfForms surface(coarse);
-  parallel_for(0, result.free_count, vertices_at_a_time, [&](int i) {
+  parallel_for(0, result.free_count, projections_at_a_time, [&](int i) {
     for (int pass = 0; pass < 2; ++pass) result.positions[i] = surface.projected(result.positions[i]);
   });
   return result;

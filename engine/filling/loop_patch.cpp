@@ -342,7 +342,7 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   if (!outcome.message.empty()) return outcome;
   const LoopSite site = make_site(model, loop);
   if (closes_a_lone_triangle(site)) {
-    outcome.message = "the loop is the rim of a single triangle";
+    outcome.message = "the loop is the boundary of a single triangle";
     return outcome;
   }
   std::vector<double> sizes = site.size;

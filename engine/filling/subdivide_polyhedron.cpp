@@ -105,7 +105,7 @@ void check_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& 
     throw InvalidArgument("the polyhedron has " + std::to_string(rims.size()) +
                           (rims.size() == 1 ? " hole" : " holes") + ", the largest with " +
                           std::to_string(rims.front().edges()) +
-                          " edges: close it, or let its rims become smooth curves (--open)");
+                          " edges: close it, or let its boundary loops become smooth curves (--open)");
 }
 
 /// Which view vertices are interpolated.

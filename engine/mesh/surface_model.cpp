@@ -372,11 +372,11 @@ void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
   for (const auto& [a, b] : directed.all()) {
     const bool open = !directed.contains({b, a});
     const bool on_rim = a < rim_size && b < rim_size;
-    if (open && !on_rim) throw InvalidArgument("the patch has an open edge away from its rim");
+    if (open && !on_rim) throw InvalidArgument("the patch has an open edge away from its boundary");
     if (!on_rim) continue;
     const auto h = model.mesh.find_halfedge(VertexHandle(patch.rim[a]), VertexHandle(patch.rim[b]));
     if (open && (!h.is_valid() || !model.mesh.is_boundary(h)))
-      throw InvalidArgument("a rim edge of the patch is not a boundary edge of the surface");
+      throw InvalidArgument("a boundary edge of the patch is not a boundary edge of the surface");
     if (!open && h.is_valid()) throw InvalidArgument("a chord of the patch is an edge of the surface already");
   }
 }

@@ -12,7 +12,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr int run_length = 128;  ///< columns that a thread takes at a time
+constexpr int columns_at_a_time = 128;  ///< columns that a thread takes at a time
 
 /// A sparse vector that is being summed up; its entries in the order in which they came.
 class Product {
@@ -127,10 +127,10 @@ SparseMatrix lower_congruence(const RowSparseMatrix& B, const SparseMatrix& Q) {
   const auto make_scratch = [&] {
     return Scratch{Product(B.rows()), Column(n), {B.outerIndexPtr(), B.outerIndexPtr() + B.rows()}};
   };
-  std::vector<Columns> runs((n + run_length - 1) / run_length);
+  std::vector<Columns> runs((n + columns_at_a_time - 1) / columns_at_a_time);
   parallel_for(0, static_cast<int>(runs.size()), 1, make_scratch, [&](int run, Scratch& scratch) {
     Columns& columns = runs[run];
-    for (int j = run * run_length; j < std::min(n, (run + 1) * run_length); ++j) {
+    for (int j = run * columns_at_a_time; j < std::min(n, (run + 1) * columns_at_a_time); ++j) {
       multiply(B, B_by_columns, Q, j, scratch.from, scratch.product, scratch.column);
       const std::size_t before = columns.index.size();
       scratch.column.drain([&](int i, double value) {

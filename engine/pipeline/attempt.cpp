@@ -33,11 +33,9 @@ Patch with_scan_data(const PatchProblem& problem, const BoundaryData& boundary, 
 std::string message_on_outliers(const BoundaryData& boundary) {
   if (boundary.calm == nullptr) return "";
   return boundary.calm->strays == 1
-             ? "one vertex at the rim stands off the surface round about: the patch meets it, but does not take its "
-               "curvature from it"
+             ? "one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it"
              : std::to_string(boundary.calm->strays) +
-                   " vertices at the rim stand off the surface round about: the patch meets them, but does not take "
-                   "its curvature from them";
+                   " boundary vertices are outliers: the patch meets them, but does not take its curvature from them";
 }
 
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result) {

@@ -155,7 +155,7 @@ void add_crossing_faces(const SurfaceModel& model, const std::vector<BoundaryLoo
 
 TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
   if (rounds < 0 || rounds > 100)
-    throw InvalidArgument("between 0 and 100 rings of a rim can be trimmed, not " + std::to_string(rounds));
+    throw InvalidArgument("between 0 and 100 rings of a boundary can be trimmed, not " + std::to_string(rounds));
   TrimmedModel result{model, {}, loops};
   std::vector<int> original(model.soup.triangles.size());
   std::iota(original.begin(), original.end(), 0);
@@ -180,7 +180,7 @@ TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>
       touched.insert(t.begin(), t.end());
       ++next;
     }
-    if (left.triangles.empty()) throw InvalidArgument("trimming the rim would leave no triangle");
+    if (left.triangles.empty()) throw InvalidArgument("trimming the boundary would leave no triangle");
     original = std::move(numbers);
     result.model = make_surface_model(std::move(left));
     result.loops.clear();

@@ -70,11 +70,11 @@ class WholeCholesky : public SpdSolver {
     const double couplings = entries_of_lower_column(A);
     // On wide stencils minimum degree takes longer than all the rest. Of the widest, small matrices fill up in any order:
     // then one dense block is the fastest.
-    const bool widest = couplings > widest_stencil;
-    if (couplings > wide_stencil && A.rows() >= (widest ? least_dissected_of_widest : least_dissected)) {
+    const bool is_widest = couplings > widest_stencil;
+    if (couplings > wide_stencil && A.rows() >= (is_widest ? least_dissected_of_widest : least_dissected)) {
       cholesky_.analyze(A, dissect(graph_of(A)).order);
     } else {
-      settings.method[0].ordering = widest ? CHOLMOD_NATURAL : CHOLMOD_AMD;
+      settings.method[0].ordering = is_widest ? CHOLMOD_NATURAL : CHOLMOD_AMD;
       cholesky_.analyzePattern(A);
     }
     check_memory(settings.status);

@@ -36,10 +36,6 @@
             <translation>%1 ist im Fenster entstanden: vor dem Befehl allein als %2 exportieren.</translation>
         </message>
         <message>
-            <source>Its rims have other numbers then: 'loopmend info' tells them.</source>
-            <translation>Die Ränder haben dann andere Nummern: „loopmend info“ nennt sie.</translation>
-        </message>
-        <message>
             <source>%1 was made in the window: export it as surface.ply, without patches, before you use the command.</source>
             <translation>%1 ist im Fenster entstanden: vor dem Befehl als surface.ply exportieren, ohne Flicken.</translation>
         </message>
@@ -147,6 +143,10 @@
             <source>Isophotes</source>
             <translation>Isophoten</translation>
         </message>
+        <message>
+            <source>Its boundary loops have other numbers then: 'loopmend info' prints them.</source>
+            <translation>Die Ränder haben dann andere Nummern: „loopmend info“ nennt sie.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::About</name>
@@ -199,10 +199,6 @@
             <translation>Von jedem Teil den Rand auswählen, der am meisten zu den anderen blickt</translation>
         </message>
         <message>
-            <source>Select two or more rims, in the picture or in the table; Ctrl adds. One patch will join them.</source>
-            <translation>Zwei oder mehr Ränder auswählen, im Bild oder in der Tabelle; Strg nimmt dazu. Ein Flicken verbindet sie.</translation>
-        </message>
-        <message>
             <source>Density</source>
             <translation>Dichte</translation>
         </message>
@@ -243,16 +239,20 @@
             <translation>Ein ausgewähltes Loch ist gefüllt: zuerst seinen Flicken verwerfen.</translation>
         </message>
         <message>
-            <source>Select at least two rims.</source>
+            <source>Selected: %1</source>
+            <translation>Ausgewählt: %1</translation>
+        </message>
+        <message>
+            <source>Select two or more boundaries, in the picture or in the table; Ctrl adds. One patch will join them.</source>
+            <translation>Zwei oder mehr Ränder auswählen, im Bild oder in der Tabelle; Strg nimmt dazu. Ein Flicken verbindet sie.</translation>
+        </message>
+        <message>
+            <source>Select at least two boundaries.</source>
             <translation>Mindestens zwei Ränder auswählen.</translation>
         </message>
         <message>
-            <source>No rim is selected.</source>
+            <source>No boundary is selected.</source>
             <translation>Kein Rand ist ausgewählt.</translation>
-        </message>
-        <message>
-            <source>Selected: %1</source>
-            <translation>Ausgewählt: %1</translation>
         </message>
     </context>
     <context>
@@ -516,10 +516,6 @@
             <translation>Wie</translation>
         </message>
         <message>
-            <source>Straight to where each flow comes to rest, or in time steps, as in the paper</source>
-            <translation>Geradewegs dahin, wo jeder Fluss zur Ruhe kommt, oder in Zeitschritten wie im Aufsatz</translation>
-        </message>
-        <message>
             <source>Time step</source>
             <translation>Zeitschritt</translation>
         </message>
@@ -655,13 +651,13 @@
             <source>Copy the commands that do the same</source>
             <translation>Die Befehle kopieren, die dasselbe tun</translation>
         </message>
+        <message>
+            <source>Straight to where each flow converges, or in time steps, as in the paper</source>
+            <translation>Geradewegs dahin, wo jeder Fluss zur Ruhe kommt, oder in Zeitschritten wie im Aufsatz</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::DecisionBox</name>
-        <message>
-            <source>3  Look back, decide</source>
-            <translation>3  Zurückschauen, entscheiden</translation>
-        </message>
         <message>
             <source>Timeline</source>
             <translation>Zeitleiste</translation>
@@ -725,6 +721,10 @@
         <message>
             <source>Go back to any recorded state, from the initial patch on the left to the latest</source>
             <translation>Zu jedem aufgezeichneten Zustand zurück, von der ersten Fläche links bis zum letzten</translation>
+        </message>
+        <message>
+            <source>3  Review, decide</source>
+            <translation>3  Zurückschauen, entscheiden</translation>
         </message>
     </context>
     <context>
@@ -793,7 +793,7 @@
         </message>
         <message>
             <source>Open</source>
-            <translation>Öffnen</translation>
+            <translation>Zu tun</translation>
         </message>
         <message>
             <source>Scans and sessions (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)</source>
@@ -1438,16 +1438,12 @@
             <translation>Seite</translation>
         </message>
         <message>
-            <source>Compare, region, points, blend</source>
-            <translation>Vergleich, Gebiet, Punkte, Verbinden</translation>
+            <source>Compare, region, points, blend, bridge</source>
+            <translation>Vergleich, Gebiet, Punkte, Verbinden, Brücke</translation>
         </message>
     </context>
     <context>
         <name>loopmend::HoleTable</name>
-        <message>
-            <source>Rim</source>
-            <translation>Rand</translation>
-        </message>
         <message>
             <source>How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough</source>
             <translation>Wie weit man dem Scan um das Loch trauen kann, bekannt, sobald das Loch gefüllt ist: glatt, verrauscht oder rau</translation>
@@ -1455,26 +1451,6 @@
         <message>
             <source>The loop's number within its scan, by falling perimeter</source>
             <translation>Die Nummer innerhalb des Scans, nach fallendem Umfang</translation>
-        </message>
-        <message>
-            <source>Number of edges along the rim</source>
-            <translation>Zahl der Kanten am Rand</translation>
-        </message>
-        <message>
-            <source>Largest distance between two rim vertices, in the scan's unit</source>
-            <translation>Größter Abstand zweier Randecken, in der Einheit des Scans</translation>
-        </message>
-        <message>
-            <source>Length of the rim, in the scan's unit</source>
-            <translation>Länge des Randes, in der Einheit des Scans</translation>
-        </message>
-        <message>
-            <source>Area of the rim's projection to its best plane, in the scan's unit squared</source>
-            <translation>Fläche des Randes in seiner besten Ebene, Einheit des Scans zum Quadrat</translation>
-        </message>
-        <message>
-            <source>How far the rim leaves its best plane: rms distance divided by the diameter</source>
-            <translation>Wie weit der Rand von seiner besten Ebene abweicht: mittlerer Abstand durch Durchmesser</translation>
         </message>
         <message>
             <source>Hole, outer rim of a sheet, crack, ...</source>
@@ -1524,16 +1500,36 @@
             <source>State</source>
             <translation>Zustand</translation>
         </message>
+        <message>
+            <source>Number of edges along the boundary</source>
+            <translation>Zahl der Kanten am Rand</translation>
+        </message>
+        <message>
+            <source>Largest distance between two boundary vertices, in the scan's unit</source>
+            <translation>Größter Abstand zweier Randecken, in der Einheit des Scans</translation>
+        </message>
+        <message>
+            <source>Length of the boundary, in the scan's unit</source>
+            <translation>Länge des Randes, in der Einheit des Scans</translation>
+        </message>
+        <message>
+            <source>Area of the boundary's projection to its best plane, in the scan's unit squared</source>
+            <translation>Fläche des Randes in seiner besten Ebene, Einheit des Scans zum Quadrat</translation>
+        </message>
+        <message>
+            <source>How far the boundary leaves its best plane: rms distance divided by the diameter</source>
+            <translation>Wie weit der Rand von seiner besten Ebene abweicht: mittlerer Abstand durch Durchmesser</translation>
+        </message>
+        <message>
+            <source>Boundary</source>
+            <translation>Rand</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HolesPanel</name>
         <message>
             <source>Select &amp;all</source>
             <translation>&amp;Alle wählen</translation>
-        </message>
-        <message>
-            <source>Select every hole; rims, cracks and cuts are left out</source>
-            <translation>Jedes Loch auswählen; Ränder, Risse und Schnitte bleiben aus</translation>
         </message>
         <message>
             <source>Filter: number, kind, state</source>
@@ -1552,20 +1548,12 @@
             <translation>Alle Ränder</translation>
         </message>
         <message>
-            <source>To do</source>
-            <translation>Zu tun</translation>
-        </message>
-        <message>
             <source>Filled</source>
             <translation>Gefüllt</translation>
         </message>
         <message>
             <source>Accepted</source>
             <translation>Angenommen</translation>
-        </message>
-        <message>
-            <source>Trouble</source>
-            <translation>Probleme</translation>
         </message>
         <message>
             <source>Left out</source>
@@ -1613,6 +1601,18 @@
         <message>
             <source>&amp;Sort by</source>
             <translation>&amp;Sortieren nach</translation>
+        </message>
+        <message>
+            <source>Select every hole; outer rims, cracks and cuts are left out</source>
+            <translation>Jedes Loch auswählen; Ränder, Risse und Schnitte bleiben aus</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Zu tun</translation>
+        </message>
+        <message>
+            <source>Problems</source>
+            <translation>Probleme</translation>
         </message>
     </context>
     <context>
@@ -1852,18 +1852,6 @@
             <translation>Die Kanten der Dreiecke zeichnen (W)</translation>
         </message>
         <message>
-            <source>Rims and sea&amp;ms as lines</source>
-            <translation>Ränder und &amp;Nähte als Linien</translation>
-        </message>
-        <message>
-            <source>Rims and seams</source>
-            <translation>Ränder und Nähte</translation>
-        </message>
-        <message>
-            <source>Draw the rims of holes and the seams of patches (M)</source>
-            <translation>Ränder der Löcher und Nähte der Flicken zeichnen (M)</translation>
-        </message>
-        <message>
             <source>Drawn over it</source>
             <translation>Darüber gezeichnet</translation>
         </message>
@@ -1903,6 +1891,18 @@
             <source>The curvature at the ends of the colours</source>
             <translation>Die Krümmung an den Enden der Farben</translation>
         </message>
+        <message>
+            <source>Boundaries and sea&amp;ms as lines</source>
+            <translation>Ränder und &amp;Nähte als Linien</translation>
+        </message>
+        <message>
+            <source>Boundaries and seams</source>
+            <translation>Ränder und Nähte</translation>
+        </message>
+        <message>
+            <source>Draw the boundaries of holes and the seams of patches (M)</source>
+            <translation>Ränder der Löcher und Nähte der Flicken zeichnen (M)</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::MainWindow</name>
@@ -1913,10 +1913,6 @@
         <message>
             <source>Patch</source>
             <translation>Flicken</translation>
-        </message>
-        <message>
-            <source>Look</source>
-            <translation>Ansicht</translation>
         </message>
         <message>
             <source>Inspect</source>
@@ -1957,6 +1953,10 @@
         <message>
             <source>Tools</source>
             <translation>Werkzeuge</translation>
+        </message>
+        <message>
+            <source>Display</source>
+            <translation>Ansicht</translation>
         </message>
     </context>
     <context>
@@ -2151,10 +2151,6 @@
             <translation>Keine Ecke ist gewählt</translation>
         </message>
         <message>
-            <source>Its ri&amp;ms stay as they are</source>
-            <translation>Seine &amp;Ränder glatt, wie sie sind</translation>
-        </message>
-        <message>
             <source>A smooth surface through the vertices of a polyhedron. Open or drop one; its faces are divided, and the flow finds the rest.</source>
             <translation>Eine glatte Fläche durch die Ecken eines Polyeders. Eines öffnen oder hineinziehen; seine Flächen werden geteilt, den Rest findet der Fluss.</translation>
         </message>
@@ -2191,14 +2187,6 @@
             <translation>Jede macht aus jedem Dreieck vier</translation>
         </message>
         <message>
-            <source>Smooth rims</source>
-            <translation>Ränder glatt</translation>
-        </message>
-        <message>
-            <source>For a polyhedron with holes: its rims become smooth curves through their vertices</source>
-            <translation>Für ein Polyeder mit Löchern: seine Ränder werden glatte Kurven durch ihre Ecken</translation>
-        </message>
-        <message>
             <source>S&amp;ubdivisions</source>
             <translation>&amp;Unterteilungen</translation>
         </message>
@@ -2211,10 +2199,6 @@
             <translation>Mindestens 4 Ecken müssen gewählt sein.</translation>
         </message>
         <message>
-            <source>This surface has holes: close them, or let its rims become smooth curves.</source>
-            <translation>Diese Fläche hat Löcher: sie schließen oder ihre Ränder glatt lassen, wie sie sind.</translation>
-        </message>
-        <message>
             <source>That would be more than 4 million triangles: fewer subdivisions do.</source>
             <translation>Das wären mehr als 4 Millionen Dreiecke: weniger Unterteilungen genügen.</translation>
         </message>
@@ -2225,6 +2209,22 @@
         <message>
             <source>%1 triangles</source>
             <translation>%1 Dreiecke</translation>
+        </message>
+        <message>
+            <source>Its &amp;boundaries stay as they are</source>
+            <translation>Seine &amp;Ränder glatt, wie sie sind</translation>
+        </message>
+        <message>
+            <source>Smooth boundaries</source>
+            <translation>Ränder glatt</translation>
+        </message>
+        <message>
+            <source>For a polyhedron with holes: its boundaries become smooth curves through their vertices</source>
+            <translation>Für ein Polyeder mit Löchern: seine Ränder werden glatte Kurven durch ihre Ecken</translation>
+        </message>
+        <message>
+            <source>This surface has holes: close them, or let its boundaries become smooth curves.</source>
+            <translation>Diese Fläche hat Löcher: sie schließen oder ihre Ränder glatt lassen, wie sie sind.</translation>
         </message>
     </context>
     <context>
@@ -2679,16 +2679,8 @@
             <translation>Um zehn Grad drehen</translation>
         </message>
         <message>
-            <source>Click on a rim</source>
-            <translation>Klick auf einen Rand</translation>
-        </message>
-        <message>
             <source>Select; with Ctrl, add</source>
             <translation>Auswählen; mit Strg dazu</translation>
-        </message>
-        <message>
-            <source>Double click on a rim or row</source>
-            <translation>Doppelklick auf Rand oder Zeile</translation>
         </message>
         <message>
             <source>Fly there</source>
@@ -2730,6 +2722,14 @@
             <source>Sort, choose columns</source>
             <translation>Sortieren, Spalten wählen</translation>
         </message>
+        <message>
+            <source>Click on a boundary</source>
+            <translation>Klick auf einen Rand</translation>
+        </message>
+        <message>
+            <source>Double click on a boundary or row</source>
+            <translation>Doppelklick auf Rand oder Zeile</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::SmallHolesBox</name>
@@ -2758,10 +2758,6 @@
             <translation>Maß</translation>
         </message>
         <message>
-            <source>What the size of a hole is: edges along its rim, or its diameter in the scan's unit</source>
-            <translation>Was die Größe eines Lochs ist: Kanten am Rand, oder Durchmesser in der Einheit des Scans</translation>
-        </message>
-        <message>
             <source>Fill</source>
             <translation>Füllen</translation>
         </message>
@@ -2774,10 +2770,6 @@
             <translation>Außenränder einschließen</translation>
         </message>
         <message>
-            <source>The rim of an open sheet looks like a hole to a program. It is left out unless you include it here, or select it yourself</source>
-            <translation>Der Rand einer offenen Fläche sieht für ein Programm wie ein Loch aus. Er bleibt aus, wenn Sie ihn nicht hier einschließen oder selbst auswählen</translation>
-        </message>
-        <message>
             <source>Fill %1 of %2</source>
             <translation>%1 von %2 füllen</translation>
         </message>
@@ -2788,6 +2780,14 @@
         <message>
             <source>Include outer &amp;rims of open sheets (none here)</source>
             <translation>Außen&amp;ränder einschließen (hier keine)</translation>
+        </message>
+        <message>
+            <source>What the size of a hole is: edges along its boundary, or its diameter in the scan's unit</source>
+            <translation>Was die Größe eines Lochs ist: Kanten am Rand, oder Durchmesser in der Einheit des Scans</translation>
+        </message>
+        <message>
+            <source>The outline of an open sheet looks like a hole to a program. It is left out unless you include it here, or select it yourself</source>
+            <translation>Der Rand einer offenen Fläche sieht für ein Programm wie ein Loch aus. Er bleibt aus, wenn Sie ihn nicht hier einschließen oder selbst auswählen</translation>
         </message>
     </context>
     <context>
@@ -2859,16 +2859,8 @@
             <translation>Verbinden</translation>
         </message>
         <message>
-            <source>Join two or more rims by one patch (B)</source>
-            <translation>Zwei oder mehr Ränder durch einen Flicken verbinden (B)</translation>
-        </message>
-        <message>
             <source>Surface through points</source>
             <translation>Fläche durch Punkte</translation>
-        </message>
-        <message>
-            <source>Join rims</source>
-            <translation>Ränder verbinden</translation>
         </message>
         <message>
             <source>Bridge</source>
@@ -2879,12 +2871,20 @@
             <translation>Ein Loch durch einen Streifen zwischen zweien seiner Ecken in zwei teilen (G)</translation>
         </message>
         <message>
-            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins rims of one or several parts; Bridge parts a hole into two.</source>
-            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei.</translation>
-        </message>
-        <message>
             <source>Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On one loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one.</source>
             <translation>Klicken Sie zwei Ecken eines Randes an. Sofort wird ein Flächenstreifen zwischen sie gelegt; Strg+Z nimmt ihn zurück. Auf einem Rand entstehen so zwei einfachere Löcher, von denen Sie auch nur eines füllen können. Zwischen zwei Rändern verbindet er sie zu einem.</translation>
+        </message>
+        <message>
+            <source>Join two or more boundaries by one patch (B)</source>
+            <translation>Zwei oder mehr Ränder durch einen Flicken verbinden (B)</translation>
+        </message>
+        <message>
+            <source>Join boundaries</source>
+            <translation>Ränder verbinden</translation>
+        </message>
+        <message>
+            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two.</source>
+            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei.</translation>
         </message>
     </context>
     <context>
@@ -2966,7 +2966,7 @@
         </message>
         <message>
             <source>Open</source>
-            <translation>Öffnen</translation>
+            <translation>Zu tun</translation>
         </message>
         <message>
             <source>Save</source>
@@ -3153,14 +3153,6 @@
             <translation>Die Kanten der Dreiecke zeichnen</translation>
         </message>
         <message>
-            <source>&amp;Rims and seams</source>
-            <translation>&amp;Ränder und Nähte</translation>
-        </message>
-        <message>
-            <source>Draw rims and seams as lines</source>
-            <translation>Ränder und Nähte als Linien zeichnen</translation>
-        </message>
-        <message>
             <source>&amp;Frame everything</source>
             <translation>Alles &amp;zeigen</translation>
         </message>
@@ -3191,10 +3183,6 @@
         <message>
             <source>&amp;To steady state</source>
             <translation>Bis zur &amp;Ruhe</translation>
-        </message>
-        <message>
-            <source>Straight to where the flow comes to rest</source>
-            <translation>Geradewegs dorthin, wo der Fluss ruht</translation>
         </message>
         <message>
             <source>&amp;Accept or open again</source>
@@ -3281,14 +3269,6 @@
             <translation>Eine glatte Fläche durch die Ecken eines Polyeders</translation>
         </message>
         <message>
-            <source>&amp;Blend rims</source>
-            <translation>Ränder &amp;verbinden</translation>
-        </message>
-        <message>
-            <source>Join two or more rims by one patch</source>
-            <translation>Zwei oder mehr Ränder durch einen Flicken verbinden</translation>
-        </message>
-        <message>
             <source>&amp;Tools</source>
             <translation>&amp;Werkzeuge</translation>
         </message>
@@ -3307,6 +3287,26 @@
         <message>
             <source>Part a hole into two by a strip between two of its vertices</source>
             <translation>Ein Loch durch einen Streifen zwischen zweien seiner Ecken in zwei teilen</translation>
+        </message>
+        <message>
+            <source>&amp;Boundaries and seams</source>
+            <translation>&amp;Ränder und Nähte</translation>
+        </message>
+        <message>
+            <source>Draw boundaries and seams as lines</source>
+            <translation>Ränder und Nähte als Linien zeichnen</translation>
+        </message>
+        <message>
+            <source>Straight to where the flow converges</source>
+            <translation>Geradewegs dorthin, wo der Fluss ruht</translation>
+        </message>
+        <message>
+            <source>&amp;Blend boundaries</source>
+            <translation>Ränder &amp;verbinden</translation>
+        </message>
+        <message>
+            <source>Join two or more boundaries by one patch</source>
+            <translation>Zwei oder mehr Ränder durch einen Flicken verbinden</translation>
         </message>
     </context>
     <context>
@@ -3330,10 +3330,6 @@
         <message>
             <source>A hole in the surface.</source>
             <translation>Ein Loch in der Fläche.</translation>
-        </message>
-        <message>
-            <source>The rim of an open sheet. It is left out unless you select it yourself and press Fill.</source>
-            <translation>Der Rand einer offenen Fläche. Er bleibt aus, wenn Sie ihn nicht selbst auswählen und füllen.</translation>
         </message>
         <message>
             <source>A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.</source>
@@ -3512,10 +3508,6 @@
             <translation>rau</translation>
         </message>
         <message>
-            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the rim to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
-            <translation>Glatte Anpassungen lassen von den Punkten des Scans um das Loch %1 übrig, das sind %2 % einer Kante. Sie bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
-        </message>
-        <message>
             <source>%1 of %2</source>
             <translation>%1 von %2</translation>
         </message>
@@ -3638,6 +3630,14 @@
         <message>
             <source>%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)</source>
             <translation>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; Vernähen verbindet sie)</translation>
+        </message>
+        <message>
+            <source>The outline of an open sheet. It is left out unless you select it yourself and press Fill.</source>
+            <translation>Der Rand einer offenen Fläche. Er bleibt aus, wenn Sie ihn nicht selbst auswählen und füllen.</translation>
+        </message>
+        <message>
+            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the boundary to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation>Glatte Anpassungen lassen von den Punkten des Scans um das Loch %1 übrig, das sind %2 % einer Kante. Sie bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
         </message>
     </context>
 </TS>

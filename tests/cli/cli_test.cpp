@@ -181,7 +181,7 @@ TEST_F(Cli, FailedLoopsGiveExitOneAndTheRestIsWritten) {
   write_mesh(holes, soup);
   const Outcome run = loopmend_program("fill " + in_out() + "--include-outer-rim");
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, HasSubstr("rim of a single triangle"));
+  EXPECT_THAT(run.out, HasSubstr("boundary of a single triangle"));
   EXPECT_EQ(find_boundary_loops(make_surface_model(read_mesh(out).soup)).size(), 1u);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes pictures of the real window, for people to judge and for the help pages: take_screenshots FILE FOLDER [light|dark [de]]
-// Twice the size: QT_SCALE_FACTOR=2. See resources/help/make_pictures.sh.
+// Twice the size: QT_SCALE_FACTOR=2. See docs/user/window/make_pictures.sh.
 #include "driver.h"
 
 #include "compare/compare_controller.h"
@@ -113,7 +113,7 @@ void show_story(MainWindow& window, const QString& file) {
 
 void show_looks(MainWindow& window) {
   part<QDockWidget>(window, "lookDock")->raise();
-  shoot_part(window, part<QDockWidget>(window, "lookDock"), "look");
+  shoot_part(window, part<QDockWidget>(window, "lookDock"), "display");
   trigger(window, "zebra");
   shoot(window, "zebra");
   trigger(window, "isophotes");

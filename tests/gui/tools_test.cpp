@@ -448,7 +448,7 @@ void ToolsTest::errors_are_said_in_place() {
   key(window, Qt::Key_Escape);
   key(window, Qt::Key_B);
   QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
-  QVERIFY(part<QLabel>(window, "trialWords")->text().contains(QStringLiteral("two rims")));
+  QVERIFY(part<QLabel>(window, "trialWords")->text().contains(QStringLiteral("two boundaries")));
 }
 
 void ToolsTest::cancel_comes_back_at_once() {

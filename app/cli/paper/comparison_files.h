@@ -2,8 +2,8 @@
 // What a comparison of flows leaves in a folder: meshes, one picture, the profile as CSV and plot, tables.
 #pragma once
 
-#include "pipeline/compare.h"
 #include "io/atomic_file.h"
+#include "pipeline/compare.h"
 #include "pipeline/problem.h"
 
 #include <nlohmann/json.hpp>

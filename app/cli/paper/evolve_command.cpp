@@ -27,7 +27,7 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
     std::fprintf(out, "The region was remeshed: %d vertices instead of %d.\n", evolved.patch.free_count,
                  region.patch.free_count);
   const std::vector<SeamReport> before = seam_reports(region.patch), after = seam_reports(evolved.patch);
-  std::fprintf(out, "%5s  %21s  %21s\n", "rim", "angle at seam, deg", "jump of H x diameter");
+  std::fprintf(out, "%5s  %21s  %21s\n", "loop", "angle at seam, deg", "jump of H x diameter");
   for (std::size_t k = 0; k < after.size() && k < 40; ++k) {
     if (std::isfinite(after[k].g1_rms_deg))
       std::fprintf(out, "%5zu  %9.4f -> %8.4f  %9.4f -> %8.4f\n", k + 1, before[k].g1_rms_deg, after[k].g1_rms_deg,

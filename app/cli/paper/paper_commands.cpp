@@ -42,7 +42,7 @@ void add_interpolate(CLI::App& app, InterpolateCommand& command) {
       ->type_name("FILE");
   interpolate->add_flag_callback(
       "--open", [&command] { command.rim = PolyhedronRim::smooth; },
-      "Take an open polyhedron; its rims become smooth curves through their vertices");
+      "Take an open polyhedron; its boundary loops become smooth curves through their vertices");
   add_flow_options(*interpolate, command.words, DensityOption::leave_out);
   interpolate->footer(std::string("The fixed vertices come first in the output, in their order, bit-identical.\n"
                                   "Examples:\n"

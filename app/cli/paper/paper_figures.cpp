@@ -26,12 +26,6 @@ const Vec3 from_a_corner(1, 0.8, 1.3);  ///< onto six tubes
 
 constexpr double paper_sigma = 10;  ///< "fairly large time step-size": the slowest mode shrinks to a tenth in each step
 
-std::string text(const char* pattern, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
-}
-
 EvolutionOptions paper_scheme() {
   EvolutionOptions options;
   options.mode = EvolutionMode::steps;
@@ -69,11 +63,11 @@ void describe(const PatchResult& evolved, FigureRun& run) {
   run.numbers.emplace_back("end", std::string(to_string(evolved.status)) + " after " + std::to_string(evolved.steps) +
                                       " steps" + (evolved.message.empty() ? "" : ": " + evolved.message));
   run.numbers.emplace_back("free vertices", std::to_string(evolved.patch.free_count));
-  run.numbers.emplace_back("energy &int;|&nabla;H|&sup2;",
-                           text("%.4g", evolved.energy.initial) + " &rarr; " + text("%.4g", evolved.energy.final));
+  run.numbers.emplace_back("energy &int;|&nabla;H|&sup2;", number_text("%.4g", evolved.energy.initial) + " &rarr; " +
+                                                               number_text("%.4g", evolved.energy.final));
   run.numbers.emplace_back("folds, self-intersections", std::to_string(evolved.validity.folds) + ", " +
                                                             std::to_string(evolved.validity.intersections));
-  run.numbers.emplace_back("smallest angle", text("%.1f&deg;", evolved.validity.min_angle_deg));
+  run.numbers.emplace_back("smallest angle", number_text("%.1f&deg;", evolved.validity.min_angle_deg));
 }
 
 double worst_jump_times_diameter(const Patch& patch) {
@@ -115,12 +109,12 @@ FigureRun run_recovery(TriangleSoup input, const TableRow& paper, double (*dista
   describe(evolved, run);
   const double before = rms(run.start, distance), after = rms(evolved.patch, distance);
   run.numbers.emplace_back("rms distance to the surface, radius 1",
-                           text("%.3g", before) + " &rarr; " + text("%.3g", after));
-  run.numbers.emplace_back("jump of H &times; diameter", text("%.3g", worst_jump_times_diameter(evolved.patch)));
+                           number_text("%.3g", before) + " &rarr; " + number_text("%.3g", after));
+  run.numbers.emplace_back("jump of H &times; diameter", number_text("%.3g", worst_jump_times_diameter(evolved.patch)));
   const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
   run.verdict = good && after < 1e-3 ? Verdict::reproduced : after < 1e-2 ? Verdict::partly : Verdict::not_reproduced;
-  run.why = "The semi-implicit scheme, started from the minimal-surface filling, ends " + text("%.2g", after) +
-            " of the radius from the exact surface (the filling: " + text("%.2g", before) + ").";
+  run.why = "The semi-implicit scheme, started from the minimal-surface filling, ends " + number_text("%.2g", after) +
+            " of the radius from the exact surface (the filling: " + number_text("%.2g", before) + ").";
   return run;
 }
 
@@ -173,7 +167,7 @@ FigureRun run_blend(const std::vector<TubeShape>& tubes, const TableRow& paper) 
   const double before = wide_curvature_jump(problem.outcome.bridge->membrane),
                after = wide_curvature_jump(evolved.patch);
   run.numbers.emplace_back("jump of H at the seams (wide fits), 1/length",
-                           text("%.3g", before) + " &rarr; " + text("%.3g", after));
+                           number_text("%.3g", before) + " &rarr; " + number_text("%.3g", after));
   run.claim = "The meshes are blended smoothly at their boundaries by one fair surface.";
   const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
   run.verdict = good ? Verdict::reproduced : evolved.validity.is_clean() ? Verdict::partly : Verdict::not_reproduced;
@@ -211,13 +205,14 @@ FigureRun run_fig53() {
   run.after = pasted(run.before, evolved.patch);
   describe(evolved, run);
   const double before = worst_jump_times_diameter(run.start), after = worst_jump_times_diameter(evolved.patch);
-  run.numbers.emplace_back("jump of H &times; diameter", text("%.3g", before) + " &rarr; " + text("%.3g", after));
+  run.numbers.emplace_back("jump of H &times; diameter",
+                           number_text("%.3g", before) + " &rarr; " + number_text("%.3g", after));
   const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
   run.verdict = good && after < 0.15 * before ? Verdict::reproduced : good ? Verdict::partly : Verdict::not_reproduced;
-  run.why =
-      "The jump of H falls to " + text("%.2g", after / before) +
-      " of the initial patch's. The head is our own, since the paper's is not published; its table says 10 steps, the caption "
-      "of the figure 50.";
+  run.why = "The jump of H falls to " + number_text("%.2g", after / before) +
+            " of the initial patch's. The head is our own, since the paper's is not published; its table says 10 "
+            "steps, the caption "
+            "of the figure 50.";
   return run;
 }
 
@@ -234,7 +229,7 @@ FigureRun run_fig54() {
   run.sigma = 0;
   double worst = 0;
   for (const Vec3& p : result.surface.points) worst = std::max(worst, std::abs(p.norm() - 1));
-  run.numbers.emplace_back("largest distance to the sphere through the vertices, radius 1", text("%.3g", worst));
+  run.numbers.emplace_back("largest distance to the sphere through the vertices, radius 1", number_text("%.3g", worst));
   run.verdict = result.outcome.validity.is_clean() && worst < 1e-3 ? Verdict::reproduced : Verdict::partly;
   run.why =
       "Each pentagon as three triangles, each of these as 64; 1134 free vertices. The answer is the sphere. The "
@@ -245,7 +240,7 @@ FigureRun run_fig54() {
 
 /// By wide fits, which look past the triangles that a flow of fourth order hides its jump in, and by close ones.
 std::string jumps_text(const ComparedFlow& flow) {
-  return text("%.3f", flow.wide_jump) + text(" (close fits %.3f)", seam_figures(flow.outcome.seams).jump);
+  return number_text("%.3f", flow.wide_jump) + number_text(" (close fits %.3f)", seam_figures(flow.outcome.seams).jump);
 }
 
 /// The order that the paper's claim asks for.
@@ -356,10 +351,10 @@ FigureRun run_table51() {
     const double off = rms(evolved.patch, [](const Vec3& p) { return std::hypot(p.x(), p.y()) - 1; });
     int rejections = 0;
     for (const StepRecord& step : evolved.history) rejections += step.rejections;
-    run.numbers.emplace_back("&sigma; = " + text("%g", sigma),
+    run.numbers.emplace_back("&sigma; = " + number_text("%g", sigma),
                              std::string(to_string(evolved.status)) + " after " + std::to_string(evolved.steps) +
                                  " steps, " + std::to_string(rejections) + " trials rejected, rms distance " +
-                                 text("%.2g", off));
+                                 number_text("%.2g", off));
     all = all && evolved.validity.is_clean() && evolved.status == PatchStatus::converged && off < 1e-3;
     if (sigma == 1e4) run.after = pasted(run.before, evolved.patch);
   }
@@ -383,6 +378,12 @@ const std::vector<std::pair<std::string, Runner>>& runners() {
 }
 
 }  // namespace
+
+std::string number_text(const char* pattern, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, pattern, value);
+  return buffer;
+}
 
 const char* to_string(Verdict verdict) {
   switch (verdict) {

@@ -2,8 +2,8 @@
 // The paper's experiments (section 5), each from its input to its numbers. No files, no pictures.
 #pragma once
 
-#include "pipeline/compare.h"
 #include "mesh/surface_model.h"
+#include "pipeline/compare.h"
 
 #include <functional>
 #include <optional>
@@ -15,6 +15,8 @@ namespace loopmend {
 
 enum class Verdict { reproduced, partly, not_reproduced };
 const char* to_string(Verdict verdict);
+/// @param pattern  one conversion for a double, as of printf.
+std::string number_text(const char* pattern, double value);
 
 /// A row of Table 5.1: what the paper prints, and ours where it has been run. Times in seconds for one step.
 struct TableRow {

@@ -20,12 +20,6 @@ namespace loopmend {
 
 namespace {
 
-std::string text(const char* pattern, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
-}
-
 /// What stays of a run once its files are written.
 struct Entry {
   FigureRun run;  ///< without its surfaces
@@ -73,11 +67,11 @@ std::string table_html(const std::vector<Entry>& entries) {
     if (!entry.run.paper || !entry.run.ours) continue;
     const TableRow &paper = *entry.run.paper, &ours = *entry.run.ours;
     html += "<tr><td>" + entry.run.id + "</td><td>" + std::to_string(paper.unknowns) + "</td><td>" +
-            std::to_string(ours.unknowns) + "</td><td>" + text("%g", paper.tau) + "</td><td>" + text("%.2g", ours.tau) +
-            "</td><td>" + text("%g", entry.run.sigma) + "</td><td>" + text("%.2f", paper.form) + "</td><td>" +
-            text("%.3f", ours.form) + "</td><td>" + std::to_string(paper.steps) + "</td><td>" +
-            std::to_string(ours.steps) + "</td><td>" + text("%.2f", paper.solve) + "</td><td>" +
-            text("%.3f", ours.solve) + "</td></tr>\n";
+            std::to_string(ours.unknowns) + "</td><td>" + number_text("%g", paper.tau) + "</td><td>" +
+            number_text("%.2g", ours.tau) + "</td><td>" + number_text("%g", entry.run.sigma) + "</td><td>" +
+            number_text("%.2f", paper.form) + "</td><td>" + number_text("%.3f", ours.form) + "</td><td>" +
+            std::to_string(paper.steps) + "</td><td>" + std::to_string(ours.steps) + "</td><td>" +
+            number_text("%.2f", paper.solve) + "</td><td>" + number_text("%.3f", ours.solve) + "</td></tr>\n";
   }
   return html + "</table>\n";
 }
@@ -102,7 +96,7 @@ std::string figure_html(const Entry& entry) {
             "/table.csv'>table.csv</a>, <a href='" + run.id + "/profile.csv'>profile.csv</a></p>\n";
   html += "<table>\n";
   for (const auto& [name, value] : run.numbers) html += "<tr><td>" + name + "</td><td>" + value + "</td></tr>\n";
-  return html + "<tr><td>seconds for all of this figure</td><td>" + text("%.1f", entry.seconds) +
+  return html + "<tr><td>seconds for all of this figure</td><td>" + number_text("%.1f", entry.seconds) +
          "</td></tr>\n</table>\n";
 }
 
@@ -160,9 +154,10 @@ std::string markdown(const std::vector<Entry>& entries) {
     if (!e.run.paper || !e.run.ours) continue;
     const TableRow &p = *e.run.paper, &o = *e.run.ours;
     md += "| " + e.run.id + " | " + std::to_string(p.unknowns) + " / " + std::to_string(o.unknowns) + " | " +
-          text("%g", p.tau) + " / " + text("%.2g", o.tau) + " | " + text("%g", e.run.sigma) + " | " +
-          text("%.2f", p.form) + " / " + text("%.3f", o.form) + " | " + std::to_string(p.steps) + " / " +
-          std::to_string(o.steps) + " | " + text("%.2f", p.solve) + " / " + text("%.3f", o.solve) + " |\n";
+          number_text("%g", p.tau) + " / " + number_text("%.2g", o.tau) + " | " + number_text("%g", e.run.sigma) +
+          " | " + number_text("%.2f", p.form) + " / " + number_text("%.3f", o.form) + " | " + std::to_string(p.steps) +
+          " / " + std::to_string(o.steps) + " | " + number_text("%.2f", p.solve) + " / " +
+          number_text("%.3f", o.solve) + " |\n";
   }
   for (const Entry& e : entries) {
     md += "\n## " + e.run.id + ": " + e.run.title + "\n\n> " + e.run.claim + "\n\n**" + to_string(e.run.verdict) +

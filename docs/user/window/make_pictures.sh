@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Makes the pictures of the help pages from the real window, so that they stay true; and, for people to judge, all of
+# them light and dark, at once and twice the size.
+# Usage: docs/user/window/make_pictures.sh BUILD SCAN [FOLDER]
+#   BUILD   a build folder with bin/take_screenshots
+#   SCAN    the scan to show, e.g. ../shared/data/bunny.ply
+#   FOLDER  where all pictures go; without it only those of the help pages are made
+set -euo pipefail
+
+build=$(cd "${1:?Usage: make_pictures.sh BUILD SCAN [FOLDER]}" && pwd)
+scan=$(realpath "${2:?Usage: make_pictures.sh BUILD SCAN [FOLDER]}")
+pictures=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/pictures
+gallery=$(cd "$pictures/../../../../resources/gallery" && pwd)
+folder=${3:-$(mktemp -d)}
+
+shoot() { # NAME SCALE SCREEN [dark]
+  QT_SCALE_FACTOR=$2 xvfb-run -a -s "-screen 0 $3x24" "$build/bin/take_screenshots" "$scan" "$folder/$1" "${@:4}"
+}
+
+shoot light 1 1400x900
+if [[ -n ${3:-} ]]; then
+  shoot dark 1 1400x900 dark
+  shoot light2 2 2800x1800
+  shoot dark2 2 2800x1800 dark
+fi
+mkdir -p "$pictures" "$gallery"
+for name in window holes patch running display zebra inspect compare region; do
+  cp "$folder/light/$name.png" "$pictures/$name.png"
+done
+for example in "$folder"/light/gallery_*.png; do
+  name=$(basename "$example")
+  cp "$example" "$gallery/${name#gallery_}"
+done
+echo "pictures of the help pages: $pictures; all: $folder"
