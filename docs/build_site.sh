@@ -19,8 +19,10 @@ trap 'rm -rf "$work"' EXIT
 cp -r "$root/docs" "$root/mkdocs.yml" "$work"
 cp "$root/CHANGELOG.md" "$work/docs/changes.md"
 mkdocs --quiet build --strict --clean --config-file "$work/mkdocs.yml" --site-dir "$folder"
-mkdir -p "$folder/assets/katex/contrib"
-cp -rL "$katex"/katex.min.{css,js} "$katex/fonts" "$folder/assets/katex"
+mkdir -p "$folder/assets/katex/contrib" "$folder/assets/katex/fonts"
+cp -L "$katex/katex.min.js" "$folder/assets/katex"
+sed -E 's/,url\([^)]*\.(woff|ttf)\) *format\([^)]*\)//g' "$katex/katex.min.css" >"$folder/assets/katex/katex.min.css"
+cp -L "$katex"/fonts/*.woff2 "$folder/assets/katex/fonts"
 cp -L "$katex/contrib/auto-render.js" "$folder/assets/katex/contrib"
 
 # A comment that Doxygen does not understand is an error.

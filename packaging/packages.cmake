@@ -94,6 +94,7 @@ if(LOOPMEND_BUILD_DOCS)
 as web pages to be read offline. They begin at
 /usr/share/doc/loopmend-doc/html/index.html.")
 endif()
+set(CPACK_DEBIAN_COMMAND_LINE_PACKAGE_RECOMMENDS libgl1-mesa-dri)  # pictures on machines without a graphics driver
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)

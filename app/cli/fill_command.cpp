@@ -142,10 +142,9 @@ Preparation prepare(OpenedModel& opened, const FillCommand& command) {
 
 void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.stitched)
-    std::fprintf(
-        out,
-        "Stitched: %zu vertices joined to others, %zu faces split; the output is compared with the stitched mesh.\n",
-        done.stitched->joined_vertices, done.stitched->split_faces);
+    std::fprintf(out, "Stitched: %s joined to others, %s split; the output is compared with the stitched mesh.\n",
+                 counted(done.stitched->joined_vertices, "vertex", "vertices").c_str(),
+                 counted(done.stitched->split_faces, "face", "faces").c_str());
   if (done.bridges > 0)
     std::fprintf(out, "%zu %s laid across holes; the output is compared with the mesh that has them.\n", done.bridges,
                  done.bridges == 1 ? "strip was" : "strips were");
@@ -197,14 +196,25 @@ void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<B
   std::fprintf(out, "\n");
 }
 
+/// Loops that were left, many at a time: how many there are for each reason.
+void print_left(std::FILE* out, const std::vector<HoleResult>& results) {
+  std::map<std::string, int> count;
+  for (const HoleResult& result : results)
+    if (result.status == PatchStatus::skipped) ++count[result.message];
+  for (const auto& [message, loops] : count)
+    std::fprintf(out, "%s skipped: %s\n", counted(loops, "loop", "loops").c_str(), message.c_str());
+}
+
 /// One line for each loop that is worth a line: all when there are few, else only those that went wrong.
 void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const Outcome& outcome,
                    const FillCommand& command, double seconds) {
   const bool all = results.size() <= 40;
-  std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
-               "method", "angle at seam, deg", "jump of H x diameter");
+  bool first = true;
   for (const HoleResult& r : results) {
-    if (!all && is_filled(r.status) && r.message.empty()) continue;
+    if (!all && (r.status == PatchStatus::skipped || (is_filled(r.status) && r.message.empty()))) continue;
+    if (std::exchange(first, false))
+      std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
+                   "method", "angle at seam, deg", "jump of H x diameter");
     std::fprintf(out, "%5d  %6d  %6d  %5d  %-10s", r.loop.number, r.loop.edges(), r.free_vertices, r.steps(),
                  to_string(r.status));
     if (is_filled(r.status))
@@ -214,6 +224,7 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
                        .c_str());
     std::fprintf(out, "%s%s\n", r.message.empty() ? "" : "  ", r.message.c_str());
   }
+  if (!all) print_left(out, results);
   print_reasons(out, results);
   std::fprintf(out, "%d filled, ", outcome.filled);
   if (outcome.doubtful > 0) std::fprintf(out, "%d of them doubtful, ", outcome.doubtful);
@@ -262,7 +273,8 @@ struct RimWork {
 
 /// Trims the rims of the loops that are to be filled, and chooses anew: what grew out of them.
 RimWork trim_chosen(OpenedModel& opened, std::vector<BoundaryLoop>& loops, std::vector<LoopChoice>& choices,
-                    int rounds) {
+                    const FillCommand& command) {
+  const int rounds = command.trim_rounds;
   const auto chosen = [&] {
     std::vector<BoundaryLoop> result;
     for (std::size_t k = 0; k < loops.size(); ++k)
@@ -295,7 +307,9 @@ RimWork trim_chosen(OpenedModel& opened, std::vector<BoundaryLoop>& loops, std::
     const bool can_be_filled = loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim;
     choices[k].fill = can_be_filled && std::any_of(trimmed.loops.begin(), trimmed.loops.end(),
                                                    [&](const auto& loop) { return loop.number == loops[k].number; });
-    if (!choices[k].fill) choices[k].why_not = "not asked for";
+    if (choices[k].fill) continue;
+    choices[k] = choose_unnamed(loops[k], command);
+    if (std::exchange(choices[k].fill, false)) choices[k].why_not = "not selected";
   }
   return work;
 }
@@ -304,6 +318,7 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
                                    const std::vector<HoleResult>& results, const RimWork& rims,
                                    const Preparation& preparation) {
   nlohmann::ordered_json json;
+  json["schema_version"] = report_schema_version;
   json["version"] = version();
   json["command_line"] = command.command_line;
   json["input"] = input_json(command.input, import, repairs);
@@ -311,9 +326,8 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["trimmed_faces"] = faces_json(rims.removed);
   json["bad_rim_faces"] = faces_json(rims.bad);
   if (!rims.bad.empty() && command.trim_rounds == 0)
-    json["suggestion"] =
-        std::to_string(rims.bad.size()) +
-        " bad triangles at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
+    json["suggestion"] = counted(rims.bad.size(), "bad triangle", "bad triangles") +
+                         " at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
   for (const HoleResult& result : results) json["loops"].push_back(loop_json(result));
   return json;
@@ -333,7 +347,7 @@ int run_fill(const FillCommand& command) {
   SurfaceModel& model = opened.model;
   std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   std::vector<LoopChoice> choices = choose_loops(model, loops, command);
-  const RimWork rims = trim_chosen(opened, loops, choices, command.trim_rounds);
+  const RimWork rims = trim_chosen(opened, loops, choices, command);
 
   const CancelToken cancel;
   if (command.fill.on_cancel == FillOptions::OnCancel::keep_finished) cancel_on_interrupt(cancel);
@@ -357,15 +371,18 @@ int run_fill(const FillCommand& command) {
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
     if (command.coincident == CoincidentVertices::weld)
-      std::fprintf(out, "%zu vertices were welded; the output is compared with the welded mesh.\n",
-                   opened.import.vertices_welded);
+      std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
+                   counted(opened.import.vertices_welded, "vertex was", "vertices were").c_str());
     print_preparation(out, preparation);
     if (const std::size_t turned = preparation.turned_faces + model.repairs.reoriented_faces; turned > 0)
-      std::fprintf(out, "%zu faces were turned round to agree with their neighbours.\n", turned);
+      std::fprintf(out, "%s turned round to agree with the neighbours.\n",
+                   counted(turned, "face was", "faces were").c_str());
     if (!rims.removed.empty())
-      std::fprintf(out, "%zu bad triangles were removed at the boundaries.\n", rims.removed.size());
+      std::fprintf(out, "%s removed at the boundaries.\n",
+                   counted(rims.removed.size(), "bad triangle was", "bad triangles were").c_str());
     else if (!rims.bad.empty())
-      std::fprintf(out, "%zu bad triangles at the boundaries; --trim-boundary 3 would remove them.\n", rims.bad.size());
+      std::fprintf(out, "%s at the boundaries; --trim-boundary 3 would remove what is bad.\n",
+                   counted(rims.bad.size(), "bad triangle", "bad triangles").c_str());
     if (loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else

@@ -46,12 +46,14 @@ void print_not_kept(const OpenedModel& opened) {
     std::printf("  binary STL would move vertices by up to %.3g\n", rounding);
 }
 
-void print_loops(const std::vector<BoundaryLoop>& loops) {
+void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   constexpr std::size_t most_rows = 60;
-  std::printf("\n%6s  %-9s  %6s  %12s  %12s  %9s\n", "number", "kind", "edges", "perimeter", "diameter", "planarity");
+  std::printf("\n%6s  %-9s  %6s  %12s  %12s  %9s  %9s\n", "number", "kind", "edges", "perimeter", "diameter",
+              "planarity", "vertex");
   for (std::size_t k = 0; k < loops.size() && k < most_rows; ++k)
-    std::printf("%6d  %-9s  %6d  %12.6g  %12.6g  %9.4f\n", loops[k].number, to_string(loops[k].kind), loops[k].edges(),
-                loops[k].perimeter, loops[k].diameter, loops[k].planarity);
+    std::printf("%6d  %-9s  %6d  %12.6g  %12.6g  %9.4f  %9d\n", loops[k].number, to_string(loops[k].kind),
+                loops[k].edges(), loops[k].perimeter, loops[k].diameter, loops[k].planarity,
+                model.soup_vertex[static_cast<std::size_t>(loops[k].vertices.front())]);
   if (loops.size() > most_rows)
     std::printf("... and %zu smaller ones (all of them with --json)\n", loops.size() - most_rows);
 }
@@ -65,9 +67,14 @@ int run_info(const InfoCommand& command) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   if (!command.json.empty()) {
     nlohmann::ordered_json json;
+    json["schema_version"] = report_schema_version;
     json["input"] = input_json(command.input, opened.import, model.repairs);
     json["loops"] = nlohmann::ordered_json::array();
-    for (const BoundaryLoop& loop : loops) json["loops"].push_back(loop_json(loop));
+    for (const BoundaryLoop& loop : loops) {
+      json["loops"].push_back(loop_json(loop));
+      nlohmann::ordered_json& vertices = json["loops"].back()["vertices"] = nlohmann::ordered_json::array();
+      for (int v : loop.vertices) vertices.push_back(model.soup_vertex[static_cast<std::size_t>(v)]);
+    }
     OutputTransaction outputs;
     commit_with_report(outputs, command.json, json);
     return exit_done;
@@ -82,7 +89,7 @@ int run_info(const InfoCommand& command) {
   }
   std::printf("%zu boundary %s\n", loops.size(), loops.size() == 1 ? "loop" : "loops");
   print_coincident(stdout, opened.import, loops);
-  print_loops(loops);
+  print_loops(model, loops);
   return exit_done;
 }
 

@@ -97,20 +97,27 @@ std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command
 
 }  // namespace
 
+LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command) {
+  LoopChoice choice;
+  choice.why_not = why_no_hole(loop, command.outer_rim);
+  if (!choice.why_not.empty()) choice.left = LoopChoice::Left::no_hole;
+  if (choice.why_not.empty()) choice.why_not = reason_to_leave(loop, command, false);
+  choice.fill = choice.why_not.empty();
+  choice.is_rim = loop.kind == LoopKind::outer_rim;
+  return choice;
+}
+
 std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                      const FillCommand& command) {
   const std::set<std::size_t> named = named_loops(model, loops, command);
   std::vector<LoopChoice> choices(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
     LoopChoice& choice = choices[k];
-    const bool is_named = named.count(k) > 0;
-    if (!named.empty() && !is_named) {
-      choice.why_not = "not selected";
+    if (named.empty()) {
+      choice = choose_unnamed(loops[k], command);
       continue;
     }
-    if (!is_named) choice.why_not = why_no_hole(loops[k], command.outer_rim);
-    if (!choice.why_not.empty()) choice.left = LoopChoice::Left::no_hole;
-    if (choice.why_not.empty()) choice.why_not = reason_to_leave(loops[k], command, is_named);
+    choice.why_not = named.count(k) > 0 ? reason_to_leave(loops[k], command, true) : "not selected";
     choice.fill = choice.why_not.empty();
     choice.is_rim = loops[k].kind == LoopKind::outer_rim;
   }

@@ -17,6 +17,9 @@ struct LoopChoice {
   bool is_rim = false;  ///< bounds a sheet: nothing is amiss where it is left
 };
 
+/// Why a loop is left that nobody named; `fill` where nothing is against it.
+LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command);
+
 /// One choice per loop. Loops that are named (by number or vertex) are meant whatever their kind; the size limits hold
 /// for all.
 /// @throws UsageError for a number or vertex that names no loop.

@@ -136,4 +136,8 @@ void print_coincident(std::FILE* out, const ImportReport& import, const std::vec
       edges, import.coincident_vertices);
 }
 
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 }  // namespace loopmend

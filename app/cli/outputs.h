@@ -77,4 +77,7 @@ void print_import_losses(std::FILE* out, const ImportReport& import);
 /// Where boundaries lie on each other: how many edges, and what joins them.
 void print_coincident(std::FILE* out, const ImportReport& import, const std::vector<BoundaryLoop>& loops);
 
+/// "1 face", "2 faces".
+std::string counted(std::size_t count, const char* one, const char* many);
+
 }  // namespace loopmend

@@ -2,10 +2,10 @@
 // The JSON report of `loopmend info` and `loopmend fill`.
 #pragma once
 
-#include "pipeline/evolve_patch.h"
-#include "pipeline/fill_holes.h"
 #include "io/read_mesh.h"
 #include "mesh/surface_model.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/fill_holes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,6 +14,9 @@
 #include <string>
 
 namespace loopmend {
+
+/// Grows when a field of the reports goes, or means something else. See docs/user/report.schema.json and info.schema.json.
+constexpr int report_schema_version = 1;
 
 /// "input": path, vertices, faces, import {counts by kind}.
 nlohmann::ordered_json input_json(const std::filesystem::path& path, const ImportReport& import,

@@ -104,7 +104,10 @@ std::string csv_of(const std::vector<std::vector<std::string>>& rows) {
 }
 
 std::string comparison_table(const FlowComparison& comparison) {
-  const std::vector<std::string>& heads = comparison_heads();
+  std::vector<std::string> heads = comparison_heads();
+  for (std::string& head : heads)  // a bar would begin another column
+    for (std::size_t at = head.find('|'); at != std::string::npos; at = head.find('|', at + 2))
+      head.insert(at, 1, '\\');
   std::string text = joined_row(heads, "| ", " | ", " |\n");
   text += joined_row(std::vector<std::string>(heads.size(), "---"), "| ", " | ", " |\n");
   for (const auto& row : comparison_rows(comparison)) text += joined_row(row, "| ", " | ", " |\n");
@@ -118,8 +121,8 @@ std::string profile_csv(const FlowComparison& comparison) {
   std::string text = "flow,distance,H,H_sigma\n";
   for (std::size_t k = 0; k < comparison.profiles.size(); ++k)
     for (const ProfilePoint& p : comparison.profiles[k])
-      text += joined_row({upper_name(comparison.runs[k].outcome.flow), format("%.17g", p.distance), format("%.17g", p.H),
-                          p.H_sigma >= 0 ? format("%.17g", p.H_sigma) : ""},
+      text += joined_row({upper_name(comparison.runs[k].outcome.flow), format("%.17g", p.distance),
+                          format("%.17g", p.H), p.H_sigma >= 0 ? format("%.17g", p.H_sigma) : ""},
                          "", ",", "\n");
   return text;
 }

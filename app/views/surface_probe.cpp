@@ -45,20 +45,27 @@ std::optional<Probe> probe(const Document& document, const Vec3& at) {
   Nearest nearest;
   QString where;
   const Eigen::Vector3f point = at.cast<float>();
+  std::shared_ptr<const OpenedScan> in_scan;
   for (int index : document.scans()) {
     const auto scan = document.scan(index);
-    if (nearest.look(*scan->shape, scan->shape->points.size() / 3, point)) where = scan->name;
+    if (nearest.look(*scan->shape, scan->shape->points.size() / 3, point)) {
+      where = scan->name;
+      in_scan = scan;
+    }
   }
   for (const OpenPatch& patch : document.patches()) {
     const auto free = static_cast<std::size_t>(patch.state->patch.free_count);
-    if (nearest.look(*patch.state->shape, free, point))
+    if (nearest.look(*patch.state->shape, free, point)) {
       where = tr("Patch of %1").arg(labels::holes(document, {patch.loops.begin(), patch.loops.end()}));
+      in_scan = nullptr;
+    }
   }
   if (!nearest.shape) return std::nullopt;
+  if (in_scan) where += tr(", vertex %1").arg(in_scan->model->soup_vertex[nearest.vertex]);  // its number in the file
   Probe found;
   for (int k = 0; k < 3; ++k) found.at[k] = nearest.shape->points[3 * nearest.vertex + static_cast<std::size_t>(k)];
   const Vec3 place = found.at + document.origin();
-  found.lines << where + tr(", vertex %1").arg(nearest.vertex)
+  found.lines << where
               << QStringLiteral("x %1   y %2   z %3")
                      .arg(labels::number(place.x()), labels::number(place.y()), labels::number(place.z()))
               << QStringLiteral("H %1   K %2")

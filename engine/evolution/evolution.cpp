@@ -27,7 +27,7 @@ bool is_judged(const EvolutionOptions& options) {
 }
 
 std::string reason_for(const RimRoughness& boundary) {
-  constexpr const char* how = "; boundary exact asks for the flow itself";
+  constexpr const char* how = "; --boundary exact runs the flow itself";
   if (boundary.rough_share >= 1)
     return std::string(
                "the curvature around the hole changes abruptly, by roughness or an edge, and tells little about "

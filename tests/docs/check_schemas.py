@@ -18,7 +18,7 @@ except ImportError:
     sys.exit(77)
 
 OPTIONS = [[], ["--flow", "none"], ["--continuity", "tangent"], ["--boundary", "exact"], ["--mode", "steps", "--steps", "2"],
-           ["--trim-boundary", "3"], ["--stitch"], ["--repair"], ["--weld"], ["--include-outer-rim"], ["--loops", "1"],
+           ["--trim-boundary", "3"], ["--stitch"], ["--repair"], ["--weld"], ["--include-outer-rim"], ["--loops", "2"],
            ["--max-edges", "6"], ["--islands", "cover"]]
 
 
