@@ -4,6 +4,7 @@
 #include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "mesh/join_parts.h"
+#include "pipeline/append_colored_patch.h"
 
 #include <algorithm>
 
@@ -17,7 +18,7 @@ std::shared_ptr<const SurfaceShape> colored(const SurfaceModel& model, const Vec
 TriangleSoup filled(const BaseParts::Part& part) {
   if (part.patches.empty()) return part.scan->model->soup;
   SurfaceModel model = *part.scan->model;
-  for (const PatchStatePtr& state : part.patches) append_patch(model, patch_geometry(state->patch));
+  for (const PatchStatePtr& state : part.patches) append_colored_patch(model, patch_geometry(state->patch));
   return model.soup;
 }
 

@@ -63,15 +63,22 @@ TriangleSoup with_bridge(const SurfaceModel& model, int a, int b) {
   const int rows = std::clamp(static_cast<int>(std::lround(span / std::max(edge, 1e-300))), 2, 10000);
   // Two rails: from the end of the first edge to the begin of the second, and from its begin to the other's end.
   std::vector<int> right{s.to}, left{s.from};
-  const auto add = [&](const Vec3& p) {
+  /// Between two points of the soup, at the share `way` from the first.
+  const auto add = [&](const Vec3& p, int first, int second, double way) {
     soup.points.push_back(p);
-    if (!soup.colors.empty()) soup.colors.push_back({200, 200, 200, 255});
+    if (!soup.colors.empty()) {
+      Color mixed;
+      for (std::size_t k = 0; k < mixed.size(); ++k)
+        mixed[k] =
+            static_cast<unsigned char>(std::lround((1 - way) * soup.colors[first][k] + way * soup.colors[second][k]));
+      soup.colors.push_back(mixed);
+    }
     return static_cast<int>(soup.points.size()) - 1;
   };
   for (int r = 1; r < rows; ++r) {
     const double way = static_cast<double>(r) / rows;
-    right.push_back(add(cubic(at(s.to), s.leaving_to, at(t.from), t.leaving_from, way)));
-    left.push_back(add(cubic(at(s.from), s.leaving_from, at(t.to), t.leaving_to, way)));
+    right.push_back(add(cubic(at(s.to), s.leaving_to, at(t.from), t.leaving_from, way), s.to, t.from, way));
+    left.push_back(add(cubic(at(s.from), s.leaving_from, at(t.to), t.leaving_to, way), s.from, t.to, way));
   }
   right.push_back(t.from);
   left.push_back(t.to);

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "mesh/self_intersections.h"
+#include "pipeline/append_colored_patch.h"
 
 #include <Eigen/Geometry>
 
@@ -45,7 +46,7 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<Part>& pa
   if (std::any_of(pasted.begin(), pasted.end(), [&](const Part& other) { return part.intersects(other); }))
     return "its patch would cut that of another loop: left open";
   try {
-    append_patch(model, geometry);
+    append_colored_patch(model, geometry);
   } catch (const InvalidArgument& error) {
     return error.what();
   }

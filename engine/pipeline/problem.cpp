@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "mesh/join_parts.h"
 #include "mesh/validity.h"
+#include "pipeline/append_colored_patch.h"
 #include "pipeline/blend.h"
 #include "pipeline/interpolate.h"
 
@@ -15,7 +16,7 @@ namespace {
 std::function<TriangleSoup(const Patch&)> pasting(ModelPtr model) {
   return [model = std::move(model)](const Patch& evolved) {
     SurfaceModel whole = *model;
-    append_patch(whole, patch_geometry(evolved));
+    append_colored_patch(whole, patch_geometry(evolved));
     return whole.soup;
   };
 }

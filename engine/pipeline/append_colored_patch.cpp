@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/append_colored_patch.h"
+
+#include "filling/fairing.h"
+#include "operators/operator_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace loopmend {
+
+namespace {
+
+/// Three channels of the patch's colours as vectors: those of its boundary first.
+Points continued(const SparseMatrix& stiffness, const Points& boundary, std::size_t vertices) {
+  const auto rim = static_cast<int>(boundary.size());
+  Points all = boundary;
+  const Vec3 sum = std::accumulate(boundary.begin(), boundary.end(), Vec3(Vec3::Zero()));
+  all.resize(vertices, sum / std::max(1, rim));
+  minimise_quadratic_form(stiffness, all, rim, static_cast<int>(vertices));
+  return all;
+}
+
+unsigned char channel(double value) { return static_cast<unsigned char>(std::lround(std::clamp(value, 0.0, 255.0))); }
+
+}  // namespace
+
+void append_colored_patch(SurfaceModel& model, const PatchGeometry& patch) {
+  const std::size_t before = model.soup.points.size();
+  append_patch(model, patch);
+  if (model.soup.colors.empty() || patch.points.empty()) return;
+  Points points, rgb, alpha;
+  for (int v : patch.rim) {
+    const auto soup_point = static_cast<std::size_t>(model.soup_vertex[static_cast<std::size_t>(v)]);
+    points.push_back(model.soup.points[soup_point]);
+    const Color& color = model.soup.colors[soup_point];
+    rgb.emplace_back(color[0], color[1], color[2]);
+    alpha.emplace_back(color[3], 0, 0);
+  }
+  points.insert(points.end(), patch.points.begin(), patch.points.end());
+  std::vector<int> faces(patch.triangles.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  const SparseMatrix stiffness = clamped_cotan_stiffness(points, patch.triangles, faces, robust_clamp);
+  rgb = continued(stiffness, rgb, points.size());
+  alpha = continued(stiffness, alpha, points.size());
+  for (std::size_t k = 0; k < patch.points.size(); ++k) {
+    const std::size_t v = patch.rim.size() + k;
+    model.soup.colors[before + k] = {channel(rgb[v].x()), channel(rgb[v].y()), channel(rgb[v].z()),
+                                     channel(alpha[v].x())};
+  }
+}
+
+}  // namespace loopmend
