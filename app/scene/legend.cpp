@@ -138,14 +138,14 @@ double Legend::text_width() const {
 
 void Legend::set_pixel_ratio(double ratio) { ratio_ = ratio; }
 
-void Legend::set_ink(double grey) {
+void Legend::set_ink(double brightness) {
   const auto ink = [](vtkTextActor* text, double g) { text->GetTextProperty()->SetColor(g, g, g); };
-  const double soft = grey < 0.5 ? grey + 0.22 : grey - 0.22;
-  ink(title_, grey);
+  const double soft = brightness < 0.5 ? brightness + 0.22 : brightness - 0.22;
+  ink(title_, brightness);
   for (vtkTextActor* text : {unit_.Get(), top_.Get(), bottom_.Get()}) ink(text, soft);
-  for (auto& label : labels_) ink(label, grey);
-  ticks_->GetProperty()->SetColor(grey, grey, grey);
-  const double ground = grey < 0.5 ? 0.955 : 0.15;
+  for (auto& label : labels_) ink(label, brightness);
+  ticks_->GetProperty()->SetColor(brightness, brightness, brightness);
+  const double ground = brightness < 0.5 ? 0.955 : 0.15;
   ground_->GetProperty()->SetColor(ground, ground, ground);
   ground_->GetProperty()->SetOpacity(0.62);
 }

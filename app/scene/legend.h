@@ -39,7 +39,7 @@ class Legend {
   void set_words(const LegendWords& words);
   void set_pixel_ratio(double ratio);
   /// Text in dark or light, over a pale or dark ground, to suit the background.
-  void set_ink(double grey);
+  void set_ink(double brightness);
   /// Places it at the right edge and reads the range from the table. Call when size or range changed.
   void lay_out(int width, int height);
 

@@ -17,7 +17,7 @@ namespace loopmend {
 
 namespace {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
+using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr int most_pieces = 256;
 constexpr int fine_pieces = 16;     ///< for each corner: the curve is found with at least as many
@@ -53,9 +53,9 @@ Spline centripetal_spline(const Points& corners) {
     entries.emplace_back(k, after, b);
     rhs.row(k) = 3 * (a * a * (corners[k] - corners[before]) + b * b * (corners[after] - corners[k])).transpose();
   }
-  SparseMatrix A(m, m);
+  Sparse A(m, m);
   A.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SparseLU<SparseMatrix> lu(A);  // diagonally dominant
+  const Eigen::SparseLU<Sparse> lu(A);  // diagonally dominant
   const Eigen::MatrixX3d tangents = lu.solve(rhs);
   for (int k = 0; k < m; ++k) spline.tangents[k] = tangents.row(k).transpose();
   return spline;
@@ -119,7 +119,7 @@ std::array<Scalar, 4> residuals_at(const std::array<Vec3, 4>& place, bool even) 
 /// The sum of squares over the whole curve, and what a Gauss-Newton step needs of it.
 struct LeastSquares {
   double sum = 0;
-  SparseMatrix J;  ///< 4N by 3N; columns of corners are empty
+  Sparse J;  ///< 4N by 3N; columns of corners are empty
   Eigen::VectorXd residual;
 };
 
@@ -149,8 +149,8 @@ Points of_least_variation(Points points, int pieces) {
   const auto solver = make_spd_solver();
   double mu = 1e-3;
   for (int step = 0; step < most_steps; ++step) {
-    SparseMatrix A = now.J.transpose() * now.J;
-    SparseMatrix diagonal(A.rows(), A.cols());
+    Sparse A = now.J.transpose() * now.J;
+    Sparse diagonal(A.rows(), A.cols());
     diagonal.setIdentity();
     A += mu * diagonal;
     Eigen::MatrixXd move;
