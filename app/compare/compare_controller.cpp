@@ -106,7 +106,7 @@ CompareWindow* CompareController::compare_trial(ProblemController& trial, const 
   CompareTask task;
   task.source = trial.race_source();
   task.command = trial.command();
-  task.accept_help = tr("Take this surface over into the document, in place of what it came from; can be undone");
+  task.accept_help = tr("Put this surface into the document, in place of what it came from; can be undone");
   task.accept = [at = QPointer<ProblemController>(&trial)](const ComparedRun&, const ComparedRun& lane) {
     return at ? at->adopt(lane) : QString();
   };

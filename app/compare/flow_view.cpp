@@ -60,7 +60,7 @@ FlowView::FlowView(int number, PictureClock& clock, QWidget* parent)
       flow_(new QComboBox),
       swatch_(new QLabel),
       figures_(new QLabel),
-      accept_(make_button("", tr("Accept"), tr("Take this result over into the document; can be undone"))) {
+      accept_(make_button("", tr("Accept"), tr("Put this result into the document; can be undone"))) {
   const auto named = [number](const char* name) { return QLatin1String(name) + QString::number(number); };
   setObjectName(named("pane"));
   flow_->setObjectName(named("paneFlow"));

@@ -82,7 +82,7 @@ QWidget* HolesPanel::build_filter() {
   group_ = new QComboBox;
   group_->setObjectName(QStringLiteral("holesGroup"));
   for (const auto& [text, group] : {std::pair{tr("All loops"), HoleGroup::all},
-                                    {tr("Open"), HoleGroup::to_do},
+                                    {tr("Open loops"), HoleGroup::to_do},
                                     {tr("Filled"), HoleGroup::filled},
                                     {tr("Accepted"), HoleGroup::accepted},
                                     {tr("Problems"), HoleGroup::trouble},

@@ -32,7 +32,7 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
       picked_(new QRadioButton(tr("Only those I pic&k"))),
       clear_(make_button("pointsClear", tr("Clea&r"), tr("No vertex is picked"))),
       subdivide_(new QSpinBox),
-      open_(new QCheckBox(tr("Its &boundaries stay as they are"))),
+      open_(new QCheckBox(tr("Smooth &boundaries"))),
       count_(make_note("pointsCount")),
       size_(make_note("pointsSize")) {
   auto* hint = make_note("pointsHint");

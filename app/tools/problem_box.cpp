@@ -24,7 +24,7 @@ ProblemBox::ProblemBox(const ProblemController& trial, QWidget* parent)
       compare_(make_button("trialCompare", tr("Co&mpare flows\u2026"),
                            tr("Several flows from this start, side by side, in a window of their own"))),
       cancel_(make_button("trialCancel", tr("Ca&ncel"), tr("Stop at once; the start is shown again (Esc)"))),
-      accept_(make_button("trialAccept", tr("Ta&ke over"), tr("The result comes into the document; can be undone"))),
+      accept_(make_button("trialAccept", tr("Acc&ept"), tr("The result comes into the document; can be undone"))),
       discard_(make_button("trialDiscard", tr("&Discard"), tr("Give it up; the document is as it was"))),
       copy_(make_button("trialCopy", tr("Cop&y command line"), tr("Copy the commands that do the same"))) {
   auto* grid = new QGridLayout(this);

@@ -282,12 +282,12 @@
             <translation>Das Hauptfenster ist beschäftigt. Danach noch einmal versuchen.</translation>
         </message>
         <message>
-            <source>Take this surface over into the document, in place of what it came from; can be undone</source>
-            <translation>Diese Fläche ins Dokument übernehmen, anstelle dessen, woraus sie entstand; lässt sich rückgängig machen</translation>
-        </message>
-        <message>
             <source>%1 was applied in the main window; Ctrl+Z there undoes it.</source>
             <translation>%1 wurde ins Hauptfenster übernommen; Strg+Z dort nimmt es zurück.</translation>
+        </message>
+        <message>
+            <source>Put this surface into the document, in place of what it came from; can be undone</source>
+            <translation>Diese Fläche ins Dokument übernehmen, anstelle dessen, woraus sie entstand; lässt sich rückgängig machen</translation>
         </message>
     </context>
     <context>
@@ -793,7 +793,7 @@
         </message>
         <message>
             <source>Open</source>
-            <translation>Zu tun</translation>
+            <translation>Öffnen</translation>
         </message>
         <message>
             <source>Scans and sessions (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)</source>
@@ -1288,10 +1288,6 @@
             <translation>Annehmen</translation>
         </message>
         <message>
-            <source>Take this result over into the document; can be undone</source>
-            <translation>Dieses Ergebnis ins Dokument übernehmen; lässt sich rückgängig machen</translation>
-        </message>
-        <message>
             <source>Flow</source>
             <translation>Fluss</translation>
         </message>
@@ -1318,6 +1314,10 @@
         <message>
             <source>Run the flows first</source>
             <translation>Zuerst die Flüsse laufen lassen</translation>
+        </message>
+        <message>
+            <source>Put this result into the document; can be undone</source>
+            <translation>Dieses Ergebnis ins Dokument übernehmen; lässt sich rückgängig machen</translation>
         </message>
     </context>
     <context>
@@ -1607,12 +1607,12 @@
             <translation>Jedes Loch auswählen; Ränder, Risse und Schnitte bleiben aus</translation>
         </message>
         <message>
-            <source>Open</source>
-            <translation>Zu tun</translation>
-        </message>
-        <message>
             <source>Problems</source>
             <translation>Probleme</translation>
+        </message>
+        <message>
+            <source>Open loops</source>
+            <translation>Offene Ränder</translation>
         </message>
     </context>
     <context>
@@ -2211,10 +2211,6 @@
             <translation>%1 Dreiecke</translation>
         </message>
         <message>
-            <source>Its &amp;boundaries stay as they are</source>
-            <translation>Seine &amp;Ränder glatt, wie sie sind</translation>
-        </message>
-        <message>
             <source>Smooth boundaries</source>
             <translation>Ränder glatt</translation>
         </message>
@@ -2225,6 +2221,10 @@
         <message>
             <source>This surface has holes: close them, or let its boundaries become smooth curves.</source>
             <translation>Diese Fläche hat Löcher: sie schließen oder ihre Ränder glatt lassen, wie sie sind.</translation>
+        </message>
+        <message>
+            <source>Smooth &amp;boundaries</source>
+            <translation>Glatte &amp;Ränder</translation>
         </message>
     </context>
     <context>
@@ -2373,10 +2373,6 @@
             <translation>Sofort anhalten; der Anfang wird wieder gezeigt (Esc)</translation>
         </message>
         <message>
-            <source>Ta&amp;ke over</source>
-            <translation>Ü&amp;bernehmen</translation>
-        </message>
-        <message>
             <source>The result comes into the document; can be undone</source>
             <translation>Das Ergebnis kommt ins Dokument; lässt sich rückgängig machen</translation>
         </message>
@@ -2403,6 +2399,10 @@
         <message>
             <source>Continuity</source>
             <translation>Übergang</translation>
+        </message>
+        <message>
+            <source>Acc&amp;ept</source>
+            <translation>Ü&amp;bernehmen</translation>
         </message>
     </context>
     <context>
@@ -2966,7 +2966,7 @@
         </message>
         <message>
             <source>Open</source>
-            <translation>Zu tun</translation>
+            <translation>Öffnen</translation>
         </message>
         <message>
             <source>Save</source>
