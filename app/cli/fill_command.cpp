@@ -308,6 +308,10 @@ RimWork trim_chosen(OpenedModel& opened, std::vector<BoundaryLoop>& loops, std::
     choices[k].fill = can_be_filled && std::any_of(trimmed.loops.begin(), trimmed.loops.end(),
                                                    [&](const auto& loop) { return loop.number == loops[k].number; });
     if (choices[k].fill) continue;
+    if (command.loops != "all" || command.at_vertices) {
+      choices[k].why_not = "not selected";
+      continue;
+    }
     choices[k] = choose_unnamed(loops[k], command);
     if (std::exchange(choices[k].fill, false)) choices[k].why_not = "not selected";
   }

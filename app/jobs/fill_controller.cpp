@@ -179,10 +179,12 @@ void FillController::mend(Mending what, const std::set<int>& loops) {
 
 void FillController::bridge(int scan, int soup_a, int soup_b) {
   if (busy() || !document_.scan(scan)) return;
-  run_mending(Mending::bridge, {{scan, document_.scan(scan), {}, {soup_a, soup_b}}});
+  run_mending(Mending::bridge, {{scan, document_.scan(scan), {}, {soup_a, soup_b}, 0}});
 }
 
 void FillController::run_mending(Mending what, std::vector<MendingTask> tasks) {
+  for (MendingTask& task : tasks)
+    for (const OpenPatch& patch : document_.patches()) task.patches += patch.scan == task.scan;
   const JobPtr job = begin(Activity::filling, mending_title(what));
   tasks_.run(
       job,
@@ -203,6 +205,7 @@ void FillController::run_mending(Mending what, std::vector<MendingTask> tasks) {
           if (one.made) {
             replace_scans({one.scan}, one.made, one.title);
             Q_EMIT logged(one.words);
+            if (one.lost_patches > 0) Q_EMIT notice(tr("%1 The patches of this scan were removed.").arg(one.words));
           } else {
             Q_EMIT notice(labels::sentence(one.words));
           }

@@ -72,13 +72,15 @@ MendedScan bridged(const MendingTask& task) {
 }  // namespace
 
 std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
+  std::optional<MendedScan> result;
   switch (what) {
-    case Mending::trim: return trimmed(task);
-    case Mending::stitch: return stitched(task);
-    case Mending::repair: return repaired(task);
-    case Mending::bridge: return bridged(task);
+    case Mending::trim: result = trimmed(task); break;
+    case Mending::stitch: result = stitched(task); break;
+    case Mending::repair: result = repaired(task); break;
+    case Mending::bridge: result = bridged(task); break;
   }
-  return std::nullopt;
+  if (result) result->lost_patches = task.patches;
+  return result;
 }
 
 QString nothing_to_mend(Mending what) {

@@ -23,12 +23,14 @@ struct MendingTask {
   std::shared_ptr<const OpenedScan> opened;
   std::vector<BoundaryLoop> loops;
   std::array<int, 2> bridge_ends{-1, -1};  ///< soup points
+  int patches = 0;                         ///< of the scan, which the mended one will not have
 };
 
 struct MendedScan {
   int scan = 0;
   OpenedScanPtr made;    ///< null: it could not be mended, and `words` say why
   QString title, words;  ///< of the change, and of what was done
+  int lost_patches = 0;
 };
 
 /// The mended scan; empty where there is nothing to mend. @throws Error as the function of the engine does.

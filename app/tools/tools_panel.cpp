@@ -54,7 +54,8 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Pr
   bridge->setText(
       tr("Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On "
          "one "
-         "loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one."));
+         "loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one. "
+         "Patches of the scan are removed: bridge first, then fill."));
   bridge->setAlignment(Qt::AlignTop);
   pages_ = {none, group(tr("Region"), region), group(tr("Surface through points"), points),
             group(tr("Join boundaries"), blend), group(tr("Bridge"), bridge)};

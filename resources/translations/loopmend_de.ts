@@ -1165,6 +1165,10 @@
             <source>Bridging a hole</source>
             <translation>Loch wird überbrückt</translation>
         </message>
+        <message>
+            <source>%1 The patches of this scan were removed.</source>
+            <translation>%1 Die Flicken dieses Scans wurden entfernt.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowBox</name>
@@ -2871,10 +2875,6 @@
             <translation>Ein Loch durch einen Streifen zwischen zweien seiner Ecken in zwei teilen (G)</translation>
         </message>
         <message>
-            <source>Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On one loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one.</source>
-            <translation>Klicken Sie zwei Ecken eines Randes an. Sofort wird ein Flächenstreifen zwischen sie gelegt; Strg+Z nimmt ihn zurück. Auf einem Rand entstehen so zwei einfachere Löcher, von denen Sie auch nur eines füllen können. Zwischen zwei Rändern verbindet er sie zu einem.</translation>
-        </message>
-        <message>
             <source>Join two or more boundaries by one patch (B)</source>
             <translation>Zwei oder mehr Ränder durch einen Flicken verbinden (B)</translation>
         </message>
@@ -2885,6 +2885,10 @@
         <message>
             <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two.</source>
             <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei.</translation>
+        </message>
+        <message>
+            <source>Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On one loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one. Patches of the scan are removed: bridge first, then fill.</source>
+            <translation>Klicken Sie zwei Ecken eines Randes an. Sofort wird ein Flächenstreifen zwischen sie gelegt; Strg+Z nimmt ihn zurück. Auf einem Rand entstehen so zwei einfachere Löcher, von denen Sie auch nur eines füllen können. Zwischen zwei Rändern verbindet er sie zu einem. Flicken des Scans werden entfernt: erst überbrücken, dann füllen.</translation>
         </message>
     </context>
     <context>
