@@ -30,6 +30,7 @@ PatchResult run_flow(const Patch& start, const EvolutionOptions& options, const 
   if (is_judged(options) && result.method != Method::flow && evolution.roughness()) {
     RimRoughness boundary = *evolution.roughness();
     if (result.method == Method::robust_fairing) boundary.rough_share = 1;  // here there is nothing in between
+    if (result.method != Method::denoised_flow) boundary.noise_share = 0;   // no noise was taken off
     result.reason = reason_for(boundary);
   }
   result.patch = evolution.patch();

@@ -96,9 +96,8 @@ bool flat_cap(const Situation& s, PatchResult& result) {
 }
 
 constexpr const char* flat_cut_reason =
-    "the boundary lies in a plane that the surface runs into without bending, so that it was closed flat; boundary "
-    "exact asks "
-    "for the flow itself";
+    "the boundary lies in a plane that the surface runs into without bending, so that it was closed flat; "
+    "--boundary exact runs the flow itself";
 
 bool is_flat(const Situation& s) { return s.flat_cut; }
 bool trusts_flow(const Situation& s) { return !s.is_rough(); }
