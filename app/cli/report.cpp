@@ -4,6 +4,7 @@
 #include "outputs.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace loopmend {
 
@@ -65,13 +66,13 @@ namespace {
 
 Json rim_json(const HoleResult& result) {
   const RimSummary rim = result.neighborhood();
-  return {{"surroundings", to_string(rim.roughness.kind)},
-          {"rough_share", number(rim.roughness.rough_share)},
-          {"noise_share", number(rim.roughness.noise_share)},
+  return {{"surroundings", to_string(rim.split.kind())},
+          {"relief", number(rim.relief)},
+          {"relief_per_edge", number(rim.relief_per_edge)},
           {"noise", number(rim.noise)},
           {"noise_per_edge", number(rim.noise_per_edge)},
-          {"unevenness", number(rim.roughness.unevenness)},
-          {"correlation", number(rim.roughness.correlation)},
+          {"relief_wavelength", number(2 * std::numbers::pi * rim.split.relief)},
+          {"noise_wavelength", number(2 * std::numbers::pi * rim.split.noise)},
           {"normal_sigma_deg", number(rim.normal_sigma_deg)},
           {"h_rms", number(rim.H)},
           {"h_sigma", number(rim.H_sigma)},

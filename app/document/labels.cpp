@@ -165,14 +165,10 @@ QString surroundings(Surroundings kind) {
 }
 
 QString rim_help(const RimSummary& rim) {
-  return tr("What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits "
-            "tell the "
-            "normal at the boundary to %3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the "
-            "section "
-            "shows "
-            "it.")
-      .arg(number(rim.noise), QString::number(100 * rim.noise_per_edge, 'g', 2), number(rim.normal_sigma_deg),
-           number(rim.H_sigma), number(rim.H));
+  return tr("Relief around the hole is %1 % of an edge high, noise %2 %. The fits tell the normal at the boundary to "
+            "%3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.")
+      .arg(QString::number(100 * rim.relief_per_edge, 'g', 2), QString::number(100 * rim.noise_per_edge, 'g', 2),
+           number(rim.normal_sigma_deg), number(rim.H_sigma), number(rim.H));
 }
 
 QString hole_name(const Document& document, int loop) {

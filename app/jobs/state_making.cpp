@@ -8,7 +8,7 @@ namespace loopmend {
 
 std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch) {
   auto rim = std::make_shared<RimKnowledge>();
-  rim->loops = rim_summaries(patch, rim_roughness(patch));
+  rim->loops = rim_summaries(patch, estimate_split(patch));
   rim->curvature_uncertainty = curvature_uncertainty(patch);
   return rim;
 }

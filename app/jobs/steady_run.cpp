@@ -18,9 +18,8 @@ std::string message_of(const PatchResult& result) {
     switch (result.method) {
       case Method::robust_fairing: return "robust fairing in place of the flow";
       case Method::linear_fairing: return "linear fairing in place of the flow";
-      case Method::interpolated: return "between the flow's patch and robust fairing";
+      case Method::split_flow: return "the flow on the smooth surface under the scan";
       case Method::mixed_order: return "the flow with bending energy mixed in";
-      case Method::denoised_flow: return "the flow next to a surface without noise";
       case Method::initial_patch:
       case Method::flow: break;
     }

@@ -38,7 +38,7 @@ QComboBox* make_boundary_choice(const char* name) {
     choice->setItemData(choice->count() - 1, help, Qt::ToolTipRole);
   };
   add(tr("Auto"), BoundaryTrust::automatic,
-      tr("As far as it can be trusted: the flow on smooth scans, robust fairing on rough ones."));
+      tr("As far as it can be trusted: the flow, on rough and noisy scans on the smooth surface under them."));
   add(tr("Exact"), BoundaryTrust::exact, tr("As it is: the flow itself, also on rough scans."));
   add(tr("Robust"), BoundaryTrust::robust, tr("Hardly: robust fairing in place of the flow."));
   return choice;

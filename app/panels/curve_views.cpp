@@ -21,7 +21,7 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr int blue = 0, orange = 1, grey = 2;
-enum EnergyGraph { energy_graph, residual_graph };
+enum EnergyGraph { energy_graph, residual_graph, smooth_graph, relief_graph };
 enum SectionGraph { around_now, patch_now, patch_before, band_low, band_high };
 
 QString energy_unit(FlowKind flow) {
@@ -32,6 +32,23 @@ QString energy_unit(FlowKind flow) {
   }
 }
 
+/// J of a split flow (split/split_energy.h), which it lowers, and its parts; ∫‖∇H‖² of the patch with its relief need not fall.
+struct SplitCurves {
+  QVector<double> step, total, smooth, relief;
+
+  explicit SplitCurves(const OpenPatch* patch) {
+    if (!patch) return;
+    for (const PatchStatePtr& state : *patch->timeline) {
+      const SplitEnergy& J = state->last_step.split;
+      if (state->steps == 0 || !(J.total() > 0)) continue;
+      step << state->steps;
+      total << J.total();
+      smooth << J.smooth;
+      relief << J.relief + J.noise;
+    }
+  }
+};
+
 }  // namespace
 
 EnergyView::EnergyView(QWidget* parent)
@@ -41,6 +58,8 @@ EnergyView::EnergyView(QWidget* parent)
   plot_->set_axis(Plot::Side::right, Plot::Scale::logarithmic);
   plot_->add_graph(Plot::Side::left, tr("Energy"), Plot::Line::solid, blue);
   plot_->add_graph(Plot::Side::right, tr("Residual, edge lengths (right)"), Plot::Line::dotted, orange);
+  plot_->add_graph(Plot::Side::left, QString(), Plot::Line::dotted, blue);
+  plot_->add_graph(Plot::Side::left, QString(), Plot::Line::solid, grey);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -77,8 +96,18 @@ void EnergyView::show_run(const OpenPatch* patch) {
     step.clear();
     energy.clear();
   }
-  plot_->set_data(energy_graph, step, energy);
+  const SplitCurves split(patch);
+  const bool is_split = !split.step.empty();
+  if (is_split) {
+    plot_->set_name(energy_graph, tr("J, which the flow lowers"));
+    plot_->set_axis(Plot::Side::left, Plot::Scale::linear);
+  }
+  plot_->set_name(smooth_graph, is_split ? tr("its smooth part") : QString());
+  plot_->set_name(relief_graph, is_split ? tr("relief and noise") : QString());
+  plot_->set_data(energy_graph, is_split ? split.step : step, is_split ? split.total : energy);
   plot_->set_data(residual_graph, residual_step, residual);
+  plot_->set_data(smooth_graph, split.step, split.smooth);
+  plot_->set_data(relief_graph, split.step, split.relief);
   if (patch) plot_->set_marker(patch->state->steps);
   if (step.size() < 2) plot_->hide_marker();
   plot_->show_words(step.size() < 2 ? tr("Run a flow, and its energy is drawn here.") : QString());

@@ -71,7 +71,13 @@ void Plot::set_axis(Side side, Scale scale) {
   }
 }
 
-void Plot::set_name(int graph, const QString& name) { plot_->graph(graph)->setName(name); }
+void Plot::set_name(int graph, const QString& name) {
+  plot_->graph(graph)->setName(name);
+  if (name.isEmpty())
+    plot_->graph(graph)->removeFromLegend();
+  else
+    plot_->graph(graph)->addToLegend();
+}
 
 int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
   QCPGraph* graph = plot_->addGraph(plot_->xAxis, axis(side));

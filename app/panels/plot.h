@@ -34,7 +34,7 @@ class Plot : public QWidget {
   /// Tints what lies between two graphs, in the colour of the first; they leave the legend's lines and the fit of the axis
   /// alone.
   void make_band(int low, int high);
-  void set_name(int graph, const QString& name);
+  void set_name(int graph, const QString& name);  ///< empty: not in the legend
   /// Something else says which line is which.
   void drop_legend();
   /// Its values do not decide how far the axis reaches.

@@ -56,7 +56,9 @@ void StatusLine::show_figures(int patch_id) {
     return;
   }
   const PatchState& state = *patch->state;
-  QString text = tr("step %1 \u00b7 energy %2").arg(state.steps).arg(labels::number(state.energy.final));
+  const double J = state.last_step.split.total();
+  QString text = J > 0 ? tr("step %1 \u00b7 J %2").arg(state.steps).arg(labels::number(J))
+                       : tr("step %1 \u00b7 energy %2").arg(state.steps).arg(labels::number(state.energy.final));
   if (state.last_step.max_move > 0) text += tr(" \u00b7 residual %1").arg(labels::number(state.last_step.max_move));
   if (state.last_step.tau > 0)
     text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2")

@@ -5,6 +5,8 @@
 #include "evolution/multilevel.h"
 #include "evolution/robust_fairing.h"
 #include "evolution/semi_implicit.h"
+#include "evolution/split_descent.h"
+#include "operators/curvature_energy.h"
 
 #include <cmath>
 
@@ -26,20 +28,14 @@ bool is_judged(const EvolutionOptions& options) {
          options.continuity == SeamContinuity::curvature;
 }
 
-std::string reason_for(const RimRoughness& boundary) {
-  constexpr const char* how = "; --boundary exact runs the flow itself";
-  if (boundary.rough_share >= 1)
-    return std::string(
-               "the curvature around the hole changes abruptly, by roughness or an edge, and tells little about "
-               "the hole") +
-           how;
-  if (boundary.rough_share > 0)
-    return "the curvature around the hole changes abruptly in part and counts for " +
-           std::to_string(std::lround(100 * (1 - boundary.rough_share))) + " % at most" + how;
-  if (boundary.noise_share > 0)
-    return std::string("the scan around the hole is noisy, and the flow meets the surface without the noise") + how;
-  if (boundary.bending > 0)
-    return std::string("the curvature around the hole changes over lengths shorter than the hole") + how;
+std::string reason_for(const SplitEstimate& estimate, Method method) {
+  const std::string scan = !std::isfinite(estimate.relief_height)
+                               ? "the scan around the hole does not tell shape from relief"
+                           : estimate.kind() == Surroundings::noisy ? "the scan around the hole is noisy"
+                                                                    : "the scan around the hole has relief";
+  const std::string how = "; --boundary exact runs the flow itself";
+  if (method == Method::split_flow) return scan + ": the flow runs on the smooth surface under it" + how;
+  if (method == Method::robust_fairing) return scan + ", so that its curvature counts little" + how;
   return "";
 }
 
@@ -48,58 +44,65 @@ std::string method_name(Method method, FlowKind flow) {
   switch (method) {
     case Method::initial_patch: return "initial_patch";
     case Method::flow: return name;
+    case Method::split_flow: return name + "_split";
     case Method::mixed_order: return name + "_mixed_order";
-    case Method::denoised_flow: return name + "_denoised";
     case Method::robust_fairing: return "robust_fairing";
     case Method::linear_fairing: return "linear_fairing";
-    case Method::interpolated: return name + "_and_robust_fairing";
   }
   return "";
 }
 
 namespace {
 
-constexpr double smooth_unevenness = 0.1;  ///< RimRoughness::unevenness of a smooth surface on a fair mesh is below
+/// Free vertices: above, the matrices of the split, twice as large, take too long, and robust fairing stands in.
+constexpr int most_split = 30'000;
 
 /// What the options and the boundary data lead to.
 struct Plan {
   Method method = Method::flow;
   Objective objective;
-  double bending = 0;                     ///< β in force
-  std::optional<RimRoughness> roughness;  ///< MMCVF to the steady state only
+  double bending = 0;                  ///< β in force
+  double radius = 0;                   ///< of the patch, see patch_radius(); 0: not asked for
+  std::optional<SplitEstimate> split;  ///< MMCVF to the steady state only
 };
 
 bool to_steady_mmcvf(const EvolutionOptions& options) {
   return options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady;
 }
 
+/// Where the boundary data decide.
+Method method_for(const SplitEstimate& split, double literal_relief, const Patch& patch) {
+  if (split.is_exact(literal_relief)) return Method::flow;
+  return patch.free_count <= most_split ? Method::split_flow : Method::robust_fairing;
+}
+
+Method method_for(const EvolutionOptions& options, const SplitEstimate& split, const Patch& patch) {
+  if (options.continuity != SeamContinuity::curvature) return Method::linear_fairing;
+  if (options.boundary == BoundaryTrust::robust) return Method::robust_fairing;
+  if (options.bending.value_or(0) > 0) return Method::mixed_order;
+  return is_judged(options) ? method_for(split, options.literal_relief, patch) : Method::flow;
+}
+
 Plan plan_for(const EvolutionOptions& options, const Patch& patch) {
   Plan plan;
   plan.objective.flow = options.flow;
   if (!to_steady_mmcvf(options)) return plan;
-  plan.roughness = options.roughness ? options.roughness : rim_roughness(patch);
-  const double scale = plan.roughness->radius * plan.roughness->radius;
-  const bool automatic = options.boundary == BoundaryTrust::automatic;
-  const bool rough = automatic && !options.bending && plan.roughness->kind == Surroundings::rough;
-  if (options.continuity != SeamContinuity::curvature) {
-    plan.method = Method::linear_fairing;
-  } else if (rough || options.boundary == BoundaryTrust::robust) {
-    plan.method = Method::robust_fairing;
-    plan.bending = rough_bending;
-  } else {
-    plan.bending = options.bending.value_or(automatic ? plan.roughness->bending : 0);
-    if (plan.bending > 0) plan.method = Method::mixed_order;
-    plan.objective.reach = energy_reach;
-  }
-  if (plan.bending > 0) plan.objective.bending = plan.bending / scale;
+  plan.radius = patch_radius(patch);
+  plan.split = options.split ? options.split : estimate_split(patch);
+  plan.method = method_for(options, *plan.split, patch);
+  if (plan.method == Method::robust_fairing) plan.bending = rough_bending;
+  if (plan.method == Method::mixed_order) plan.bending = *options.bending;
+  if (plan.method == Method::flow || plan.method == Method::mixed_order) plan.objective.reach = energy_reach;
+  plan.objective.bending = plan.bending / (plan.radius * plan.radius);
   return plan;
 }
 
 std::unique_ptr<Stepper> stepper_for(const Plan& plan, const EvolvingPatch& patch) {
-  if (!plan.roughness) return std::make_unique<SemiImplicit>(patch);
+  if (!plan.split) return std::make_unique<SemiImplicit>(patch);
   if (plan.method == Method::linear_fairing || plan.method == Method::robust_fairing)
-    return std::make_unique<RobustFairing>(patch, plan.roughness->radius);
-  const bool smooth = plan.bending == 0 && plan.roughness->unevenness < smooth_unevenness;
+    return std::make_unique<RobustFairing>(patch, plan.radius);
+  if (plan.method == Method::split_flow) return std::make_unique<SplitDescent>(patch, *plan.split, plan.radius);
+  const bool smooth = plan.bending == 0 && plan.split->is_exact(SplitEstimate::exact_construction);
   return std::make_unique<Multilevel>(patch, smooth ? NearConvergence::cubic_fits : NearConvergence::quadratic_fits);
 }
 
@@ -156,8 +159,11 @@ const std::string& Evolution::message() const { return impl_->patch.message; }
 const std::vector<StepRecord>& Evolution::history() const { return impl_->patch.history; }
 double Evolution::initial_energy() const { return impl_->patch.initial_energy; }
 double Evolution::energy() const { return impl_->patch.energy(); }
-Method Evolution::method() const { return impl_->plan.method; }
+Method Evolution::method() const {
+  const bool stayed = impl_->plan.method == Method::split_flow && impl_->patch.status == PatchStatus::faired;
+  return stayed ? Method::robust_fairing : impl_->plan.method;
+}
 double Evolution::bending() const { return impl_->plan.bending; }
-const std::optional<RimRoughness>& Evolution::roughness() const { return impl_->plan.roughness; }
+const std::optional<SplitEstimate>& Evolution::split() const { return impl_->plan.split; }
 
 }  // namespace loopmend

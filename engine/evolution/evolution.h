@@ -7,8 +7,9 @@
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
 #include "rim/rim_blend.h"
-#include "rim/rim_roughness.h"
 #include "solvers/solver_kind.h"
+#include "split/split_energy.h"
+#include "split/split_estimate.h"
 
 #include <functional>
 #include <memory>
@@ -39,7 +40,8 @@ enum class SteadyStart {
 
 /// How MMCVF on its way to the steady state treats the boundary data.
 enum class BoundaryTrust {
-  automatic,  ///< as RimRoughness::kind says: the flow itself, robust fairing, or something between
+  automatic,  ///< as SplitEstimate says: the flow itself where they are exact, else its split form; very large patches
+              ///< robust fairing
   exact,      ///< literally, whatever it is: the flow itself
   robust,     ///< as on rough scans, whatever it is: robust fairing in place of the flow (rim_blend)
 };
@@ -54,14 +56,15 @@ struct EvolutionOptions {
   PatchTriangles triangles = PatchTriangles::free;
   SteadyStart start = SteadyStart::faired;
   /// MMCVF to the steady state minimises ∫‖∇H‖² + β/R² ∫H², R the patch's radius: β = 0 is the pure flow, 60 to 150 suits
-  /// rough scans. Empty: as the roughness of the surroundings asks for, 0 where they are smooth.
+  /// rough scans. Empty: the pure flow.
   std::optional<double> bending;
   BoundaryTrust boundary =
       BoundaryTrust::automatic;  ///< MMCVF to the steady state; `bending`, where given, counts more than automatic
   /// MMCVF to the steady state. Below curvature the patch is the linear fairing of that order, iterated.
   SeamContinuity continuity = SeamContinuity::curvature;
-  std::optional<RimRoughness>
-      roughness;  ///< of the surroundings, where the caller has measured it; else it is measured
+  /// MMCVF to the steady state with `automatic` boundary: relief that it takes literally, in boundary edges.
+  double literal_relief = SplitEstimate::exact_construction;
+  std::optional<SplitEstimate> split;  ///< of the surroundings, where the caller has it; else it is made where it is wanted
 };
 
 /// @throws InvalidArgument if an option is out of range.
@@ -70,19 +73,18 @@ void check(const EvolutionOptions& options);
 /// True if the boundary data decide how far the flow itself runs: nothing in the options does.
 bool is_judged(const EvolutionOptions& options);
 
-/// Why the boundary data ask for something else than the flow, and how to get the flow all the same. Empty if they do not.
-std::string reason_for(const RimRoughness& boundary);
-
 /// What shaped a patch.
 enum class Method {
   initial_patch,  ///< triangulation and remeshing; neither flow nor fairing
   flow,           ///< the flow that was asked for, with the boundary data as they are
+  split_flow,   ///< MMCVF on the smooth part of the scan, relief and noise split off: SplitProblem
   mixed_order,  ///< MMCVF with bending energy mixed in: ∫‖∇H‖² + β/R² ∫H², see EvolutionOptions::bending
-  denoised_flow,   ///< MMCVF between boundary data from which white noise was taken off
   robust_fairing,  ///< a few linear fairings that weigh the boundary data; no flow
   linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, up to twelve times; no flow
-  interpolated,    ///< between the patches of MMCVF and of robust fairing
 };
+
+/// Why the boundary data ask for something else than the flow, and how to get the flow all the same. Empty if they do not.
+std::string reason_for(const SplitEstimate& estimate, Method method);
 
 /// The word of reports: "mmcvf", "mmcvf_mixed_order", "robust_fairing", ...
 std::string method_name(Method method, FlowKind flow);
@@ -98,6 +100,7 @@ struct StepRecord {
   double sigma = 0;     ///< the step's size, dimensionless; of a Gauss-Newton step only roughly known
   double tau = 0;       ///< the step's size in the flow's own time, mesh units
   double max_move = 0;  ///< largest move of a vertex, in mean edge lengths of the patch
+  SplitEnergy split;    ///< of a step of Method::split_flow, what the descent lowers; else zero
   int rejections = 0;   ///< trials thrown away before this one was accepted
   int iterations = 0;   ///< of GMRES or conjugate gradients over all trials; none in linear fairings
   int factorizations = 0;  ///< made for this step, since those of earlier steps were no good; not of linear fairings
@@ -136,7 +139,7 @@ class Evolution {
   Method method() const;          ///< of the steps that the present options lead to
   double bending() const;         ///< β in force, see EvolutionOptions::bending; 0 for the pure flow
   /// Of the surroundings of the patch as it was at the last set_options(). Empty but for MMCVF to the steady state.
-  const std::optional<RimRoughness>& roughness() const;
+  const std::optional<SplitEstimate>& split() const;
 
  private:
   struct Impl;

@@ -2,57 +2,85 @@
 #include "pipeline/attempt.h"
 
 #include "core/threads.h"
+#include "evolution/state.h"
 #include "mesh/quality.h"
-#include "rim/white_noise.h"
+#include "pipeline/local_rollback.h"
 
 namespace loopmend {
 
 namespace {
 
-/// A single vertex off its place is of no account a few edges away.
-double reach_of_outliers(const Patch& initial) {
-  return mean_edge_length(initial.positions, initial.triangles, initial.patch_triangles);
+double energy_of(const Patch& patch, FlowKind flow) {
+  return shown_energy(flow, make_state(patch, {flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
 }
 
-/// What the flow sets out from, between the boundary data that it is to meet.
-Patch with_boundary_data(const PatchProblem& problem, const BoundaryData& boundary, const Patch& start) {
-  if (boundary.noise_share > 0) return without_noise(start, problem.scan.model, boundary.noise_share);
-  if (boundary.calm == nullptr) return start;
-  return with_noise_again(start, boundary.calm->patch, reach_of_outliers(problem.initial));
+std::string message_on_outliers(int strays) {
+  return strays == 1
+             ? "one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it"
+             : std::to_string(strays) +
+                   " boundary vertices are outliers: the patch meets them, but does not take its curvature from them";
 }
 
-/// What it came to, between the neighborhood as it is.
-Patch with_scan_data(const PatchProblem& problem, const BoundaryData& boundary, const Patch& evolved) {
-  if (boundary.noise_share > 0) return with_noise_again(evolved, problem.initial);
-  if (boundary.calm == nullptr) return evolved;
-  return with_noise_again(evolved, problem.initial, reach_of_outliers(problem.initial));
+/// Takes the patch with the places given back where it would fold or intersect. @returns false if there is no such patch.
+bool take_rolled_back(const AttemptContext& context, const Patch& start, const Evolution& evolution,
+                      PatchResult& result) {
+  const PatchProblem& problem = context.problem;
+  std::optional<LocalRollback> rollback = roll_back_locally(problem.scan, start, evolution.patch(),
+                                                            validate(problem.scan, problem.initial), context.cancel);
+  if (!rollback) return false;
+  result.patch = std::move(rollback->patch);
+  result.validity = std::move(rollback->validity);
+  result.seams = seam_reports(result.patch);
+  result.status = evolution.status();
+  result.method = evolution.method();
+  result.energy.final = energy_of(result.patch, evolution.options().flow);
+  result.message = rollback->moved == 0
+                       ? ""
+                       : "the patch would have folded or cut the surface at a few places: there, at " +
+                             std::to_string(rollback->moved) + " of its " + std::to_string(result.patch.free_count) +
+                             " vertices, it goes back towards what it set out from";
+  return true;
+}
+
+bool roll_back(const AttemptContext& context, const Patch& start, const EvolutionOptions& options,
+               PatchResult& result) {
+  Evolution evolution(start, options);
+  const PatchStatus status = evolution.run(context.on_step, context.cancel);
+  if (status == PatchStatus::cancelled || status == PatchStatus::stalled) return false;
+  take_figures(evolution, result);
+  return take_rolled_back(context, start, evolution, result);
 }
 
 }  // namespace
 
-std::string message_on_outliers(const BoundaryData& boundary) {
-  if (boundary.calm == nullptr) return "";
-  return boundary.calm->strays == 1
-             ? "one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it"
-             : std::to_string(boundary.calm->strays) +
-                   " boundary vertices are outliers: the patch meets them, but does not take its curvature from them";
-}
-
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result) {
   const PatchProblem& problem = context.problem;
-  Evolution evolution(with_boundary_data(problem, context.boundary, start), options);
-  const PatchStatus status = evolution.run(context.on_step, context.cancel);
+  const double reach =
+      mean_edge_length(problem.initial.positions, problem.initial.triangles, problem.initial.patch_triangles);
+  const Patch from = context.calm ? carried_to(context.calm->patch, start, reach) : start;
+  Evolution evolution(from, options);
+  Patch faired = from;  // where the descent of a split sets out
+  const PatchStatus status = evolution.run(
+      [&](const Evolution& run, const StepRecord& record) {
+        if (run.method() == Method::split_flow && record.split.total() == 0) faired = run.patch();
+        if (context.on_step) context.on_step(run, record);
+      },
+      context.cancel);
   take_figures(evolution, result);
   if (status == PatchStatus::cancelled) return false;
   if (status == PatchStatus::stalled && evolution.history().empty()) {
     result.message = "the flow could not start: " + evolution.message();
     return false;
   }
-  Patch patch = with_scan_data(problem, context.boundary, evolution.patch());
+  result.reason = is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : "";
+  Patch patch = context.calm ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch();
   Validity validity;
   std::vector<SeamReport> seams;
   parallel_invoke([&] { validity = validate(problem.scan, patch); }, [&] { seams = seam_reports(patch); });
   if (!validity.is_clean() && !no_worse(validity, validate(problem.scan, problem.initial))) {
+    if (evolution.method() == Method::split_flow && !context.calm &&
+        take_rolled_back(context, faired, evolution, result))
+      return true;
     result.message = "the flow would have folded the patch or cut the surface";
     return false;
   }
@@ -60,9 +88,20 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   result.validity = std::move(validity);
   result.seams = std::move(seams);
   result.status = status;
-  result.method = context.boundary.noise_share > 0 ? Method::denoised_flow : evolution.method();
-  result.message = evolution.message().empty() ? message_on_outliers(context.boundary) : evolution.message();
+  result.method = evolution.method();
+  result.message =
+      evolution.message().empty() && context.calm ? message_on_outliers(context.calm->strays) : evolution.message();
   return true;
+}
+
+bool run_with_rollback(const AttemptContext& context, const Patch& start, const EvolutionOptions& options,
+                       PatchResult& result) {
+  for (const PatchTriangles triangles : {PatchTriangles::kept, PatchTriangles::fixed}) {
+    EvolutionOptions same_vertices = options;
+    same_vertices.triangles = triangles;
+    if (roll_back(context, start, same_vertices, result)) return true;
+  }
+  return false;
 }
 
 }  // namespace loopmend

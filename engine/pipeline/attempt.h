@@ -4,7 +4,7 @@
 
 #include "pipeline/patch_result.h"
 #include "pipeline/validate.h"
-#include "rim/rim_survey.h"
+#include "rim/stray_vertices.h"
 
 #include <optional>
 #include <vector>
@@ -17,27 +17,23 @@ struct PatchProblem {
   const Patch& initial;
   /// That make_initial_patch() made it for; empty where it is no such patch: attempts have no other start then.
   const std::vector<BoundaryLoop>& loops;
-  const RimSurvey* survey = nullptr;  ///< of the initial patch's neighborhood, where it is known already
-};
-
-/// The boundary data that the flow meets in place of the scan's.
-struct BoundaryData {
-  double noise_share = 0;                  ///< of the white noise that is taken off
-  const CalmSurroundings* calm = nullptr;  ///< the neighborhood without its outliers; null: as it is
 };
 
 struct AttemptContext {
   const PatchProblem& problem;
-  BoundaryData boundary;
+  /// The surroundings without their outliers, which the patch meets all the same; null: as they are.
+  const CalmSurroundings* calm;
   const Evolution::OnStep& on_step;
   const CancelToken& cancel;
 };
 
-/// One run of the flow. @returns true if its result may be kept: if it is no worse than the initial patch. Where not, its
+/// One run of the flow. The split form of MMCVF, where it would fold or intersect at a few places, goes back to its fairings
+/// there, and its message says so. @returns true if its result may be kept: if it is no worse than the initial patch. Where not, its
 /// message says why.
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result);
 
-/// What is said of a patch that was made without the outliers; empty where there are none.
-std::string message_on_outliers(const BoundaryData& boundary);
+/// The same, but where the result would fold or intersect, it goes back to `start` at these places and there alone.
+bool run_with_rollback(const AttemptContext& context, const Patch& start, const EvolutionOptions& options,
+                       PatchResult& result);
 
 }  // namespace loopmend

@@ -27,12 +27,7 @@ PatchResult run_flow(const Patch& start, const EvolutionOptions& options, const 
   result.message = evolution.message();
   result.flow = options.flow;
   result.method = evolution.method();
-  if (is_judged(options) && result.method != Method::flow && evolution.roughness()) {
-    RimRoughness boundary = *evolution.roughness();
-    if (result.method == Method::robust_fairing) boundary.rough_share = 1;  // here there is nothing in between
-    if (result.method != Method::denoised_flow) boundary.noise_share = 0;   // no noise was taken off
-    result.reason = reason_for(boundary);
-  }
+  if (is_judged(options) && evolution.split()) result.reason = reason_for(*evolution.split(), result.method);
   result.patch = evolution.patch();
   result.validity = patch_validity(result.patch);
   take_figures(evolution, result);

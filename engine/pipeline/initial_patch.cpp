@@ -3,7 +3,7 @@
 
 #include "core/threads.h"
 #include "pipeline/flat_cut.h"
-#include "rim/rim_roughness.h"
+#include "split/split_estimate.h"
 
 #include <algorithm>
 #include <chrono>
@@ -59,15 +59,10 @@ Patch without_patches(const SurfaceModel& model, const std::vector<BoundaryLoop>
   return make_patch(model, loops, empty);
 }
 
-/// What a loop asks for where that is all or nothing: 0 the flow itself, 1 the flow without the noise, 2 robust fairing. −1
-/// where it is something between, which is different for every loop.
-int treatment_of(const RimRoughness& boundary) {
-  if (boundary.rough_share >= 1) return 2;
-  if (boundary.rough_share > 0 || boundary.bending > 0) return -1;
-  return boundary.noise_share == 0 ? 0 : boundary.noise_share >= 1 ? 1 : -1;
-}
+/// What a loop asks for: 0 the flow itself. −1 where it is split, since every loop has a split of its own.
+int treatment_of(const SplitEstimate& estimate) { return estimate.is_exact() ? 0 : -1; }
 
-constexpr int treatment_of_a_flat_cut = 3;
+constexpr int treatment_of_a_flat_cut = 1;
 
 template <class T>
 std::vector<T> picked(const std::vector<T>& all, const std::vector<int>& which) {
@@ -177,7 +172,7 @@ InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<Bo
     make();
     return initial;
   }
-  parallel_invoke(make, [&] { survey = survey_rim(without_patches(model, group)); });
+  parallel_invoke(make, [&] { survey = survey_rim(without_patches(model, group), cancel); });
   if (initial.patch) initial.survey = std::move(survey);
   return initial;
 }
@@ -198,7 +193,7 @@ std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const Init
       return treatment_of_a_flat_cut;
     const std::optional<Patch> patch =
         joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);
-    return patch ? treatment_of(rim_roughness(*patch)) : -1;
+    return patch ? treatment_of(estimate_split(*patch)) : -1;
   };
   std::map<int, std::vector<int>> of_treatment;
   for (int k = 0; k < static_cast<int>(group.loops.size()); ++k) of_treatment[treatment({k})].push_back(k);

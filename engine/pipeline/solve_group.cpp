@@ -161,19 +161,17 @@ class GroupSolver {
 
   PatchResult solved(const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
-    const RimSurvey survey = initial.survey ? *initial.survey : survey_rim(*initial.patch);
+    const RimSurvey survey = initial.survey ? *initial.survey : survey_rim(*initial.patch, cancel_);
     const bool evolved = initial.origin == InitialPatch::Origin::evolved;
     const std::vector<BoundaryLoop> loops = evolved ? std::vector<BoundaryLoop>() : initial.loops;
-    const PatchProblem problem{scan_, *initial.patch, loops, &survey};
+    const PatchProblem problem{scan_, *initial.patch, loops};
     PatchResult result;
-    RimRoughness roughness;
     std::vector<SeamReport> before;
     parallel_invoke(
         [&] {
-          roughness = rim_roughness(*initial.patch, survey.fits);
           if (options_.evolution) {
             EvolutionOptions evolution = *options_.evolution;
-            evolution.roughness = roughness;
+            evolution.split = survey.split;
             result = solve_patch(problem, evolution, on_step_, cancel_);
           } else {
             result = initial_result(problem, FlowKind::mmcvf);
@@ -182,7 +180,7 @@ class GroupSolver {
         [&] { before = seam_reports(*initial.patch); });
     if (result.seams.empty()) result.seams = before;
     result.seams_before = std::move(before);
-    result.neighborhood = rim_summaries(*initial.patch, roughness, survey.loops);
+    result.neighborhood = rim_summaries(*initial.patch, survey.split, survey.loops);
     result.seconds.initial_patch = initial.seconds;
     result.seconds.total = initial.seconds + seconds_since(start);
     return result;

@@ -4,7 +4,6 @@
 #include "pipeline/flat_cut.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/multi_start.h"
-#include "pipeline/rough_neighborhood.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,13 +15,14 @@ namespace {
 /// One problem with all that decides which attempts are made.
 struct Situation {
   AttemptContext context;
-  EvolutionOptions options;  ///< as asked for
-  std::optional<JudgedNeighborhood> judged;
-  std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
-  bool flat_cut = false;               ///< every loop is one, and the options leave that to be judged
+  EvolutionOptions options;              ///< as asked for
+  std::optional<SplitEstimate> split;    ///< where the options leave the treatment of the boundary to be judged
+  std::optional<CalmSurroundings> calm;  ///< where single vertices stand off surroundings that are smooth without them
+  std::optional<Patch> triangulation;    ///< the initial patch before it was relaxed
+  bool flat_cut = false;                 ///< every loop is one, and the options leave that to be judged
 
   const Patch& initial() const { return context.problem.initial; }
-  bool is_rough() const { return judged && judged->roughness.rough_share > 0; }
+  bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
 };
 
 /// The initial patch of the same loops before it was relaxed. Empty if there is none.
@@ -40,13 +40,8 @@ std::optional<Patch> triangulation_of(const PatchProblem& problem, const CancelT
 }
 
 bool flow_from_the_best_start(const Situation& s, PatchResult& result) {
-  EvolutionOptions options = s.options;
-  if (const double noise_share = s.context.boundary.noise_share; noise_share > 0)
-    options.bending = (1 - noise_share) * s.judged->roughness.bending;
-  else if (s.judged)
-    options.roughness = s.judged->roughness;
   result = best_of_starts(
-      s.initial(), options, s.context.cancel,
+      s.initial(), s.options, s.context.cancel,
       [&](const Patch& start, const EvolutionOptions& from) {
         PatchResult run;
         run.patch = s.initial();
@@ -57,18 +52,30 @@ bool flow_from_the_best_start(const Situation& s, PatchResult& result) {
   return result.status != PatchStatus::filled;
 }
 
+EvolutionOptions robust(EvolutionOptions options) {
+  options.boundary = BoundaryTrust::robust;
+  return options;
+}
+
+bool split_from(const Patch& start, const Situation& s, PatchResult& result) {
+  return run_once(s.context, start, s.options, result);
+}
+
 bool robust_from(const Patch& start, const Situation& s, PatchResult& result) {
-  return run_robustly(s.context, start, s.options, s.judged->roughness, result);
+  if (!run_once(s.context, start, robust(s.options), result)) return false;
+  result.reason = reason_for(*s.split, result.method);
+  return true;
 }
 
 bool rollback_from(const Patch& start, const Situation& s, PatchResult& result) {
-  return run_with_rollback(s.context, start, s.options, s.judged->roughness, result);
+  if (!run_with_rollback(s.context, start, robust(s.options), result)) return false;
+  result.reason = reason_for(*s.split, result.method);
+  return true;
 }
 
-/// With other options, between the neighborhood without its outliers.
-bool fall_back(const Situation& s, EvolutionOptions options, PatchResult& result) {
-  const AttemptContext context{s.context.problem, {0, s.context.boundary.calm}, s.context.on_step, s.context.cancel};
-  return run_once(context, s.initial(), options, result);
+/// With other options, from the initial patch.
+bool fall_back(const Situation& s, const EvolutionOptions& options, PatchResult& result) {
+  return run_once(s.context, s.initial(), options, result);
 }
 
 bool mixed_order(const Situation& s, double bending, PatchResult& result) {
@@ -119,11 +126,16 @@ struct Attempt {
 
 using Stage = Attempt::Stage;
 
-/// From top to bottom, the first that holds. A flat cap on a flat cut. The flow where the boundary data can be trusted; where they are rough, robust
-/// fairing, best from a start that was not relaxed, and rollback where that folds at a few places; then what bulges less.
+/// From top to bottom, the first that holds. A flat cap on a flat cut. The flow where the boundary data are exact; else its
+/// split form, best from a start that was not relaxed; where that folds or intersects, robust fairing, and rollback where that
+/// does so at a few places; then what bulges less.
 const Attempt attempts[] = {
     {Stage::asked_for, "flat cap", is_flat, flat_cap},
     {Stage::asked_for, "flow", trusts_flow, flow_from_the_best_start},
+    {Stage::asked_for, "split from triangulation", has_triangulation,
+     [](const Situation& s, PatchResult& result) { return split_from(*s.triangulation, s, result); }},
+    {Stage::asked_for, "split from initial patch", is_rough,
+     [](const Situation& s, PatchResult& result) { return split_from(s.initial(), s, result); }},
     {Stage::asked_for, "robust from triangulation", has_triangulation,
      [](const Situation& s, PatchResult& result) { return robust_from(*s.triangulation, s, result); }},
     {Stage::asked_for, "robust from initial patch", is_rough,
@@ -150,17 +162,18 @@ const Attempt flatter[] = {
 PatchResult first_that_holds(const Situation& s) {
   PatchResult result;
   std::vector<std::string> tried;
-  std::string reason = s.judged ? reason_for(s.judged->roughness) : "";
+  std::string why_fallback;
   bool falls_back = false;
   result.patch = s.initial();
   for (const Attempt& attempt : attempts) {
     if (!attempt.applies(s)) continue;
-    if (attempt.stage == Stage::fallback && !std::exchange(falls_back, true)) reason = result.message;
+    if (attempt.stage == Stage::fallback && !std::exchange(falls_back, true)) why_fallback = result.message;
     tried.emplace_back(attempt.name);
     const bool holds = attempt.run(s, result);
     if (s.context.cancel.cancelled()) result.status = PatchStatus::cancelled;
     if (!holds && !s.context.cancel.cancelled()) continue;
-    result.reason = attempt.run == flat_cap ? flat_cut_reason : reason;
+    if (attempt.run == flat_cap) result.reason = flat_cut_reason;
+    if (falls_back) result.reason = why_fallback;
     if (holds) result.made_by = attempt.name;
     result.attempts = std::move(tried);
     return result;
@@ -205,7 +218,6 @@ bool replace_by_flatter(const Situation& s, PatchResult& result) {
 PatchResult in_proportion(Situation& s, PatchResult result) {
   result.proportions = proportions_of(result.patch, s.initial());
   if (!out_of_proportion(result.proportions)) return result;
-  s.context.boundary = {};
   if (is_judged(s.options) && replace_by_flatter(s, result)) return result;
   result.status = PatchStatus::doubtful;
   result.message = "the patch is out of proportion: " + describe(*out_of_proportion(result.proportions)) +
@@ -231,14 +243,22 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
     return result;
   }
-  Situation situation{{problem, {}, on_step, cancel}, options, judge_neighborhood(problem, options), std::nullopt};
-  situation.flat_cut = is_judged(options) && !problem.loops.empty() &&
-                       std::all_of(problem.loops.begin(), problem.loops.end(),
-                                   [&](const BoundaryLoop& loop) { return is_flat_cut(problem.scan.model, loop); });
-  if (situation.judged) {
-    situation.options.roughness.reset();  // of the initial patch as it is: runs with other boundary data have another
-    situation.context.boundary.noise_share = situation.judged->roughness.noise_share;
-    if (situation.judged->calm) situation.context.boundary.calm = &*situation.judged->calm;
+  Situation situation{{problem, nullptr, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt};
+  if (is_judged(options)) {
+    if (CalmSurroundings calm = without_strays(problem.initial); calm.strays > 0) {
+      const SplitEstimate without = estimate_split(calm.patch, cancel);
+      if (without.is_exact(SplitEstimate::exact_construction)) {
+        situation.split = without;
+        situation.calm = std::move(calm);
+        situation.context.calm = &*situation.calm;
+      }
+    }
+    if (!situation.split) situation.split = options.split ? options.split : estimate_split(problem.initial, cancel);
+    situation.options.split = situation.split;
+    if (!problem.loops.empty()) situation.options.literal_relief = SplitEstimate::exact_hole;
+    situation.flat_cut = !problem.loops.empty() &&
+                         std::all_of(problem.loops.begin(), problem.loops.end(),
+                                     [&](const BoundaryLoop& loop) { return is_flat_cut(problem.scan.model, loop); });
   }
   if (situation.is_rough()) situation.triangulation = triangulation_of(problem, cancel);
   PatchResult result = first_that_holds(situation);

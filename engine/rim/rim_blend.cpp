@@ -95,21 +95,6 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
   return trust;
 }
 
-Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust) {
-  Points way(literal.vertex_count(), Vec3::Zero());  // the share at each vertex, in x
-  for (int i = literal.free_count; i < literal.vertex_count(); ++i)
-    way[i].x() = share / (share + (1 - share) * trust[i]);
-  for (int i = 0; i < literal.free_count; ++i) way[i].x() = share;
-  std::vector<int> own(literal.patch_triangles);
-  std::iota(own.begin(), own.end(), 0);
-  minimise_quadratic_form(clamped_cotan_stiffness(literal.positions, literal.triangles, own, robust_clamp), way, 0,
-                          literal.free_count);
-  Patch result = literal;
-  for (int i = 0; i < literal.free_count; ++i)
-    result.positions[i] += way[i].x() * (robust.positions[i] - literal.positions[i]);
-  return result;
-}
-
 bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius) {
   const SparseMatrix C = stiffness(patch);
   if (continuity == SeamContinuity::position) return minimise_quadratic_form(C, patch.positions, 0, patch.free_count);

@@ -26,12 +26,6 @@ Eigen::VectorXd data_trust(const Patch& patch, double radius);
 /// @param data  of data_trust.
 Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::VectorXd& data);
 
-/// The passage from one patch to the other, of the same vertices, as far as `share` says: each free vertex goes s of the
-/// way. On the loops s / (1 − s) = share / (1 − share) / trust, so that the better a rim vertex is trusted, the longer the
-/// literal patch is kept beside it; s runs harmonically into the patch.
-/// @param share  0..1. @param trust  #V, 0..1, as of rim_trust. @returns `literal` with its free vertices moved.
-Patch passage_between(const Patch& literal, const Patch& robust, double share, const Eigen::VectorXd& trust);
-
 /// αR² of the order blend on rough surroundings. Measured: 0, 10 and 30 differ by 2 %.
 inline constexpr double rough_bending = 10;
 

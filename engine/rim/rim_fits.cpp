@@ -41,14 +41,18 @@ std::vector<RimFit> fits_at(const std::vector<int>& vertices, const Patch& patch
 }
 
 RimSummary summary_of(const Patch& patch, const std::vector<int>& rim, const std::vector<RimFit>& fits,
-                      const RimRoughness& roughness) {
+                      const SplitEstimate& split) {
   RimSummary summary;
-  summary.roughness = roughness;
-  summary.noise = roughness.noise * patch.scale;
+  summary.split = split;
+  summary.relief = split.relief_height * patch.scale;
+  summary.noise = split.noise_height * patch.scale;
   double edges = 0;
   for (std::size_t k = 0; k < rim.size(); ++k)
     edges += (patch.positions[rim[(k + 1) % rim.size()]] - patch.positions[rim[k]]).norm();
-  if (edges > 0) summary.noise_per_edge = roughness.noise * static_cast<double>(rim.size()) / edges;
+  if (edges > 0) {
+    summary.relief_per_edge = split.relief_height * static_cast<double>(rim.size()) / edges;
+    summary.noise_per_edge = split.noise_height * static_cast<double>(rim.size()) / edges;
+  }
   for (const RimFit& fit : fits) {
     if (!fit.valid) continue;
     ++summary.fitted;
@@ -88,15 +92,15 @@ std::vector<float> curvature_uncertainty(const Patch& patch) {
   return sigma;
 }
 
-std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness) {
-  return rim_summaries(patch, roughness, rim_fits(patch, FixedSurface(patch)));
+std::vector<RimSummary> rim_summaries(const Patch& patch, const SplitEstimate& split) {
+  return rim_summaries(patch, split, rim_fits(patch, FixedSurface(patch)));
 }
 
-std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness,
+std::vector<RimSummary> rim_summaries(const Patch& patch, const SplitEstimate& split,
                                       const std::vector<std::vector<RimFit>>& fits) {
   std::vector<RimSummary> summaries;
   for (std::size_t l = 0; l < patch.loops.size(); ++l)
-    summaries.push_back(summary_of(patch, patch.loops[l], fits[l], roughness));
+    summaries.push_back(summary_of(patch, patch.loops[l], fits[l], split));
   return summaries;
 }
 

@@ -4,7 +4,7 @@
 
 #include "mesh/patch.h"
 #include "rim/fixed_surface.h"
-#include "rim/rim_roughness.h"
+#include "split/split_estimate.h"
 
 namespace loopmend {
 
@@ -29,9 +29,9 @@ std::vector<float> curvature_uncertainty(const Patch& patch);
 
 /// What a person wants to know of one rim. Mesh units.
 struct RimSummary {
-  RimRoughness roughness;                   ///< of the whole problem; patch frame
-  double noise = 0;                         ///< RimRoughness::noise, length
-  double noise_per_edge = 0;                ///< the same in mean edge lengths of the loop
+  SplitEstimate split;                      ///< of the whole problem; patch frame
+  double relief = 0, noise = 0;             ///< SplitEstimate's heights, length
+  double relief_per_edge = 0, noise_per_edge = 0;  ///< the same in mean edge lengths of the loop
   double normal_sigma_deg = 0;              ///< rms of RimFit::normal_sigma over the loop
   double H = 0, H_sigma = 0;                ///< rms over the loop, 1/length
   double gradient = 0, gradient_sigma = 0;  ///< rms over the loop, 1/length²
@@ -40,8 +40,8 @@ struct RimSummary {
 
 /// One for each loop, in the order of Patch::loops.
 /// @param fits  of rim_fits(patch).
-std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness,
+std::vector<RimSummary> rim_summaries(const Patch& patch, const SplitEstimate& split,
                                       const std::vector<std::vector<RimFit>>& fits);
-std::vector<RimSummary> rim_summaries(const Patch& patch, const RimRoughness& roughness);
+std::vector<RimSummary> rim_summaries(const Patch& patch, const SplitEstimate& split);
 
 }  // namespace loopmend

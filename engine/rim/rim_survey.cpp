@@ -3,9 +3,8 @@
 
 namespace loopmend {
 
-RimSurvey survey_rim(const Patch& patch) {
-  const FixedSurface around(patch);
-  return {fit_surroundings(patch, around), stray_distances(patch, around), rim_fits(patch, around)};
+RimSurvey survey_rim(const Patch& patch, const CancelToken& cancel) {
+  return {estimate_split(patch, cancel), rim_fits(patch, FixedSurface(patch))};
 }
 
 }  // namespace loopmend

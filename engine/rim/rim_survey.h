@@ -3,19 +3,17 @@
 #pragma once
 
 #include "rim/rim_fits.h"
-#include "rim/rim_roughness.h"
-#include "rim/stray_vertices.h"
+#include "split/split_estimate.h"
 
 namespace loopmend {
 
 struct RimSurvey {
-  SurroundingFits fits;
-  StrayDistances strays;
+  SplitEstimate split;
   std::vector<std::vector<RimFit>> loops;  ///< of Patch::loops
 };
 
 /// @param patch  its free vertices and own triangles are not looked at: there need not be any. The survey of a patch is that
 /// of every patch with the same loops, to the last bit.
-RimSurvey survey_rim(const Patch& patch);
+RimSurvey survey_rim(const Patch& patch, const CancelToken& cancel = {});
 
 }  // namespace loopmend

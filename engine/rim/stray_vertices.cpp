@@ -3,9 +3,12 @@
 
 #include "core/quantile.h"
 #include "mesh/quality.h"
+#include "filling/fairing.h"
+#include "operators/operator_set.h"
 #include "operators/polynomial_fit.h"
 
 #include <algorithm>
+#include <numeric>
 #include <array>
 #include <cmath>
 #include <set>
@@ -158,6 +161,23 @@ CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distan
     ++calm.strays;
   }
   return calm;
+}
+
+Patch carried_to(const Patch& original, const Patch& solved, double reach) {
+  Patch result = solved;
+  Points offset(result.vertex_count(), Vec3::Zero());
+  for (int k = 0; k < original.vertex_count() - original.free_count; ++k)
+    offset[result.free_count + k] = original.positions[original.free_count + k] - result.positions[result.free_count + k];
+  std::vector<int> own(result.patch_triangles);
+  std::iota(own.begin(), own.end(), 0);
+  SparseMatrix C = clamped_cotan_stiffness(result.positions, result.triangles, own, robust_clamp);
+  const Eigen::VectorXd fading = barycentric_areas(result.positions, result.triangles) / (reach * reach);
+  C += SparseMatrix(fading.asDiagonal());
+  minimise_quadratic_form(C, offset, 0, result.free_count);
+  for (int i = 0; i < result.free_count; ++i) result.positions[i] += offset[i];
+  std::copy(original.positions.begin() + original.free_count, original.positions.end(),
+            result.positions.begin() + result.free_count);
+  return result;
 }
 
 }  // namespace loopmend

@@ -30,4 +30,9 @@ StrayDistances stray_distances(const Patch& patch, const FixedSurface& around);
 /// The same where these distances are known. @param distances  of this patch's surroundings.
 CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distances);
 
+/// The free vertices of `solved`, carried along from its fixed vertices to those of `original`, which are met bit for bit: their
+/// offset fades from the loops into the patch, to 1/e within `reach` and faster.
+/// @param reach  > 0, patch frame.
+Patch carried_to(const Patch& original, const Patch& solved, double reach);
+
 }  // namespace loopmend

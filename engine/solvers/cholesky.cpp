@@ -91,6 +91,7 @@ class WholeCholesky : public SpdSolver {
     x = solution;
     return true;
   }
+  double log_determinant() const override { return cholesky_.logDeterminant(); }
 
  private:
   OrderedCholmod cholesky_;
@@ -110,6 +111,7 @@ class CholeskySolver : public SpdSolver {
     return factored_ = factors_->factorize(A);
   }
   bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override { return factored_ && factors_->solve(b, x); }
+  double log_determinant() const override { return factors_->log_determinant(); }
 
  private:
   Pattern pattern_;  ///< of the factors, where there are any

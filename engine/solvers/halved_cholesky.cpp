@@ -8,6 +8,7 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <new>
 #include <numeric>
@@ -120,6 +121,22 @@ class Half {
         z += block.bottomRows(below).transpose() * reached;
       });
     solve(CHOLMOD_Lt, y);
+  }
+
+  /// log |A₁|: of the rows that do not belong to the border.
+  double inner_log_determinant() const {
+    const cholmod_factor& L = *factor_;
+    const auto *columns = static_cast<const int*>(L.super), *row_begin = static_cast<const int*>(L.pi),
+               *value_begin = static_cast<const int*>(L.px);
+    const int inner = size_ - border_;
+    double sum = 0;
+    for (int s = 0; s < static_cast<int>(L.nsuper); ++s) {
+      const std::ptrdiff_t height = row_begin[s + 1] - row_begin[s];
+      const double* values = static_cast<const double*>(L.x) + value_begin[s];
+      for (int j = columns[s]; j < std::min(columns[s + 1], inner); ++j)
+        sum += 2 * std::log(values[(j - columns[s]) * (height + 1)]);
+    }
+    return sum;
   }
 
  private:
@@ -262,6 +279,11 @@ class HalvedCholesky : public SpdSolver {
     if (!solution.allFinite()) return false;
     x = std::move(solution);
     return true;
+  }
+
+  double log_determinant() const override {
+    return halves_[0].inner_log_determinant() + halves_[1].inner_log_determinant() +
+           2 * border_factor_.diagonal().array().log().sum();
   }
 
  private:

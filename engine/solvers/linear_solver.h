@@ -22,6 +22,8 @@ class SpdSolver {
   /// With the factors of the last factorize(). @param b  n by any number of columns. @param x  like b, written only on
   /// success. @returns false if that failed, or the solution is not finite.
   virtual bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const = 0;
+  /// log |A| of the last factorize(), which must have succeeded.
+  virtual double log_determinant() const = 0;
 };
 
 std::unique_ptr<SpdSolver> make_spd_solver();

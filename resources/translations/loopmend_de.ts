@@ -68,10 +68,6 @@
             <translation>Auto</translation>
         </message>
         <message>
-            <source>As far as it can be trusted: the flow on smooth scans, robust fairing on rough ones.</source>
-            <translation>Soweit man ihr trauen kann: der Fluss auf glatten Scans, robuste Glättung auf rauen.</translation>
-        </message>
-        <message>
             <source>Exact</source>
             <translation>Exakt</translation>
         </message>
@@ -146,6 +142,10 @@
         <message>
             <source>Its boundary loops have other numbers then: 'loopmend info' prints them.</source>
             <translation>Die Ränder haben dann andere Nummern: „loopmend info“ nennt sie.</translation>
+        </message>
+        <message>
+            <source>As far as it can be trusted: the flow, on rough and noisy scans on the smooth surface under them.</source>
+            <translation>Soweit man ihr trauen kann: der Fluss, auf rauen und verrauschten Scans auf der glatten Fläche darunter.</translation>
         </message>
     </context>
     <context>
@@ -756,6 +756,18 @@
         <message>
             <source>Residual, edge lengths (right)</source>
             <translation>Rest, Kantenlängen (rechts)</translation>
+        </message>
+        <message>
+            <source>J, which the flow lowers</source>
+            <translation>J, das der Fluss senkt</translation>
+        </message>
+        <message>
+            <source>its smooth part</source>
+            <translation>davon die glatte Fläche</translation>
+        </message>
+        <message>
+            <source>relief and noise</source>
+            <translation>Relief und Rauschen</translation>
         </message>
     </context>
     <context>
@@ -2820,6 +2832,10 @@
             <source> · %1 s</source>
             <translation> · %1 s</translation>
         </message>
+        <message>
+            <source>step %1 · J %2</source>
+            <translation>Schritt %1 · J %2</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ToolController</name>
@@ -3640,8 +3656,8 @@
             <translation>Der Rand einer offenen Fläche. Er bleibt aus, wenn Sie ihn nicht selbst auswählen und füllen.</translation>
         </message>
         <message>
-            <source>What smooth fits leave over of the scan's vertices around the hole is %1, or %2 % of an edge. The fits tell the normal at the boundary to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
-            <translation>Glatte Anpassungen lassen von den Punkten des Scans um das Loch %1 übrig, das sind %2 % einer Kante. Sie bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
+            <source>Relief around the hole is %1 % of an edge high, noise %2 %. The fits tell the normal at the boundary to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
+            <translation>Das Relief um das Loch ist %1 % einer Kante hoch, das Rauschen %2 %. Die Anpassungen bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
         </message>
     </context>
 </TS>

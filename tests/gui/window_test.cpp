@@ -166,7 +166,7 @@ void WindowTest::whole_story(const QString& path) {
   const PatchStatePtr steady = document.patches().front().state;
   QVERIFY(steady->steps > 0);
   QVERIFY(steady->status == PatchStatus::converged || steady->status == PatchStatus::faired);
-  QVERIFY(steady->energy.final < steady->energy.initial);
+  QVERIFY(steady->last_step.split.total() > 0 || steady->energy.final < steady->energy.initial);
   QVERIFY(steady->shape->H != filler->shape->H);
   QVERIFY2(picture_changes(window, filled_picture, 0.002), "the flow changed nothing that is seen");
   QVERIFY(wait_until([&] { return part<QTableWidget>(window, "seamTable")->rowCount() == 1; }, 2));

@@ -24,9 +24,10 @@ exec awk '
     may["flows"] = "core mesh operators solvers"
     may["filling"] = "core mesh operators solvers remeshing"
     may["analysis"] = "core mesh operators"
-    may["rim"] = "core mesh operators solvers filling"
-    may["evolution"] = "core mesh operators flows solvers remeshing filling rim"
-    may["pipeline"] = "core mesh operators flows filling rim evolution analysis"
+    may["split"] = "core mesh operators solvers"
+    may["rim"] = "core mesh operators solvers filling split"
+    may["evolution"] = "core mesh operators flows solvers remeshing filling rim split"
+    may["pipeline"] = "core mesh operators flows filling rim split evolution analysis"
     may["repair"] = "core mesh"
     may["samples"] = "core mesh"
 

@@ -55,7 +55,7 @@ TEST(RimFits, SummaryIsInMeshUnits) {
   TriangleSoup soup = cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.8; });
   for (Vec3& p : soup.points) p *= 100;
   const Patch patch = test::start_of(make_surface_model(soup));
-  const RimSummary summary = rim_summaries(patch, rim_roughness(patch)).front();
+  const RimSummary summary = rim_summaries(patch, estimate_split(patch)).front();
   EXPECT_NEAR(summary.H, 0.01, 1e-4);
   EXPECT_EQ(summary.fitted, static_cast<int>(patch.loops[0].size()));
 }

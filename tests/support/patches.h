@@ -2,8 +2,10 @@
 // Hole problems that several tests share.
 #pragma once
 
+#include "operators/topology.h"
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
+#include "samples/random.h"
 #include "surfaces/roughen.h"
 
 #include <Eigen/Geometry>
@@ -36,6 +38,31 @@ inline Patch exact_sphere_patch(int level, double height) {
   for (int i = 0; i < patch.free_count; ++i)
     patch.positions[i] = patch.to_frame(patch.to_mesh(patch.positions[i]).normalized());
   return patch;
+}
+
+/// Heights of a relief with waves from an edge to a dozen edges, their height as their length; rms about 1. One for each point.
+inline std::vector<double> random_relief(const TriangleSoup& soup, std::uint64_t seed) {
+  const int n = static_cast<int>(soup.points.size());
+  const Topology topology(n, soup.triangles);
+  Random random(seed);
+  std::vector<double> relief(n, 0);
+  for (const int rounds : {1, 2, 4, 8, 16, 32}) {
+    std::vector<double> wave(n);
+    for (double& w : wave) w = random.bell();
+    for (int round = 0; round < rounds; ++round) {
+      std::vector<double> next(n);
+      for (int i = 0; i < n; ++i) {
+        next[i] = wave[i];
+        for (int j : topology.neighbors(i)) next[i] += wave[j];
+        next[i] /= 1 + topology.valence(i);
+      }
+      wave = std::move(next);
+    }
+    double squares = 0;
+    for (double w : wave) squares += w * w / n;
+    for (int i = 0; i < n; ++i) relief[i] += std::sqrt(rounds / 63.0) * wave[i] / std::sqrt(squares);
+  }
+  return relief;
 }
 
 /// Bumps on the free vertices, in mean edge lengths of about 1/20 of the frame.

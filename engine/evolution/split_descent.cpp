@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evolution/split_descent.h"
+
+#include "evolution/stopwatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace loopmend {
+
+namespace {
+
+double largest_move(const Patch& before, const Points& after) {
+  double move = 0;
+  for (int i = 0; i < before.free_count; ++i) move = std::max(move, (after[i] - before.positions[i]).norm());
+  return move;
+}
+
+}  // namespace
+
+SplitDescent::SplitDescent(const EvolvingPatch& patch, const SplitEstimate& estimate, double radius)
+    : estimate_(estimate),
+      fairing_(std::in_place, patch, radius) {}
+
+void SplitDescent::fair(EvolvingPatch& patch, const CancelToken& cancel) {
+  fairing_->step(patch, cancel);
+  if (patch.status != PatchStatus::faired) return;
+  fairing_.reset();
+  patch.stop(PatchStatus::ready, "");
+}
+
+void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
+  if (fairing_) return fair(patch, cancel);
+  Stopwatch watch;
+  if (!problem_) problem_.emplace(patch.state.patch, estimate_);
+  StepRecord record;
+  const SplitProblem::Outcome outcome = problem_->step(cancel);
+  if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, "cancelled");
+  if (outcome == SplitProblem::Outcome::at_rest) {
+    if (patch.history.back().split.total() > 0) return patch.stop(PatchStatus::converged, "");
+    return patch.stop(PatchStatus::faired, "no step of the flow came below its fairings, which were kept");
+  }
+  const Points moved = problem_->patch_positions();
+  if (moved.empty())
+    return patch.stop(PatchStatus::stalled, "stopped early: the noise could not be carried into the patch");
+  record.step = static_cast<int>(patch.history.size()) + 1;
+  record.solve_seconds = watch.lap();
+  record.factorizations = 1;
+  record.max_move = largest_move(patch.state.patch, moved) / patch.edge_length();
+  Patch next = patch.state.patch;
+  std::copy(moved.begin(), moved.end(), next.positions.begin());
+  patch.state = make_state(std::move(next), patch.objective, patch.stencil, patch.state.topology, Fits::curvatures);
+  record.energy = patch.energy();
+  record.split = problem_->energy();
+  record.assemble_seconds = watch.lap();
+  patch.history.push_back(record);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MMCVF on a scan with relief or noise: down to the least of the split energy (split/split_problem.h).
+#pragma once
+
+#include "evolution/robust_fairing.h"
+#include "split/split_problem.h"
+
+#include <optional>
+
+namespace loopmend {
+
+/// Sets out from the robust fairings, whose steps come first; then the mesh of the patch stays as it is.
+class SplitDescent : public Stepper {
+ public:
+  SplitDescent(const EvolvingPatch& patch, const SplitEstimate& estimate, double radius);
+  void step(EvolvingPatch& patch, const CancelToken& cancel) override;
+
+ private:
+  void fair(EvolvingPatch& patch, const CancelToken& cancel);
+
+  SplitEstimate estimate_;
+  std::optional<RobustFairing> fairing_;  ///< until its passes are done
+  std::optional<SplitProblem> problem_;   ///< from then on
+};
+
+}  // namespace loopmend

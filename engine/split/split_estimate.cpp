@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "split/split_estimate.h"
+
+#include "core/threads.h"
+#include "solvers/linear_solver.h"
+#include "split/block_matrix.h"
+#include "split/split_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double least_noise = 1e-4;  ///< below, in boundary edges, the split form comes no closer than the flow itself
+constexpr double coarsest_relief = 1.5;  ///< ℓ of the relief that is told of, in boundary edges
+constexpr double free_relief = 1.0 / 8;  ///< κ of the estimate, per radius: the relief's own mean hardly counts
+constexpr int least_rank = 12;
+constexpr int most_vertices = 1000;
+
+double s2_of(double w, double v) { return v > 0 ? std::pow(v, 6) / (w * w) + std::pow(v, 4) : 0; }
+
+/// The surroundings by themselves, renumbered; of large ones the vertices around some stretches of the boundary.
+struct Collar {
+  Points points;
+  Triangles triangles;
+};
+
+/// Vertices within the patch's rings of stretches of the boundary, evenly spread, as long as there are not too many.
+std::vector<char> near_some_of_the_boundary(const Patch& patch, const Topology& around) {
+  std::vector<int> boundary;
+  for (const auto& loop : patch.loops) boundary.insert(boundary.end(), loop.begin(), loop.end());
+  const int fixed = patch.vertex_count() - patch.free_count, size = static_cast<int>(boundary.size());
+  std::vector<char> chosen(patch.vertex_count(), 1);
+  if (fixed <= most_vertices) return chosen;
+  constexpr int stretches = 4;
+  const double share = static_cast<double>(most_vertices) / fixed;
+  std::vector<int> front;
+  std::fill(chosen.begin(), chosen.end(), 0);
+  for (int k = 0; k < size; ++k)
+    if (std::fmod(static_cast<double>(k) * stretches / size, 1) < share && !std::exchange(chosen[boundary[k]], 1))
+      front.push_back(boundary[k]);
+  for (int ring = 0; ring < patch_rings && !front.empty(); ++ring) {
+    std::vector<int> next;
+    for (int v : front)
+      for (int w : around.neighbors(v))
+        if (patch.ring[w] == ring + 2 && !std::exchange(chosen[w], 1)) next.push_back(w);
+    front = std::move(next);
+  }
+  return chosen;
+}
+
+Collar collar_of(const Patch& patch) {
+  const Triangles all(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end());
+  const std::vector<char> chosen = near_some_of_the_boundary(patch, Topology(patch.vertex_count(), all));
+  Collar collar;
+  std::vector<int> index(patch.vertex_count(), -1);
+  for (Triangle t : all) {
+    if (!chosen[t[0]] || !chosen[t[1]] || !chosen[t[2]]) continue;
+    for (int& v : t) {
+      if (index[v] < 0) {
+        index[v] = static_cast<int>(collar.points.size());
+        collar.points.push_back(patch.positions[v]);
+      }
+      v = index[v];
+    }
+    collar.triangles.push_back(t);
+  }
+  return collar;
+}
+
+/// Half of the greatest distance across a loop, the most over the loops.
+double radius_of(const Patch& patch) {
+  double squared = 0;
+  for (const auto& loop : patch.loops)
+    for (int a : loop)
+      for (int b : loop) squared = std::max(squared, (patch.positions[a] - patch.positions[b]).squaredNorm());
+  return std::sqrt(squared) / 2;
+}
+
+double mean_boundary_edge(const Patch& patch) {
+  double length = 0;
+  std::size_t edges = 0;
+  for (const auto& loop : patch.loops) {
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      length += (patch.positions[loop[k]] - patch.positions[loop[(k + 1) % loop.size()]]).norm();
+    edges += loop.size();
+  }
+  return edges > 0 ? length / static_cast<double>(edges) : 0;
+}
+
+/// −2 log of the restricted likelihood as a function of the two wavelengths, its scale taken out. To first order about the
+/// surroundings as they are: H = H₀ + Bφ for the smooth surface at displacement φ, and φ + r + e = 0.
+class Likelihood {
+ public:
+  Likelihood(const SplitSurface& surface, const Points& points, double edge, double radius)
+      : edge_(edge),
+        freedom_(surface.rank()) {
+    const SplitGeometry geometry = surface.at(points);
+    mass_ = geometry.mass;
+    stiffness_ = geometry.stiffness;
+    parallel_invoke([&] { Q_ = 4 * geometry.hessian(); }, [&] { S_ = geometry.roughness(free_relief / radius); });
+    gradient_ = 4 * geometry.half_gradient();
+    energy_ = 4 * geometry.variation();
+    const auto solver = make_spd_solver();
+    valid_ = solver->factorize(S_);
+    if (valid_) log_S_ = solver->log_determinant();
+  }
+
+  bool is_valid() const { return valid_ && std::isfinite(energy_); }
+
+  /// @param w, v  in boundary edges; v = 0: no noise. @returns infinity where it cannot be told.
+  double operator()(double w, double v, SpdSolver& solver) const { return at(w, v, solver).value; }
+
+  struct Heights {
+    double relief = 0, noise = 0;  ///< rms
+  };
+  /// Infinite where the split cannot be made: nothing then says that the surroundings are smooth.
+  Heights heights(double w, double v) const {
+    const Split split = at(w, v, *make_spd_solver());
+    if (split.value == unknown) return {unknown, 0};
+    const auto rms = [&](const Eigen::VectorXd& f) {
+      return f.size() > 0 ? std::sqrt(f.cwiseAbs2().dot(mass_) / mass_.sum()) : 0;
+    };
+    return {rms(fine_part(split.r)), rms(split.e)};
+  }
+
+ private:
+  static constexpr double unknown = std::numeric_limits<double>::infinity();
+
+  /// What (1 − ℓ²Δ)⁻¹ takes away: the relief's waves of less than about ten edges. Longer ones may as well be shape.
+  Eigen::VectorXd fine_part(const Eigen::VectorXd& r) const {
+    const double length = coarsest_relief * edge_;
+    const SparseMatrix A = length * length * stiffness_ + SparseMatrix(mass_.asDiagonal());
+    const auto solver = make_spd_solver();
+    Eigen::MatrixXd smooth;
+    if (!solver->factorize(A) || !solver->solve(mass_.cwiseProduct(r), smooth)) return r;
+    return r - smooth.col(0);
+  }
+
+  struct Split {
+    double value = unknown;
+    Eigen::VectorXd r, e;
+  };
+
+  Split at(double w, double v, SpdSolver& solver) const {
+    const double lambda = w * w * edge_ * edge_;
+    return v > 0 ? with_noise(lambda, s2_of(w * edge_, v * edge_), solver) : without_noise(lambda, solver);
+  }
+
+  Split without_noise(double lambda, SpdSolver& solver) const {
+    const SparseMatrix A = lambda * Q_ + S_;
+    Eigen::MatrixXd phi;
+    if (!solver.factorize(A) || !solver.solve(-lambda * gradient_, phi)) return {};
+    const Eigen::VectorXd r = -phi.col(0);
+    const double J = smooth_part(lambda, phi.col(0)) + form(S_, r);
+    return {criterion(J, lambda, solver.log_determinant() - log_S_), r, {}};
+  }
+
+  Split with_noise(double lambda, double s2, SpdSolver& solver) const {
+    const Eigen::Index n = mass_.size();
+    const Eigen::VectorXd precision = mass_ / s2;
+    const SparseMatrix W(precision.asDiagonal());
+    const SparseMatrix A = lower_blocks(lambda * Q_ + W, W, S_ + W);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(2 * n);
+    b.head(n) = -lambda * gradient_;
+    Eigen::MatrixXd solution;
+    if (!solver.factorize(A) || !solver.solve(b, solution)) return {};
+    const Eigen::VectorXd phi = solution.col(0).head(n), r = solution.col(0).tail(n), e = -phi - r;
+    const double J = smooth_part(lambda, phi) + form(S_, r) + e.dot(precision.cwiseProduct(e));
+    return {criterion(J, lambda, solver.log_determinant() - log_S_ - precision.array().log().sum()), r, e};
+  }
+
+  static double form(const SparseMatrix& lower, const Eigen::VectorXd& x) {
+    return x.dot(lower.selfadjointView<Eigen::Lower>() * x);
+  }
+  double smooth_part(double lambda, const Eigen::VectorXd& phi) const {
+    return lambda * (energy_ + 2 * gradient_.dot(phi) + form(Q_, phi));
+  }
+  double criterion(double J, double lambda, double log_determinants) const {
+    const double value = freedom_ * std::log(J / freedom_) + log_determinants - freedom_ * std::log(lambda);
+    return std::isfinite(value) ? value : unknown;
+  }
+
+  SparseMatrix Q_, S_, stiffness_;
+  Eigen::VectorXd gradient_, mass_;
+  double edge_, freedom_, energy_ = 0, log_S_ = 0;
+  bool valid_ = false;
+};
+
+/// The least of a function of two wavelengths: a coarse table, then halves and doubles of the best.
+class Search {
+ public:
+  Search(const Likelihood& likelihood, const CancelToken& cancel) : likelihood_(likelihood), cancel_(cancel) {}
+
+  std::pair<double, double> best() {
+    ask({{0.01, 0},
+         {0.1, 0},
+         {0.4, 0},
+         {1.6, 0},
+         {6.4, 0},
+         {25, 0},
+         {0.01, 0.5},
+         {0.4, 0.5},
+         {6.4, 0.5},
+         {0.01, 1},
+         {0.4, 1},
+         {6.4, 1},
+         {0.01, 2},
+         {0.4, 2},
+         {6.4, 2},
+         {0.01, 4},
+         {0.4, 4},
+         {6.4, 4}});
+    for (int round = 0; round < most_rounds; ++round) {
+      const auto [w, v] = least();
+      std::vector<Place> places{{2 * w, v}, {w / 2, v}};
+      if (v > 0) places.insert(places.end(), {{w, v * std::numbers::sqrt2}, {w, v / std::numbers::sqrt2}});
+      ask(places);
+      if (least() == Place(w, v)) break;
+    }
+    return least();
+  }
+
+ private:
+  using Place = std::pair<double, double>;
+  static constexpr int most_rounds = 4;
+
+  /// Side by side; those without noise have one pattern, those with noise another.
+  void ask(const std::vector<Place>& places) {
+    std::vector<Place> of_kind[2];
+    for (const Place& place : places)
+      if (!known_.contains(place)) of_kind[place.second > 0].push_back(place);
+    for (const std::vector<Place>& asked : of_kind) {
+      std::vector<double> values(asked.size(), std::numeric_limits<double>::infinity());
+      parallel_for(
+          0, static_cast<int>(asked.size()), 1, [] { return std::shared_ptr<SpdSolver>(make_spd_solver()); },
+          [&](int k, const std::shared_ptr<SpdSolver>& solver) {
+            if (!cancel_.cancelled()) values[k] = likelihood_(asked[k].first, asked[k].second, *solver);
+          });
+      for (std::size_t k = 0; k < asked.size(); ++k) known_[asked[k]] = values[k];
+    }
+  }
+
+  Place least() const {
+    return std::min_element(known_.begin(), known_.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+  }
+
+  const Likelihood& likelihood_;
+  const CancelToken& cancel_;
+  std::map<Place, double> known_;
+};
+
+}  // namespace
+
+double SplitEstimate::noise_variance() const { return s2_of(relief * edge, noise * edge); }
+
+const char* to_string(Surroundings surroundings) {
+  switch (surroundings) {
+    case Surroundings::smooth: return "smooth";
+    case Surroundings::noisy: return "noisy";
+    case Surroundings::rough: return "rough";
+  }
+  return "";
+}
+
+Surroundings SplitEstimate::kind() const {
+  if (is_exact()) return Surroundings::smooth;
+  return noise_height > relief_height ? Surroundings::noisy : Surroundings::rough;
+}
+
+bool SplitEstimate::is_exact(double relief_limit) const {
+  return relief_height <= relief_limit * edge && noise_height <= std::max(relief_limit, least_noise) * edge;
+}
+
+SplitEstimate estimate_split(const Patch& patch, const CancelToken& cancel) {
+  SplitEstimate estimate;
+  estimate.edge = mean_boundary_edge(patch);
+  estimate.radius = radius_of(patch);
+  if (!(estimate.edge > 0) || !(estimate.radius > 0)) return estimate;
+  Collar collar = collar_of(patch);
+  const SplitSurface surface(static_cast<int>(collar.points.size()), std::move(collar.triangles));
+  if (surface.rank() < least_rank) return estimate;
+  const Likelihood likelihood(surface, collar.points, estimate.edge, estimate.radius);
+  if (!likelihood.is_valid()) {
+    estimate.relief_height = std::numeric_limits<double>::infinity();  // nothing says that it is smooth
+    return estimate;
+  }
+  std::tie(estimate.relief, estimate.noise) = Search(likelihood, cancel).best();
+  const Likelihood::Heights heights = likelihood.heights(estimate.relief, estimate.noise);
+  estimate.relief_height = heights.relief;
+  estimate.noise_height = heights.noise;
+  return estimate;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "split/split_problem.h"
+
+#include "split/block_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double longest_step = 0.25;  ///< of the hole's radius
+constexpr int most_trials = 5;
+constexpr double shorter = 0.4;        ///< each trial in the length of the one before
+constexpr double worth_a_step = 1e-4;  ///< of J
+
+Eigen::VectorXd times(const SparseMatrix& lower, const Eigen::VectorXd& x) {
+  return lower.selfadjointView<Eigen::Lower>() * x;
+}
+
+/// Solves A x = b. @returns false where A is not positive definite.
+bool solve(SpdSolver& solver, const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+  Eigen::MatrixXd solution;
+  if (!solver.factorize(A) || !solver.solve(b, solution)) return false;
+  x = solution.col(0);
+  return true;
+}
+
+}  // namespace
+
+SplitProblem::SplitProblem(const Patch& patch, const SplitEstimate& estimate)
+    : scan_(patch.positions),
+      free_(patch.free_count),
+      lambda_(estimate.lambda()),
+      s2_(estimate.noise_variance()),
+      kappa_(1 / estimate.radius),
+      edge_(estimate.edge),
+      surface_(patch.vertex_count(), patch.triangles) {
+  if (std::optional<State> first = state_at(scan_))
+    state_ = std::move(*first);
+  else
+    at_rest_ = true;
+}
+
+Eigen::VectorXd SplitProblem::precision(const State& state) const {
+  Eigen::VectorXd weight = state.geometry.mass / s2_;
+  weight.head(free_).setZero();
+  return weight;
+}
+
+std::optional<SplitProblem::State> SplitProblem::state_at(Points y) {
+  State state;
+  state.geometry = surface_.at(y);
+  state.S = state.geometry.roughness(kappa_);
+  const auto n = static_cast<Eigen::Index>(y.size());
+  state.distance = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index i = free_; i < n; ++i) state.distance[i] = (scan_[i] - y[i]).dot(state.geometry.normals[i]);
+  state.y = std::move(y);
+  if (!best_relief(state)) return std::nullopt;
+  state.energy.smooth = 4 * lambda_ * state.geometry.variation();
+  state.energy.relief = state.relief.dot(times(state.S, state.relief));
+  if (s2_ > 0) {
+    const Eigen::VectorXd e = state.distance - state.relief;
+    state.energy.noise = e.dot(precision(state).cwiseProduct(e));
+  }
+  if (!std::isfinite(state.energy.total())) return std::nullopt;
+  return state;
+}
+
+/// For the y of the state: without noise what is left of the scan, smoothly continued over the patch.
+bool SplitProblem::best_relief(State& state) {
+  const Eigen::VectorXd& d = state.distance;
+  if (s2_ > 0) {
+    const Eigen::VectorXd weight = precision(state);
+    return solve(*relief_solver_, state.S + SparseMatrix(weight.asDiagonal()), weight.cwiseProduct(d), state.relief);
+  }
+  Eigen::VectorXd patch;
+  if (!solve(*relief_solver_, state.S.topLeftCorner(free_, free_), -times(state.S, d).head(free_), patch)) return false;
+  state.relief = d;
+  state.relief.head(free_) = patch;
+  return true;
+}
+
+/// Of Gauss-Newton, along the normals of y. Empty where the system is not positive definite.
+std::optional<Eigen::VectorXd> SplitProblem::displacement() {
+  const State& s = state_;
+  const Eigen::Index n = s.distance.size();
+  const SparseMatrix Q = 4 * lambda_ * s.geometry.hessian();
+  const Eigen::VectorXd down = -4 * lambda_ * s.geometry.half_gradient();
+  Eigen::VectorXd b, x;
+  SparseMatrix A;
+  if (s2_ > 0) {  // unknown: φ and r
+    const Eigen::VectorXd weight = precision(s), pull = weight.cwiseProduct(s.distance);
+    const SparseMatrix W(weight.asDiagonal());
+    A = lower_blocks(Q + W, W, s.S + W);
+    b.resize(2 * n);
+    b << down + pull, pull;
+  } else {  // φ everywhere, and φ + r on the patch
+    const SparseMatrix whole = s.S.selfadjointView<Eigen::Lower>();
+    const Eigen::VectorXd pull = whole * s.distance;
+    A = lower_blocks(Q + s.S, -whole.topRows(free_), s.S.topLeftCorner(free_, free_));
+    b.resize(n + free_);
+    b << down + pull, -pull.head(free_);
+  }
+  if (!solve(*step_solver_, A, b, x)) return std::nullopt;
+  return Eigen::VectorXd(x.head(n));
+}
+
+SplitProblem::Outcome SplitProblem::step(const CancelToken& cancel) {
+  if (at_rest_) return Outcome::at_rest;
+  const std::optional<Eigen::VectorXd> phi = displacement();
+  if (!phi) {
+    at_rest_ = true;
+    return Outcome::at_rest;
+  }
+  double share = std::min(1.0, longest_step / (kappa_ * phi->cwiseAbs().maxCoeff()));
+  for (int trial = 0; trial < most_trials; ++trial, share *= shorter) {
+    if (cancel.cancelled()) return Outcome::cancelled;
+    Points y = state_.y;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += share * (*phi)[static_cast<Eigen::Index>(i)] * state_.geometry.normals[i];
+    std::optional<State> next = state_at(std::move(y));
+    if (!next || !(next->energy.total() < state_.energy.total())) continue;
+    at_rest_ = state_.energy.total() - next->energy.total() < worth_a_step * state_.energy.total();
+    state_ = std::move(*next);
+    return Outcome::moved;
+  }
+  at_rest_ = true;
+  return Outcome::at_rest;
+}
+
+Points SplitProblem::patch_positions() {
+  Eigen::VectorXd r = state_.relief.head(free_);
+  if (s2_ > 0) {
+    // The patch meets the scan with its noise: (−Δ + 1/h²) e = 0 on the patch, e as it is on the boundary.
+    Eigen::VectorXd e = state_.distance - state_.relief;
+    e.head(free_).setZero();
+    const SparseMatrix B =
+        state_.geometry.stiffness + SparseMatrix((state_.geometry.mass / (edge_ * edge_)).asDiagonal());
+    Eigen::VectorXd carried;
+    const SparseMatrix own = B.topLeftCorner(free_, free_);
+    if (!solve(*make_spd_solver(), own.triangularView<Eigen::Lower>(), -(B * e).head(free_), carried)) return {};
+    r += carried;
+  }
+  Points result(state_.y.begin(), state_.y.begin() + free_);
+  for (int i = 0; i < free_; ++i) result[i] += r[i] * state_.geometry.normals[i];
+  return result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One variational problem for every boundary: the smooth surface under the scan, its relief and noise, and the patch.
+#pragma once
+
+#include "core/cancel.h"
+#include "mesh/patch.h"
+#include "solvers/linear_solver.h"
+#include "split/split_energy.h"
+#include "split/split_estimate.h"
+#include "split/split_surface.h"
+
+#include <memory>
+#include <optional>
+
+namespace loopmend {
+
+/// y + r n + e n = x, along n, at the vertices of the surroundings, which never move; on the patch there is no x, so that y and r are free.
+/// Minimises J over y, displaced along its normals, by Gauss-Newton with line search; r and e are the best for each y.
+class SplitProblem {
+ public:
+  /// From the patch as it is. @param patch  with surroundings.
+  SplitProblem(const Patch& patch, const SplitEstimate& estimate);
+
+  enum class Outcome { moved, at_rest, cancelled };
+  /// One step of Gauss-Newton. `at_rest`: the last one lowered J by next to nothing, or none lowers it.
+  Outcome step(const CancelToken& cancel);
+
+  const SplitEnergy& energy() const { return state_.energy; }
+  /// Of the patch's free vertices: y + r n, with e carried in over about one edge. Empty if that cannot be solved.
+  Points patch_positions();
+
+ private:
+  struct State {
+    Points y;
+    SplitGeometry geometry;
+    SparseMatrix S;            ///< lower triangle
+    Eigen::VectorXd distance;  ///< from y to x along the normals; 0 on the patch
+    Eigen::VectorXd relief;
+    SplitEnergy energy;
+  };
+
+  std::optional<State> state_at(Points y);
+  bool best_relief(State& state);
+  std::optional<Eigen::VectorXd> displacement();
+  Eigen::VectorXd precision(const State& state) const;
+
+  Points scan_;
+  int free_ = 0;
+  double lambda_, s2_, kappa_, edge_;
+  SplitSurface surface_;
+  State state_;
+  std::unique_ptr<SpdSolver> step_solver_ = make_spd_solver(), relief_solver_ = make_spd_solver();
+  bool at_rest_ = false;
+};
+
+}  // namespace loopmend
