@@ -24,9 +24,10 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
       ->check(CLI::IsMember({"auto", "direct", "gmres"}))
       ->capture_default_str();
   command
-      .add_option("--boundary", words.boundary,
-                  "Curvature around the hole, for mmcvf: auto, taken as far as it can be trusted; exact, as it is (the "
-                  "flow itself); robust, hardly (robust fairing in place of the flow)")
+      .add_option(
+          "--boundary", words.boundary,
+          "Curvature around the hole, for mmcvf: auto, that of the smooth surface under relief and noise; exact, "
+          "as it is (the flow itself); robust, hardly (robust fairing in place of the flow)")
       ->check(CLI::IsMember({"auto", "exact", "robust"}))
       ->capture_default_str();
   command

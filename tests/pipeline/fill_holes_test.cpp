@@ -408,8 +408,8 @@ TEST(RealScans, TheHeadsPatchesLieNearWhatWasCutOut) {
   ASSERT_EQ(loops.size(), 5u);
   fill_holes(model, loops, {}, nullptr, {});
   const std::vector<Triangles> patches = patch_of_each_loop(open, loops, test::added_triangles(open.soup, model.soup));
-  // Measured, in thousandths of the hole's diameter: MEASURED at the tip of the nose.
-  const double bounds[] = {0.0035, 0.012, 0.012, 0.0075, 0.075};
+  // Measured, in thousandths of the hole's diameter: 2.6, 8.2, 5.3, 4.9 and 30 at the tip of the nose.
+  const double bounds[] = {0.0034, 0.0107, 0.0069, 0.0064, 0.039};
   for (std::size_t k = 0; k < loops.size(); ++k) {
     std::set<int> free;
     for (const Triangle& t : patches[k])
