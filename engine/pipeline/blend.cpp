@@ -5,6 +5,7 @@
 
 #include "mesh/join_parts.h"
 #include "pipeline/paste.h"
+#include "pipeline/seconds_since.h"
 #include "pipeline/strategy.h"
 
 #include <algorithm>
@@ -15,10 +16,6 @@
 namespace loopmend {
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Where tubes bend sharply ∫‖∇H‖² seems to prefer two bubbles with a neck that grows ever thinner: the flow reaches its step
 /// limit. Of the shares that were tried the least that kept the neck open.

@@ -3,6 +3,7 @@
 
 #include "core/threads.h"
 #include "pipeline/flat_cut.h"
+#include "pipeline/seconds_since.h"
 #include "split/split_estimate.h"
 
 #include <algorithm>
@@ -16,10 +17,6 @@
 namespace loopmend {
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// What goes wrong in one loop leaves the others alone.
 LoopPatchOutcome guarded_fill(const SurfaceModel& model, const BoundaryLoop& loop, const InitialPatchOptions& options,

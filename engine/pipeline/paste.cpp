@@ -17,18 +17,18 @@ namespace loopmend {
 namespace {
 
 /// A patch as it was pasted.
-struct Part {
+struct PastedPart {
   Points points;
   Triangles triangles;
   Eigen::AlignedBox3d box;
 
-  Part(const SurfaceModel& model, const PatchGeometry& patch) : triangles(patch.triangles) {
+  PastedPart(const SurfaceModel& model, const PatchGeometry& patch) : triangles(patch.triangles) {
     for (int v : patch.rim) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
     points.insert(points.end(), patch.points.begin(), patch.points.end());
     for (const Vec3& p : points) box.extend(p);
   }
 
-  bool intersects(const Part& other) const {
+  bool intersects(const PastedPart& other) const {
     if (!box.intersects(other.box)) return false;
     Points both = points;
     both.insert(both.end(), other.points.begin(), other.points.end());
@@ -40,10 +40,10 @@ struct Part {
 };
 
 /// @returns why the patch was left out; empty where it was pasted.
-std::string paste(SurfaceModel& model, const Patch& patch, std::vector<Part>& pasted) {
+std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPart>& pasted) {
   const PatchGeometry geometry = patch_geometry(patch);
-  Part part(model, geometry);
-  if (std::any_of(pasted.begin(), pasted.end(), [&](const Part& other) { return part.intersects(other); }))
+  PastedPart part(model, geometry);
+  if (std::any_of(pasted.begin(), pasted.end(), [&](const PastedPart& other) { return part.intersects(other); }))
     return "its patch would cut that of another loop: left open";
   try {
     append_colored_patch(model, geometry);
@@ -67,7 +67,7 @@ std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<co
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return first_loop(*patches[a]) < first_loop(*patches[b]); });
   std::vector<std::string> faults(patches.size());
-  std::vector<Part> pasted;
+  std::vector<PastedPart> pasted;
   for (std::size_t k : order) faults[k] = paste(model, *patches[k], pasted);
   check_exterior(before, model.soup, 0);
   return faults;

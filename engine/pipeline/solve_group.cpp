@@ -2,6 +2,7 @@
 #include "pipeline/solve_group.h"
 
 #include "core/threads.h"
+#include "pipeline/seconds_since.h"
 #include "pipeline/strategy.h"
 
 #include <algorithm>
@@ -23,10 +24,6 @@ std::vector<int> free_vertices_per_loop(const Patch& patch) {
       if (v < patch.free_count) owner[v] = loop[f];
   for (int l : owner) ++result[l];
   return result;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::string why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
