@@ -135,6 +135,8 @@ class Likelihood {
 
  private:
   static constexpr double unknown = std::numeric_limits<double>::infinity();
+  static constexpr double rounding =
+      std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();  ///< squared angle
 
   /// What (1 − ℓ²Δ)⁻¹ takes away: the relief's waves of less than about ten edges. Longer ones may as well be shape.
   Eigen::VectorXd fine_part(const Eigen::VectorXd& r) const {
@@ -186,7 +188,8 @@ class Likelihood {
     return lambda * (energy_ + 2 * gradient_.dot(phi) + form(Q_, phi));
   }
   double criterion(double J, double lambda, double log_determinants) const {
-    const double value = freedom_ * std::log(J / freedom_) + log_determinants - freedom_ * std::log(lambda);
+    const double residual = std::max(J / freedom_, rounding);  // a plane of whole numbers leaves none at all
+    const double value = freedom_ * std::log(residual) + log_determinants - freedom_ * std::log(lambda);
     return std::isfinite(value) ? value : unknown;
   }
 

@@ -152,7 +152,6 @@ TEST(RimBlend, OnRoughSurroundingsThePatchBulgesLikeTheSphere) {
   EXPECT_FALSE(evolution.split()->is_exact());
   EXPECT_EQ(evolution.method(), Method::split_flow);
   EXPECT_GT(largest_distance_to_unit_sphere(start), 0.15);
-  // Of which 0.03 is the relief.
   EXPECT_LT(largest_distance_to_unit_sphere(evolution.patch()), 0.04);
   ASSERT_EQ(evolution.patch().vertex_count(), start.vertex_count());
   for (int i = start.free_count; i < start.vertex_count(); ++i)

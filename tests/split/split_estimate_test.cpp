@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace loopmend {
@@ -56,6 +57,21 @@ TEST(SplitEstimate, IsTheSameInAnyUnitAndForAnyNumberOfThreads) {
   EXPECT_EQ(one.relief_height, all.relief_height);
   EXPECT_EQ(all.relief, large.relief);
   EXPECT_NEAR(all.relief_height, large.relief_height, 1e-9 * all.relief_height);
+}
+
+/// Whole numbers have no curvature at all, a slope has rounding errors: both are as smooth as can be.
+TEST(SplitEstimate, APlaneIsExact) {
+  for (const double slope : {0.0, 0.5, 0.1}) {
+    const TriangleSoup plane = make_graph([&](double x, double) { return slope * x; }, 12, 24);
+    const SurfaceModel model =
+        make_surface_model(cut(plane, [](const Vec3& p) { return std::max(std::abs(p.x()), std::abs(p.y())) < 3.5; }));
+    const auto loops = find_boundary_loops(model);
+    ASSERT_EQ(loops.size(), 2);
+    ASSERT_EQ(loops[1].kind, LoopKind::hole);
+    const auto start = make_initial_patch(model, {loops[1]}, InitialPatchOptions{}, CancelToken());
+    const SplitEstimate estimate = estimate_split(*start.patch);
+    EXPECT_TRUE(estimate.is_exact()) << slope << ": " << estimate.relief_height << ' ' << estimate.noise_height;
+  }
 }
 
 /// What encloses no loop has no surroundings to tell anything.
