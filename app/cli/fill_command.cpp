@@ -9,6 +9,7 @@
 
 #include "core/version.h"
 #include "io/atomic_file.h"
+#include "pipeline/continue_attributes.h"
 #include "pipeline/hand_bridge.h"
 #include "pipeline/paste.h"
 #include "repair/repair_surface.h"
@@ -358,6 +359,7 @@ int run_fill(const FillCommand& command) {
   const std::vector<HoleResult> results = fill_selected(model, loops, choices, command, cancel);
   const bool stopped = cancel.cancelled();
   check_exterior(opened.as_read, model.soup, model.repairs.reoriented_faces);
+  continue_attributes(model.soup);
   OutputTransaction outputs;
   write_mesh(outputs, command.output, model.soup, command.encoding);
   const OutputLosses losses =

@@ -32,15 +32,17 @@ void print_import(const ImportReport& import, const ModelRepairs& repairs) {
 
 /// What no output will hold, and what only some formats have room for.
 void print_not_kept(const OpenedModel& opened) {
+  if (const std::vector<NotKept> carried = carried_attributes(opened.as_read); !carried.empty())
+    std::printf("  also holds: %s\n", to_string(carried).c_str());
   if (!opened.import.not_kept.empty())
     std::printf("  in no file that Loopmend writes: %s\n", to_string(opened.import.not_kept).c_str());
-  for (const char* format : {"STL", "OBJ"}) {
+  for (const char* format : {"PLY", "STL", "OBJ", "OFF"}) {
     const std::vector<NotKept> list = not_kept_by_format(std::string("x.") + format, opened.as_read);
     if (!list.empty()) std::printf("  not in %s: %s\n", format, to_string(list).c_str());
   }
   Eigen::AlignedBox3d box;
   for (const Vec3& point : opened.as_read.points) box.extend(point);
-  const double rounding = largest_rounding("x.stl", opened.as_read.points, Encoding::binary);
+  const double rounding = largest_rounding("x.stl", opened.as_read, Encoding::binary);
   // That of coordinates of the mesh's own size is no news; a scan far from the origin is.
   if (rounding > 1e-6 * box.diagonal().norm())
     std::printf("  binary STL would move vertices by up to %.3g\n", rounding);

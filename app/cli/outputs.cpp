@@ -2,10 +2,10 @@
 #include "outputs.h"
 
 #include "commands.h"
+#include "io/text_cursor.h"
 
 #include <algorithm>
 #include <iostream>
-#include <span>
 
 namespace loopmend {
 
@@ -14,6 +14,8 @@ namespace {
 std::string text_of(const nlohmann::ordered_json& report) {
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
+
+bool is_stl(const std::filesystem::path& path) { return equals_ignoring_case(path.extension().string(), ".stl"); }
 
 /// @throws WriteError unless the name ends in .png.
 void require_picture_name(const std::filesystem::path& path) {
@@ -89,11 +91,9 @@ std::string what_was_written() {
 OutputLosses losses_of(const std::filesystem::path& output, const TriangleSoup& soup, Encoding encoding,
                        const std::vector<NotKept>& not_read, std::size_t exterior) {
   OutputLosses losses{not_read, 0, 0};
-  for (const NotKept& entry : not_kept_by_format(output, soup)) losses.not_kept.push_back(entry);
-  const std::span<const Vec3> points(soup.points);
-  losses.largest_rounding = largest_rounding(output, points, encoding);
-  losses.largest_exterior_rounding =
-      largest_rounding(output, points.first(std::min(exterior, points.size())), encoding);
+  for (const NotKept& entry : not_kept_by_format(output, soup, encoding)) losses.not_kept.push_back(entry);
+  losses.largest_rounding = largest_rounding(output, soup, encoding);
+  losses.largest_exterior_rounding = largest_rounding(output, soup, encoding, exterior);
   return losses;
 }
 
@@ -110,7 +110,7 @@ nlohmann::ordered_json losses_json(const OutputLosses& losses) {
 void print_losses(std::FILE* out, const std::filesystem::path& output, const OutputLosses& losses) {
   if (!losses.not_kept.empty())
     std::fprintf(out, "Not in %s: %s.\n", output.c_str(), to_string(losses.not_kept).c_str());
-  if (losses.largest_rounding > 0)
+  if (losses.largest_rounding > 0 && is_stl(output))
     std::fprintf(
         out,
         "Binary STL holds single precision: vertices were moved by up to %.3g (mesh units), those of the scan by "

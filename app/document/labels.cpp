@@ -232,6 +232,10 @@ QString not_kept(const std::vector<NotKept>& list) {
                                       QT_TRANSLATE_NOOP("loopmend::labels", "objects"),
                                       QT_TRANSLATE_NOOP("loopmend::labels", "groups"),
                                       QT_TRANSLATE_NOOP("loopmend::labels", "smoothing groups"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "separate solids"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "face attributes"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "names of no face"),
+                                      QT_TRANSLATE_NOOP("loopmend::labels", "display statements"),
                                       QT_TRANSLATE_NOOP("loopmend::labels", "lines"),
                                       QT_TRANSLATE_NOOP("loopmend::labels", "points")};
   QStringList words;

@@ -2,6 +2,7 @@
 #include "jobs/export_scene.h"
 
 #include "io/write_mesh.h"
+#include "pipeline/continue_attributes.h"
 #include "pipeline/paste.h"
 
 namespace loopmend {
@@ -52,14 +53,18 @@ ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
     if (cancel.cancelled()) return result;
     soups.push_back(pasted(part, result));
   }
-  const TriangleSoup all = joined(std::move(soups));
+  result.not_kept = task.not_read;
+  if (soups.size() > 1)
+    for (const TriangleSoup& soup : soups)
+      for (const NotKept& entry : carried_attributes(soup)) count_not_kept(result.not_kept, entry.what, entry.count);
+  TriangleSoup all = joined(std::move(soups));
   if (cancel.cancelled()) return result;
+  continue_attributes(all);
   write_mesh(task.path, all);
   result.triangles = all.triangles.size();
-  result.not_kept = task.not_read;
   for (const NotKept& entry : not_kept_by_format(task.path, all))
     count_not_kept(result.not_kept, entry.what, entry.count);
-  result.largest_rounding = largest_rounding(task.path, all.points, Encoding::binary);
+  result.largest_rounding = largest_rounding(task.path, all, Encoding::binary);
   return result;
 }
 

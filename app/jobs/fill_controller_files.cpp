@@ -39,7 +39,8 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         stages.opened = [this, job, next](const OpenedScanPtr& scan) {
           job->post([this, scan, next] {
             on_opened(scan, next);
-            Q_EMIT logged(labels::import_summary(*scan) + tr(" Opened in %1 s.").arg(labels::seconds(clock_.elapsed())));
+            Q_EMIT logged(labels::import_summary(*scan) +
+                          tr(" Opened in %1 s.").arg(labels::seconds(clock_.elapsed())));
             if (scan->loops.empty()) Q_EMIT notice(tr("This surface is closed: there is no hole to fill."));
           });
         };
@@ -178,8 +179,10 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
   document_.replace({}, restored.patches);
   if (restored.view) Q_EMIT view_restored(*restored.view);
   const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;
-  Q_EMIT logged(
-      tr("Restored %1: %2 patches, in %3 s.").arg(name).arg(restored.patches.size()).arg(labels::seconds(clock_.elapsed())));
+  Q_EMIT logged(tr("Restored %1: %2 patches, in %3 s.")
+                    .arg(name)
+                    .arg(restored.patches.size())
+                    .arg(labels::seconds(clock_.elapsed())));
   if (shown_as.isEmpty()) {
     undo_.mark_saved();
     Q_EMIT session_saved(path);
@@ -235,11 +238,12 @@ void FillController::on_exported(const ExportResult& result, const QString& path
   undo_.mark_saved();
   QString text = tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), labels::count(result.triangles));
   if (!result.not_kept.empty()) text += tr(" Not in it: %1.").arg(labels::not_kept(result.not_kept));
-  if (result.largest_rounding > 0)
+  if (result.largest_rounding > 0 && path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive))
     text += tr(" STL rounds: vertices were moved by up to %1; PLY keeps every digit.")
                 .arg(labels::number(result.largest_rounding));
   if (!result.left_open.empty())
-    text += tr(" Left open, because the patch cuts the surface or another patch: %1.").arg(labels::holes(document_, result.left_open));
+    text += tr(" Left open, because the patch cuts the surface or another patch: %1.")
+                .arg(labels::holes(document_, result.left_open));
   Q_EMIT logged(text);
   Q_EMIT notice(text);
 }

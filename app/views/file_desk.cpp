@@ -75,7 +75,7 @@ void FileDesk::when_safe(const std::function<void()>& act) {
 void FileDesk::ask_open(OpenMode mode) {
   const QStringList paths = QFileDialog::getOpenFileNames(
       window_, mode == OpenMode::add ? tr("Add scans to the scene") : tr("Open"), {},
-      tr("Scans and sessions (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
+      tr("Scans and sessions (*.ply *.stl *.obj *.off *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
   open(paths, mode);
 }
 
@@ -88,9 +88,16 @@ QString FileDesk::proposal(const QString& ending) const {
 }
 
 void FileDesk::ask_export() {
-  QString chosen;
-  QString path = QFileDialog::getSaveFileName(window_, tr("Export"), proposal(QStringLiteral("-filled.ply")),
-                                              tr("PLY, exact (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)"), &chosen);
+  // In the scan's own format, which has room for all that the scan holds.
+  const QStringList filters = tr("PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)").split(QStringLiteral(";;"));
+  const std::string own = document_.first_scan().import.format;
+  const int format = std::max(0, static_cast<int>(QStringList{QStringLiteral("PLY"), QStringLiteral("STL"),
+                                                              QStringLiteral("OBJ"), QStringLiteral("OFF")}
+                                                      .indexOf(QString::fromStdString(own))));
+  QString chosen = filters.value(format);
+  const QString ending = chosen.section(QStringLiteral("*"), 1).chopped(1);
+  QString path = QFileDialog::getSaveFileName(window_, tr("Export"), proposal(QStringLiteral("-filled") + ending),
+                                              filters.join(QStringLiteral(";;")), &chosen);
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += chosen.section(QStringLiteral("*"), 1).chopped(1);
   controller_.export_to(path);

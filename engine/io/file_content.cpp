@@ -2,6 +2,7 @@
 #include "io/file_content.h"
 
 #include "core/error.h"
+#include "io/gzip.h"
 #include "io/text_cursor.h"
 
 #include <fcntl.h>
@@ -85,13 +86,10 @@ void refuse_known_strangers(const FileContent& file) {
     throw ReadError(file.path, "this is a ZIP archive (3MF, or a compressed mesh), not a mesh file", "byte 0",
                     "Unpack it, or export as PLY, STL, OBJ or OFF.");
   }
-  if (starts_with(bytes, "\x1F\x8B"sv)) {
-    throw ReadError(file.path, "this file is compressed with gzip", "byte 0", "Unpack it first.");
-  }
 }
 
 std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
+  std::string extension = without_gzip_name(path).extension().string();
   for (char& c : extension) c = ascii_lower(c);
   return extension;
 }
@@ -165,6 +163,7 @@ FileContent load_file(const std::filesystem::path& path) {
   }
   file.bytes.resize(got);
   if (file.bytes.empty()) throw ReadError(path, "the file is empty (0 bytes)", "", "Export or copy the mesh again.");
+  if (is_gzip(file.bytes) && !fits_binary_stl(file.bytes)) file.bytes = gunzip(path, file.bytes);
   return file;
 }
 

@@ -10,7 +10,7 @@ namespace loopmend {
 
 struct FileContent {
   std::filesystem::path path;
-  std::string bytes;  ///< exactly what the file holds
+  std::string bytes;  ///< exactly what the file holds; of one compressed with gzip, what is packed in it
 };
 
 enum class MeshFormat { ply, stl_ascii, stl_binary, obj, off };

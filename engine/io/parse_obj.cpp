@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,9 +32,8 @@ bool is_naming(std::string_view word) {
 
 /// Statements with numbers after them that are neither vertices nor faces.
 bool is_numeric_aside(std::string_view word) {
-  constexpr std::array<std::string_view, 17> words = {"vn",   "vt",   "vp",    "cstype", "deg",  "bmat",
-                                                      "step", "parm", "trim",  "hole",   "scrv", "sp",
-                                                      "end",  "con",  "ctech", "stech",  "res"};
+  constexpr std::array<std::string_view, 15> words = {"vp",   "cstype", "deg", "bmat", "step",  "parm",  "trim", "hole",
+                                                      "scrv", "sp",     "end", "con",  "ctech", "stech", "res"};
   return is_among(word, words);
 }
 
@@ -56,12 +56,30 @@ class ObjReader {
     }
     require_forward_references();
     finish_colors();
+    finish_corners("texture coordinates", texture_, soup_.attributes.texture);
+    finish_corners("normals", normals_, soup_.attributes.normals);
+    finish_names();
     for (const auto& [what, count] : asides_) count_not_kept(soup_.not_kept, what, count);
-    for (const auto& [what, names] : names_) count_not_kept(soup_.not_kept, what, names.size());
     return std::move(soup_);
   }
 
  private:
+  /// As FaceNames has them, in the order in which they are written.
+  static constexpr std::array<std::string_view, 4> kept_names = {"o", "g", "usemtl", "s"};
+
+  struct Values {
+    int dimension = 0;
+    std::vector<std::array<double, 3>> all;
+    std::vector<int> at;  ///< per corner so far, as far as one has any
+  };
+
+  struct NamesSoFar {
+    std::vector<std::string> names;
+    std::map<std::string, int> number;
+    std::vector<int> of_face;  ///< so far, as far as one has any
+    int now = -1;
+  };
+
   /// The next token of a statement, which goes on in the next line after a backslash.
   std::string_view next() {
     for (;;) {
@@ -80,8 +98,12 @@ class ObjReader {
       read_vertex();
     } else if (word == "f" || word == "fo") {
       read_face();
+    } else if (word == "vt") {
+      read_values(texture_, "texture coordinates that are no numbers");
+    } else if (word == "vn") {
+      read_values(normals_, "normals that are no numbers");
     } else if (is_naming(word)) {
-      remember_name(word);
+      read_name(word);
       cursor_.skip_line();
     } else if (is_numeric_aside(word) || is_other_element(word)) {
       soup_.skipped_elements += is_other_element(word) ? 1 : 0;
@@ -96,8 +118,6 @@ class ObjReader {
 
   /// What a statement without vertices or faces of ours gives; null for parts of one.
   static const char* kind_of(std::string_view word) {
-    if (word == "vn") return "normals";
-    if (word == "vt") return "texture coordinates";
     if (word == "vp") return "points in parameter space";
     if (word == "l") return "lines";
     if (word == "p") return "points";
@@ -115,24 +135,67 @@ class ObjReader {
     asides_.emplace_back(what, 1);
   }
 
-  /// Groups, objects and materials are told by their names: each may be named many times.
-  void remember_name(std::string_view word) {
-    const char* what = word == "usemtl"                       ? "materials"
-                       : word == "mtllib"                     ? "material libraries"
-                       : word == "usemap" || word == "maplib" ? "texture maps"
-                       : word == "o"                          ? "objects"
-                       : word == "g"                          ? "groups"
-                       : word == "s"                          ? "smoothing groups"
-                                                              : nullptr;
-    if (what == nullptr) return;
-    std::string name;
-    for (std::string_view token = cursor_.next_token(); !token.empty(); token = cursor_.next_token())
-      name.append(name.empty() ? "" : " ").append(token);
-    const bool none = word == "s" && (name == "off" || name == "0");
-    if (none || name.empty()) return;
-    const auto known =
-        std::find_if(names_.begin(), names_.end(), [&](const auto& entry) { return entry.first == what; });
-    (known != names_.end() ? *known : names_.emplace_back(what, std::set<std::string>())).second.insert(name);
+  /// Materials, groups, objects and smoothing groups hold for the faces that follow.
+  void read_name(std::string_view word) {
+    std::string name(cursor_.rest_of_line());
+    name.erase(0, name.find_first_not_of(" \t"));
+    name.erase(name.find_last_not_of(" \t") + 1);
+    if (word == "mtllib") {
+      auto& libraries = soup_.attributes.material_libraries;
+      if (!name.empty() && std::find(libraries.begin(), libraries.end(), name) == libraries.end())
+        libraries.push_back(name);
+      return;
+    }
+    const auto kept = std::find(kept_names.begin(), kept_names.end(), word);
+    if (kept == kept_names.end()) return count_aside("display statements");
+    NamesSoFar& names = names_[static_cast<std::size_t>(kept - kept_names.begin())];
+    const auto [known, is_new] = names.number.emplace(name, static_cast<int>(names.names.size()));
+    if (is_new) names.names.push_back(name);
+    names.now = known->second;
+  }
+
+  /// Numbers of a vt or vn. One that is none does not make the surface worse: it is 0, and counted.
+  void read_values(Values& values, const char* what) {
+    std::array<double, 3> numbers{};
+    int size = 0;
+    for (std::string_view token = next(); !token.empty(); token = next()) {
+      const std::optional<double> value = parse_double(token);
+      if (!value) count_aside(what);
+      if (size < 3) numbers[static_cast<std::size_t>(size++)] = value.value_or(0);
+    }
+    values.dimension = std::max(values.dimension, size);
+    values.all.push_back(numbers);
+  }
+
+  /// A corner may name a value that is not there, or does not say one: it has none then.
+  void finish_corners(const char* what, const Values& values, CornerValues& kept) {
+    const int count = static_cast<int>(values.all.size());
+    if (count == 0 || values.dimension == 0) return;
+    kept.dimension = values.dimension;
+    for (const auto& numbers : values.all)
+      kept.values.insert(kept.values.end(), numbers.begin(), numbers.begin() + values.dimension);
+    kept.at = values.at;
+    kept.at.resize(soup_.corners.size(), -1);
+    std::size_t wrong = 0;
+    for (int& at : kept.at)
+      if (at >= count) {
+        at = -1;
+        ++wrong;
+      }
+    count_not_kept(soup_.not_kept, std::string("numbers of ") + what + " that are not there", wrong);
+  }
+
+  void finish_names() {
+    std::size_t unused = 0;
+    for (std::size_t k = 0; k < kept_names.size(); ++k) {
+      FaceNames names{std::string(kept_names[k]), std::move(names_[k].names), std::move(names_[k].of_face)};
+      const std::set<int> used(names.of_face.begin(), names.of_face.end());
+      unused += names.names.size() + used.count(-1) - used.size();
+      if (names.of_face.empty()) continue;
+      names.of_face.resize(soup_.polygon_count(), names_[k].now);
+      soup_.attributes.names.push_back(std::move(names));
+    }
+    count_not_kept(soup_.not_kept, "names of no face", unused);
   }
 
   /// x y z; x y z w (w belongs to free-form curves); x y z r g b; x y z r g b a.
@@ -186,33 +249,53 @@ class ObjReader {
     for (std::string_view token = next(); !token.empty(); token = next()) read_corner(token);
     const std::size_t size = soup_.corners.size() - begin;
     if (size < 3) errors_.too_few_corners(soup_.polygon_count() + 1, size, place);
+    for (NamesSoFar& names : names_) {
+      if (names.now < 0) continue;
+      names.of_face.resize(soup_.polygon_count(), -1);
+      names.of_face.push_back(names.now);
+    }
     soup_.close_polygon();
   }
 
-  /// a, a/b, a//c or a/b/c, where only a matters; a negative a counts back from the last vertex so far.
+  /// a, a/b, a//c or a/b/c: vertex, texture coordinates, normal; a negative one counts back from the last so far.
   void read_corner(std::string_view token) {
     const std::string_view first = token.substr(0, token.find('/'));
     const std::optional<std::int64_t> index = parse_integer(first);
-    if (!index || !has_good_tail(token.substr(first.size())))
-      errors_.not_a_number(token, "a vertex index", cursor_.place());
+    const std::optional<std::array<std::int64_t, 2>> tail = tail_of(token.substr(first.size()));
+    if (!index || !tail) errors_.not_a_number(token, "a vertex index", cursor_.place());
     const auto known = static_cast<std::int64_t>(soup_.points.size());
     if (*index == 0 || *index < -known || *index > std::numeric_limits<int>::max()) fail_index(*index, known);
     const std::int64_t vertex = *index > 0 ? *index - 1 : known + *index;
     if (vertex >= known && vertex > farthest_.vertex) {
       farthest_ = {vertex, soup_.polygon_count() + 1, cursor_.line_number()};
     }
+    note_corner(texture_, (*tail)[0]);
+    note_corner(normals_, (*tail)[1]);
     soup_.corners.push_back(static_cast<int>(vertex));
   }
 
-  /// "", "/b", "//c" or "/b/c", each number possibly left out.
-  static bool has_good_tail(std::string_view tail) {
-    for (int part = 0; part < 2 && !tail.empty(); ++part) {
+  /// "", "/b", "//c" or "/b/c", each number possibly left out: 0 then.
+  static std::optional<std::array<std::int64_t, 2>> tail_of(std::string_view tail) {
+    std::array<std::int64_t, 2> numbers{};
+    for (std::size_t part = 0; part < 2 && !tail.empty(); ++part) {
       tail.remove_prefix(1);
-      const std::string_view number = tail.substr(0, tail.find('/'));
-      if (!number.empty() && !parse_integer(number)) return false;
-      tail.remove_prefix(number.size());
+      const std::string_view text = tail.substr(0, tail.find('/'));
+      if (const std::optional<std::int64_t> number = parse_integer(text))
+        numbers[part] = *number;
+      else if (!text.empty())
+        return std::nullopt;
+      tail.remove_prefix(text.size());
     }
-    return tail.empty();
+    return tail.empty() ? std::optional(numbers) : std::nullopt;
+  }
+
+  /// Called before the corner itself is noted. @param number  from 1, or back from the last; 0: none
+  void note_corner(Values& values, std::int64_t number) {
+    if (number == 0) return;
+    const std::int64_t place = number > 0 ? number - 1 : static_cast<std::int64_t>(values.all.size()) + number;
+    const bool is_place = place >= 0 && place < std::numeric_limits<int>::max();
+    values.at.resize(soup_.corners.size(), -1);
+    values.at.push_back(is_place ? static_cast<int>(place) : std::numeric_limits<int>::max());
   }
 
   [[noreturn]] void fail_index(std::int64_t index, std::int64_t known) const {
@@ -242,8 +325,8 @@ class ObjReader {
   std::vector<std::pair<std::size_t, std::array<double, 4>>> colors_;  // vertex; red, green, blue, alpha
   double color_scale_ = 1.0;
   std::vector<std::pair<const char*, std::size_t>> asides_;
-  std::vector<std::pair<std::string, std::set<std::string>>>
-      names_;           // of materials, groups, ... in order of appearance
+  Values texture_, normals_;
+  std::array<NamesSoFar, kept_names.size()> names_;
   Reference farthest_;  // the highest index that was not yet there when it was named
 };
 

@@ -29,9 +29,7 @@ class OffReader {
                    "The header and the data do not belong together; export the mesh again.");
     }
     finish_colors();
-    count_not_kept(soup_.not_kept, "normals", has_normals_ ? vertex_count_ : 0);
-    count_not_kept(soup_.not_kept, "texture coordinates", has_texture_ ? vertex_count_ : 0);
-    count_not_kept(soup_.not_kept, "face colours", face_colors_);
+    keep_face_colors();
     return std::move(soup_);
   }
 
@@ -67,6 +65,10 @@ class OffReader {
     }
     has_normals_ = prefix.find('N') != std::string_view::npos;
     has_texture_ = prefix.substr(0, 2) == "ST";
+    for (const char* name : {"nx", "ny", "nz"})
+      if (has_normals_) soup_.attributes.points.emplace_back(name, ScalarType::float64);
+    for (const char* name : {"s", "t"})
+      if (has_texture_) soup_.attributes.points.emplace_back(name, ScalarType::float64);
   }
 
   std::uint64_t count(std::string_view token, const std::string& what) const {
@@ -117,6 +119,8 @@ class OffReader {
     const std::size_t normal = has_normals_ ? 3 : 0;
     const std::size_t texture = has_texture_ ? 2 : 0;
     if (size < normal + texture) fail_vertex_line();
+    for (std::size_t k = 0; k < normal; ++k) soup_.attributes.points[k].push(extras[k]);
+    for (std::size_t k = 0; k < texture; ++k) soup_.attributes.points[normal + k].push(extras[size - texture + k]);
     read_color(&extras[normal], size - normal - texture);
   }
 
@@ -166,10 +170,19 @@ class OffReader {
     soup_.close_polygon();
     for (int extra = 0; extra < 4; ++extra) {
       const std::string_view token = cursor_.next_token();
-      if (!token.empty()) number(token, "a colour");
-      if (extra == 0 && !token.empty()) ++face_colors_;
+      if (!token.empty()) face_colors_.push_item(number(token, "a colour"));
     }
+    face_colors_.end_list();
     require_line_end();
+  }
+
+  /// Up to four numbers for each face, as they are: an index into a colour map, or red, green, blue and alpha.
+  void keep_face_colors() {
+    for (std::size_t f = 0; f < face_colors_.rows(); ++f)
+      if (face_colors_.items(f) > 0) {
+        soup_.attributes.faces.push_back(std::move(face_colors_));
+        return;
+      }
   }
 
   struct VertexColor {
@@ -185,7 +198,7 @@ class OffReader {
   std::uint64_t face_count_ = 0;
   bool has_normals_ = false;
   bool has_texture_ = false;
-  std::size_t face_colors_ = 0;
+  AttributeColumn face_colors_{"color", ScalarType::float64, ScalarType::uint8};
   std::vector<VertexColor> colors_;
   double color_scale_ = 1.0;
 };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace loopmend {
 
@@ -52,18 +53,16 @@ VertexPlan plan_vertices(const PlyElement& element, const ParseErrors& errors) {
   return plan;
 }
 
-bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+AttributeColumn column_for(const PlyProperty& property) {
+  return {property.name, property.type, property.is_list ? std::optional(property.count_type) : std::nullopt};
 }
 
-/// What is lost with a property that is read over, in words. Properties that belong together share theirs.
-std::string words_for(const std::string& element, const std::string& property) {
-  if (is_one_of(property, {"nx", "ny", "nz"})) return element == "face" ? "face normals" : "normals";
-  if (is_one_of(property, {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"}))
-    return element == "face" ? "texture coordinates of faces" : "texture coordinates";
-  if (element == "face" && is_one_of(property, {"red", "green", "blue", "alpha", "r", "g", "b", "a"}))
-    return "face colours";
-  return element + " properties \"" + property + "\"";
+/// Reading makes doubles. Where the file says float, and no coordinate of its text has more digits, it may be written so.
+bool are_floats(const PlyElement& vertices, const Points& points) {
+  for (const PlyProperty& property : vertices.properties)
+    if (const int role = vertex_role(property); role >= 0 && role < 3 && property.type != PlyType::float32)
+      return false;
+  return std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.cast<float>().cast<double>() == p; });
 }
 
 /// Where the corners stand in a face's row.
@@ -102,13 +101,17 @@ class PlyBody {
         read_vertices(element);
       } else if (element.name == "face") {
         read_faces(element);
+      } else if (element.name == "tristrips") {
+        read_strips(element);
       } else {
-        skip_element(element);
+        read_element(element);
       }
       if (element.count > 0) last_row_bytes = std::max<std::uint64_t>(1, element.least_row_bytes(header_.encoding));
     }
     rows_.end_body(last_row_bytes);
-    require_no_strips();
+    soup_.attributes.remarks = header_.remarks;
+    drop_columns_of_some_faces();
+    move_corner_texture();
     return std::move(soup_);
   }
 
@@ -123,27 +126,35 @@ class PlyBody {
 
   void read_vertices(const PlyElement& element) {
     const VertexPlan plan = plan_vertices(element, errors_);
+    std::vector<AttributeColumn>& columns = soup_.attributes.points;
+    std::vector<int> column_of(plan.roles.size(), -1);  // all but the coordinates
     for (std::size_t i = 0; i < plan.roles.size(); ++i) {
-      const bool is_color = plan.roles[i] >= 3 && plan.has_colors();
-      const bool is_used = (plan.roles[i] >= 0 && plan.roles[i] < 3) || is_color;
-      if (!is_used) note_not_kept(element, element.properties[i]);
+      if (plan.roles[i] >= 0 && plan.roles[i] < 3) continue;
+      column_of[i] = static_cast<int>(columns.size());
+      columns.push_back(column_for(element.properties[i]));
+      columns.back().reserve(believable(element));
     }
     soup_.points.reserve(element.count);
     if (plan.has_colors()) soup_.colors.reserve(element.count);
     for (std::uint64_t v = 0; v < element.count; ++v) {
       rows_.begin_row(element, v);
-      read_vertex(element, plan, v);
+      read_vertex(element, plan, column_of, v);
       rows_.end_row();
     }
+    if (are_floats(element, soup_.points)) soup_.attributes.coordinates = PlyType::float32;
   }
 
-  void read_vertex(const PlyElement& element, const VertexPlan& plan, std::uint64_t v) {
+  void read_vertex(const PlyElement& element, const VertexPlan& plan, const std::vector<int>& column_of,
+                   std::uint64_t v) {
     std::array<double, 7> values = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, plan.scales[6]};
     for (std::size_t i = 0; i < plan.roles.size(); ++i) {
-      if (plan.roles[i] >= 0) {
-        values[static_cast<std::size_t>(plan.roles[i])] = rows_.number(element.properties[i].type);
+      double* value = plan.roles[i] >= 0 ? &values[static_cast<std::size_t>(plan.roles[i])] : nullptr;
+      if (column_of[i] < 0) {
+        *value = rows_.number(element.properties[i].type);
       } else {
-        skip(element.properties[i]);
+        const double carried =
+            read_into(soup_.attributes.points[static_cast<std::size_t>(column_of[i])], element.properties[i]);
+        if (value != nullptr) *value = carried;
       }
     }
     const Vec3 point(values[0], values[1], values[2]);
@@ -164,22 +175,29 @@ class PlyBody {
   void read_faces(const PlyElement& element) {
     if (element.count == 0) return;
     const FacePlan plan = plan_faces(element, errors_);
+    std::vector<AttributeColumn>& columns = soup_.attributes.faces;
     for (std::size_t i = 0; i < element.properties.size(); ++i)
-      if (i != plan.corners_at) note_not_kept(element, element.properties[i]);
-    const std::uint64_t believable = std::min<std::uint64_t>(element.count, file_bytes_ / 4);  // 4 bytes: a list of 3
-    soup_.ends.reserve(believable);
-    soup_.corners.reserve(3 * believable);
+      if (i != plan.corners_at) columns.push_back(column_for(element.properties[i]));
+    for (AttributeColumn& column : columns) column.reserve(believable(element));
+    soup_.ends.reserve(soup_.ends.size() + believable(element));
+    soup_.corners.reserve(soup_.corners.size() + 3 * believable(element));
     for (std::uint64_t f = 0; f < element.count; ++f) {
       rows_.begin_row(element, f);
+      std::size_t column = 0;
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         if (i == plan.corners_at) {
           read_corners(element.properties[i], f);
         } else {
-          skip(element.properties[i]);
+          read_into(columns[column++], element.properties[i]);
         }
       }
       rows_.end_row();
     }
+  }
+
+  /// What is announced can be many times what is there.
+  std::size_t believable(const PlyElement& element) const {
+    return std::min<std::uint64_t>(element.count, file_bytes_ / 4);  // 4 bytes: a list of 3
   }
 
   void read_corners(const PlyProperty& list, std::uint64_t f) {
@@ -187,45 +205,119 @@ class PlyBody {
     if (length < 3) errors_.too_few_corners(f, length, rows_.place());
     for (std::uint64_t i = 0; i < length; ++i) {
       const std::int64_t index = rows_.integer(list.type);
-      if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_->count) {
-        errors_.bad_index(f, std::to_string(index), "there are " + std::to_string(vertices_->count) + ", from 0 on",
-                          rows_.place());
-      }
+      require_vertex(index, f);
       soup_.corners.push_back(static_cast<int>(index));
     }
     soup_.close_polygon();
   }
 
-  void skip_element(const PlyElement& element) {
+  /// Rows that are neither vertices nor faces: kept as they are.
+  void read_element(const PlyElement& element) {
     if (element.properties.empty()) return;
-    soup_.skipped_elements += element.count;
-    count_not_kept(soup_.not_kept, "elements \"" + element.name + "\"", element.count);
+    OtherElement& other = soup_.attributes.elements.emplace_back();
+    other.name = element.name;
+    other.rows = element.count;
+    for (const PlyProperty& property : element.properties) other.columns.push_back(column_for(property));
     for (std::uint64_t row = 0; row < element.count; ++row) {
       rows_.begin_row(element, row);
-      for (const PlyProperty& property : element.properties) skip(property);
+      for (std::size_t i = 0; i < element.properties.size(); ++i) read_into(other.columns[i], element.properties[i]);
       rows_.end_row();
     }
   }
 
-  /// Properties that share their words, such as nx, ny and nz, are one thing for each row.
-  void note_not_kept(const PlyElement& element, const PlyProperty& property) {
-    const std::string words = words_for(element.name, property.name);
-    const bool known = std::any_of(soup_.not_kept.begin(), soup_.not_kept.end(),
-                                   [&](const NotKept& entry) { return entry.what == words; });
-    if (!known) count_not_kept(soup_.not_kept, words, element.count);
+  /// @returns the value, of a list the last.
+  double read_into(AttributeColumn& column, const PlyProperty& property) {
+    double value = 0;
+    if (!property.is_list) {
+      value = rows_.carried(property.type);
+      column.push(value);
+      return value;
+    }
+    for (std::uint64_t items = rows_.list_length(property); items > 0; --items)
+      column.push_item(value = rows_.carried(property.type));
+    column.end_list();
+    return value;
   }
 
-  void skip(const PlyProperty& property) {
-    const std::uint64_t count = property.is_list ? rows_.list_length(property) : 1;
-    rows_.skip(property.type, count);
+  /// Triangle strips: each vertex makes a triangle with the two before it, every second one turned round; −1 begins anew.
+  void read_strips(const PlyElement& element) {
+    if (element.count == 0) return;
+    const FacePlan plan = plan_faces(element, errors_);
+    for (std::uint64_t row = 0; row < element.count; ++row) {
+      rows_.begin_row(element, row);
+      for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        if (i == plan.corners_at) {
+          read_strip(element.properties[i], row);
+        } else {
+          AttributeColumn unused = column_for(element.properties[i]);
+          read_into(unused, element.properties[i]);
+        }
+      }
+      rows_.end_row();
+    }
+    for (std::size_t i = 0; i < element.properties.size(); ++i)
+      if (i != plan.corners_at)
+        count_not_kept(soup_.not_kept, "strip properties \"" + element.properties[i].name + "\"", element.count);
   }
 
-  /// Leaving strips out would show a part of the file as if it were all.
-  void require_no_strips() const {
-    const PlyElement* strips = header_.find("tristrips");
-    if (strips == nullptr || strips->count == 0) return;
-    errors_.fail("the triangles are stored as strips, which Loopmend does not read", strips->place,
-                 "Convert the file to plain faces, for example with MeshLab.");
+  void read_strip(const PlyProperty& list, std::uint64_t row) {
+    std::array<int, 2> last{};
+    std::size_t length = 0;
+    for (std::uint64_t left = rows_.list_length(list); left > 0; --left) {
+      const std::int64_t index = rows_.integer(list.type);
+      if (index == -1) {
+        length = 0;
+        continue;
+      }
+      require_vertex(index, row);
+      const int v = static_cast<int>(index);
+      if (length >= 2) {
+        const bool turned = length % 2 == 1;
+        // A vertex twice is how strips jump: no triangle.
+        if (v != last[0] && v != last[1] && last[0] != last[1]) {
+          soup_.corners.insert(soup_.corners.end(), {last[turned], last[!turned], v});
+          soup_.close_polygon();
+        }
+      }
+      last = {last[1], v};
+      ++length;
+    }
+  }
+
+  /// Of a file with both, faces have properties that strips have not.
+  void drop_columns_of_some_faces() {
+    std::erase_if(soup_.attributes.faces, [&](const AttributeColumn& column) {
+      if (column.rows() == soup_.polygon_count()) return false;
+      count_not_kept(soup_.not_kept, "face properties \"" + column.name() + "\"", column.rows());
+      return true;
+    });
+  }
+
+  /// MeshLab's texture coordinates, two for each corner of a face, follow the corners wherever those go.
+  void move_corner_texture() {
+    std::vector<AttributeColumn>& columns = soup_.attributes.faces;
+    const auto found = std::find_if(columns.begin(), columns.end(), [](const AttributeColumn& column) {
+      return column.name() == "texcoord" && column.is_list() && column.type() == PlyType::float32;
+    });
+    if (found == columns.end()) return;
+    for (std::size_t f = 0; f < soup_.polygon_count(); ++f)
+      if (const std::size_t items = found->items(f); items != 0 && items != 2 * soup_.polygon(f).size()) return;
+    CornerValues& texture = soup_.attributes.texture;
+    texture.dimension = 2;
+    for (std::size_t f = 0; f < soup_.polygon_count(); ++f) {
+      const bool has_any = found->items(f) > 0;
+      for (std::size_t k = 0; k < soup_.polygon(f).size(); ++k) {
+        texture.at.push_back(has_any ? static_cast<int>(texture.count()) : -1);
+        if (has_any) texture.values.insert(texture.values.end(), {found->value(f, 2 * k), found->value(f, 2 * k + 1)});
+      }
+    }
+    columns.erase(found);
+  }
+
+  void require_vertex(std::int64_t index, std::uint64_t row) const {
+    if (index >= 0 && static_cast<std::uint64_t>(index) < vertices_->count) return;
+    errors_.bad_index(row, std::to_string(index), "there are " + std::to_string(vertices_->count) + ", from 0 on",
+                      rows_.place());
   }
 
   ParseErrors errors_;

@@ -44,25 +44,26 @@ class AsciiStl {
 
   PolygonSoup read() {
     bool inside = false;
-    std::size_t solids = 0;
+    FaceNames names{"solid", {}, {}};
     for (;;) {
       const std::string_view word = cursor_.next_token_across_lines();
       if (word.empty()) break;
       if (!inside && equals_ignoring_case(word, "solid")) {
         inside = true;
-        ++solids;
-        cursor_.skip_line();  // its name
+        names.names.emplace_back(cursor_.rest_of_line());
+        cursor_.skip_line();
       } else if (inside && equals_ignoring_case(word, "endsolid")) {
         inside = false;
         cursor_.skip_line();
       } else if (inside && equals_ignoring_case(word, "facet")) {
         read_facet();
+        names.of_face.push_back(static_cast<int>(names.names.size()) - 1);
       } else {
         fail_word(word, inside ? "\"facet\" or \"endsolid\"" : "\"solid\"");
       }
     }
     if (inside) errors_.truncated("a solid: \"endsolid\" is missing", cursor_.place());
-    if (solids > 1) count_not_kept(soup_.not_kept, "separate solids", solids);
+    soup_.attributes.names.push_back(std::move(names));
     return std::move(soup_);
   }
 
@@ -151,7 +152,9 @@ PolygonSoup parse_stl_binary(const FileContent& file) {
   Welder welder(soup);
   soup.corners.reserve(3 * count);
   soup.ends.reserve(count);
-  std::size_t attributes = 0;
+  bool has_attributes = false;
+  AttributeColumn attributes("attribute", ScalarType::uint16);
+  attributes.reserve(count);
   for (std::size_t facet = 0; facet < count; ++facet) {
     const std::size_t corners_at = header_bytes + facet * facet_bytes + 12;  // after the normal
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -168,9 +171,13 @@ PolygonSoup parse_stl_binary(const FileContent& file) {
     }
     soup.close_polygon();
     const std::size_t attribute_at = header_bytes + facet * facet_bytes + 48;
-    attributes += file.bytes[attribute_at] != 0 || file.bytes[attribute_at + 1] != 0 ? 1 : 0;
+    const int low = static_cast<unsigned char>(file.bytes[attribute_at]);
+    const int high = static_cast<unsigned char>(file.bytes[attribute_at + 1]);
+    attributes.push(low + 256 * high);
+    has_attributes = has_attributes || low + high > 0;
   }
-  count_not_kept(soup.not_kept, "face attributes", attributes);
+  soup.attributes.header = file.bytes.substr(0, 80);
+  if (has_attributes) soup.attributes.faces.push_back(std::move(attributes));
   return soup;
 }
 

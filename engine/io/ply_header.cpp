@@ -57,7 +57,11 @@ class HeaderReader {
 
  private:
   void read_line(std::string_view word) {
-    if (word.empty() || word == "comment" || word == "obj_info") return;
+    if (word.empty()) return;
+    if (word == "comment" || word == "obj_info") {
+      header_.remarks.push_back(std::string(word) + std::string(cursor_.rest_of_line()));
+      return;
+    }
     if (word == "format") {
       read_format();
     } else if (word == "element") {
@@ -161,22 +165,6 @@ class HeaderReader {
 };
 
 }  // namespace
-
-std::size_t size_in_bytes(PlyType type) {
-  switch (type) {
-    case PlyType::int8:
-    case PlyType::uint8: return 1;
-    case PlyType::int16:
-    case PlyType::uint16: return 2;
-    case PlyType::int32:
-    case PlyType::uint32:
-    case PlyType::float32: return 4;
-    case PlyType::float64: return 8;
-  }
-  return 8;
-}
-
-bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
 std::uint64_t PlyElement::least_row_bytes(PlyEncoding encoding) const {
   if (encoding == PlyEncoding::ascii) return 2 * properties.size();  // a digit and a separator each

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/file_content.h"
+#include "mesh/scan_attributes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,10 +13,7 @@
 namespace loopmend {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-std::size_t size_in_bytes(PlyType type);
-bool is_integer(PlyType type);
+using PlyType = ScalarType;
 
 struct PlyProperty {
   std::string name;
@@ -37,8 +35,9 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t body_offset = 0;  ///< into mesh_text(file)
-  std::size_t lines = 0;        ///< lines of the header, so that the body's can be numbered
+  std::vector<std::string> remarks;  ///< lines of comments and obj_info, whole
+  std::size_t body_offset = 0;       ///< into mesh_text(file)
+  std::size_t lines = 0;             ///< lines of the header, so that the body's can be numbered
 
   const PlyElement* find(const std::string& name) const;
 };

@@ -8,6 +8,8 @@
 
 #include <bit>
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,6 +36,15 @@ class PlyTextRows {
     return *value;
   }
 
+  /// Of a property that is only passed on: "1.#QNAN" and the like of old compilers are no numbers there, and no fault.
+  double carried(PlyType) {
+    const std::string_view token = next();
+    if (const std::optional<double> value = parse_double(token)) return *value;
+    if (token.find('#') == std::string_view::npos && token.find("nan") == std::string_view::npos)
+      errors_.not_a_number(token, "a number", place());
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
   std::int64_t integer(PlyType) {
     const std::string_view token = next();
     const std::optional<std::int64_t> value = parse_integer(token);
@@ -48,10 +59,6 @@ class PlyTextRows {
       errors_.truncated("a list of " + std::to_string(length) + " items", place());
     }
     return static_cast<std::uint64_t>(length);
-  }
-
-  void skip(PlyType type, std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) number(type);
   }
 
   void end_row() {
@@ -110,6 +117,8 @@ class PlyBinaryRows {
     return static_cast<double>(integer(type));
   }
 
+  double carried(PlyType type) { return number(type); }
+
   std::int64_t integer(PlyType type) {
     switch (type) {
       case PlyType::int8: return take<std::int8_t>();
@@ -131,12 +140,6 @@ class PlyBinaryRows {
       errors_.truncated("a list of " + std::to_string(length) + " items", place());
     }
     return static_cast<std::uint64_t>(length);
-  }
-
-  void skip(PlyType type, std::uint64_t count) {
-    const std::uint64_t bytes = count * size_in_bytes(type);
-    require(bytes);
-    at_ += bytes;
   }
 
   void end_row() {}

@@ -5,6 +5,7 @@
 #include "core/types.h"
 #include "io/file_content.h"
 #include "io/not_kept.h"
+#include "mesh/scan_attributes.h"
 
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,7 @@ struct PolygonSoup {
   std::size_t skipped_elements = 0;  ///< things that are neither vertex nor face: lines, points, edges
   std::vector<NotKept> not_kept;     ///< all that was read over, the skipped elements among it, by name
   std::size_t vertices_welded = 0;   ///< STL only
+  ScanAttributes attributes;         ///< but for its counts and faces, which read_mesh adds
 
   std::size_t polygon_count() const { return ends.size(); }
   void close_polygon() { ends.push_back(corners.size()); }

@@ -6,11 +6,13 @@
 #include "io/first_occurrence.h"
 #include "io/polygon_soup.h"
 #include "io/triangulate_polygon.h"
+#include "mesh/scan_attributes.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -47,12 +49,17 @@ void require_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
   throw ReadError(path, "holds points but no faces", std::to_string(soup.points.size()) + " points", cure);
 }
 
-Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup) {
+/// @param face_of  is set to the polygon of each triangle where some have more corners
+Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup, std::vector<int>& face_of) {
   const std::size_t count = soup.corners.size() - 2 * soup.polygon_count();
   if (count > std::numeric_limits<int>::max()) throw ReadError(path, "more than 2147483647 triangles", "", "");
   Triangles triangles;
   triangles.reserve(count);
   for (std::size_t k = 0; k < soup.polygon_count(); ++k) triangulate_polygon(soup.points, soup.polygon(k), triangles);
+  if (count == soup.polygon_count()) return triangles;
+  face_of.reserve(count);
+  for (std::size_t k = 0; k < soup.polygon_count(); ++k)
+    face_of.insert(face_of.end(), soup.polygon(k).size() - 2, static_cast<int>(k));
   return triangles;
 }
 
@@ -135,8 +142,9 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const T
   return report;
 }
 
-/// Later points at the place of an earlier one go; the faces take the earlier one. @returns how many went.
-std::size_t weld(TriangleSoup& soup) {
+/// Later points at the place of an earlier one go; the faces take the earlier one, here and in the attributes.
+/// @returns how many went.
+std::size_t weld(TriangleSoup& soup, ScanAttributes& attributes) {
   FirstPoint first = first_point_table(soup.points);
   std::vector<int> place_of(soup.points.size());
   std::size_t kept = 0;
@@ -152,9 +160,16 @@ std::size_t weld(TriangleSoup& soup) {
     welded.points[place] = soup.points[v];
     if (!soup.colors.empty()) welded.colors[place] = soup.colors[v];
   }
+  std::vector<int> rows(kept);
+  for (std::size_t v = soup.points.size(); v-- > 0;) rows[static_cast<std::size_t>(place_of[v])] = static_cast<int>(v);
   welded.triangles = std::move(soup.triangles);
   for (Triangle& triangle : welded.triangles)
     for (int& v : triangle) v = place_of[static_cast<std::size_t>(v)];
+  const auto first_of = [&](int v) { return rows[static_cast<std::size_t>(place_of[static_cast<std::size_t>(v)])]; };
+  for (int& v : attributes.corners) v = first_of(v);
+  for (Triangle& triangle : attributes.triangles)
+    for (int& v : triangle) v = first_of(v);
+  welded.point_rows = std::move(rows);
   const std::size_t gone = soup.points.size() - kept;
   soup = std::move(welded);
   return gone;
@@ -170,10 +185,21 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
   }
   require_faces(path, polygons);
   ImportedMesh mesh;
-  mesh.soup.triangles = triangulate(path, polygons);
+  auto attributes = std::make_shared<ScanAttributes>(std::move(polygons.attributes));
+  mesh.soup.triangles = triangulate(path, polygons, attributes->face_of);
   mesh.soup.points = std::move(polygons.points);
   mesh.soup.colors = std::move(polygons.colors);
-  if (coincident == CoincidentVertices::weld) polygons.vertices_welded += weld(mesh.soup);
+  attributes->format = format_name(format);
+  attributes->point_count = mesh.soup.points.size();
+  attributes->triangle_count = mesh.soup.triangles.size();
+  if (!attributes->face_of.empty()) {
+    attributes->triangles = mesh.soup.triangles;
+    attributes->ends = polygons.ends;
+  }
+  if (!attributes->face_of.empty() || attributes->texture.dimension > 0 || attributes->normals.dimension > 0)
+    attributes->corners = polygons.corners;
+  if (coincident == CoincidentVertices::weld) polygons.vertices_welded += weld(mesh.soup, *attributes);
+  mesh.soup.attributes = std::move(attributes);
   mesh.report = make_report(format, polygons, mesh.soup);
   return mesh;
 }

@@ -25,9 +25,9 @@ struct ImportReport {
   std::size_t duplicate_faces = 0;      ///< triangles over the same three vertices as an earlier one; kept
   std::size_t coincident_vertices = 0;  ///< further vertices at exactly the place of another; kept
   std::size_t missing_colors = 0;       ///< vertices without a (finite) colour in a file with colours; made white
-  std::size_t skipped_elements = 0;     ///< OBJ lines, points and curves, PLY edges and the like; left out
+  std::size_t skipped_elements = 0;     ///< OBJ lines, points and curves; left out
   bool has_colors = false;
-  std::vector<NotKept> not_kept;  ///< what else the file holds, by name; it is in no file that is written
+  std::vector<NotKept> not_kept;  ///< what is in no file that is written, by name
 };
 
 struct ImportedMesh {

@@ -36,6 +36,8 @@ class TextCursor {
   std::string_view next_token();
   /// The next token, on this line or a later one; empty at the end of the text.
   std::string_view next_token_across_lines();
+  /// What is left of this line, its blanks as they are.
+  std::string_view rest_of_line() const { return text_.substr(at_, line_end_ - at_); }
   /// Leaves out the rest of this line.
   void skip_line() { at_ = line_end_; }
 

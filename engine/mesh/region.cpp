@@ -178,12 +178,13 @@ TriangleSoup with_region(const SurfaceModel& model, const Region& region, const 
   std::vector<char> gone_point(soup.points.size(), 0), gone_triangle(soup.triangles.size(), 0);
   for (int v : region.free_vertex) gone_point[v] = 1;
   for (int f : region.own_triangle) gone_triangle[f] = 1;
-  std::vector<int> number(soup.points.size(), -1);
+  std::vector<int> number(soup.points.size(), -1), points, triangles;
   result = {};
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     if (gone_point[v]) continue;
     number[v] = static_cast<int>(result.points.size());
     result.points.push_back(soup.points[v]);
+    points.push_back(static_cast<int>(v));
     if (!soup.colors.empty()) result.colors.push_back(soup.colors[v]);
   }
   const int first_new = static_cast<int>(result.points.size());
@@ -193,7 +194,9 @@ TriangleSoup with_region(const SurfaceModel& model, const Region& region, const 
     if (!gone_triangle[f]) {
       const Triangle& t = soup.triangles[f];
       result.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+      triangles.push_back(static_cast<int>(f));
     }
+  copy_rows(soup, points, triangles, result);
   for (int f = 0; f < evolved.patch_triangles; ++f) {
     Triangle t = evolved.triangles[f];
     for (int& v : t) v = v < evolved.free_count ? first_new + v : number[model.soup_vertex[evolved.view_vertex[v]]];

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace loopmend {
@@ -54,12 +55,15 @@ RepairedSurface repair_surface(const TriangleSoup& soup) {
   // The first view vertex of a point keeps its number; the others are new points.
   std::vector<char> used(soup.points.size(), 0);
   std::vector<int> number(model.soup_vertex.size());
+  std::vector<int> points(soup.points.size()), faces;
+  std::iota(points.begin(), points.end(), 0);
   for (std::size_t v = 0; v < model.soup_vertex.size(); ++v) {
     const int point = model.soup_vertex[v];
     number[v] = point;
     if (used[point]) {
       number[v] = static_cast<int>(result.soup.points.size());
       result.soup.points.push_back(Vec3(soup.points[point]));
+      points.push_back(point);
       if (!soup.colors.empty()) result.soup.colors.push_back(soup.colors[point]);
       counts.separated_vertices += used[point] == 1;
       used[point] = 2;
@@ -79,7 +83,9 @@ RepairedSurface repair_surface(const TriangleSoup& soup) {
     for (const auto v : model.mesh.fv_range(face)) corner[k++] = v.idx();
     while (model.soup_vertex[corner[0]] != given[0]) std::rotate(corner.begin(), corner.begin() + 1, corner.end());
     result.soup.triangles.push_back({number[corner[0]], number[corner[1]], number[corner[2]]});
+    faces.push_back(model.soup_face[face.idx()]);
   }
+  copy_rows(soup, points, faces, result.soup);
   return result;
 }
 

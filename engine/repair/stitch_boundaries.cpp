@@ -49,14 +49,21 @@ class Stitching {
     for (std::size_t v = 0; v < parent_.size(); ++v)
       stitched.joined_vertices += root(static_cast<int>(v)) != static_cast<int>(v);
     Triangles kept;
-    for (Triangle t : stitched.soup.triangles) {
-      for (int& v : t) v = root(v);
-      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+    std::vector<int> points(soup_.points.size()), rows;  // those of split faces are new
+    std::iota(points.begin(), points.end(), 0);
+    for (std::size_t f = 0; f < stitched.soup.triangles.size(); ++f) {
+      const Triangle& given = stitched.soup.triangles[f];
+      const Triangle t{root(given[0]), root(given[1]), root(given[2])};
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
         ++stitched.removed_faces;
-      else
-        kept.push_back(t);
+        continue;
+      }
+      kept.push_back(t);
+      const bool is_new = f >= soup_.triangles.size() || given != soup_.triangles[f];
+      rows.push_back(is_new ? -1 : static_cast<int>(f));
     }
     stitched.soup.triangles = std::move(kept);
+    copy_rows(soup_, points, rows, stitched.soup);
     return stitched;
   }
 

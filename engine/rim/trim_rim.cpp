@@ -167,12 +167,14 @@ TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>
     if (bad.empty()) break;
     TriangleSoup left = result.model.soup;
     left.triangles.clear();
-    std::vector<int> numbers;
+    std::vector<int> points(left.points.size()), stay, numbers;
+    std::iota(points.begin(), points.end(), 0);
     auto next = bad.begin();
     for (int f = 0; f < static_cast<int>(original.size()); ++f) {
       const Triangle& t = result.model.soup.triangles[f];
       if (next == bad.end() || next->face != f) {
         left.triangles.push_back(t);
+        stay.push_back(f);
         numbers.push_back(original[f]);
         continue;
       }
@@ -181,6 +183,7 @@ TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>
       ++next;
     }
     if (left.triangles.empty()) throw InvalidArgument("trimming the boundary would leave no triangle");
+    copy_rows(result.model.soup, points, stay, left);
     original = std::move(numbers);
     result.model = make_surface_model(std::move(left));
     result.loops.clear();

@@ -12,21 +12,24 @@ namespace {
 /// The triangles for which `keep` holds, and the points that they use, both in their old order.
 TriangleSoup keep_triangles(const TriangleSoup& soup, const std::vector<char>& keep) {
   TriangleSoup kept;
-  std::vector<int> new_index(soup.points.size(), -1);
+  std::vector<int> new_index(soup.points.size(), -1), points, triangles;
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     if (!keep[f]) continue;
     for (int v : soup.triangles[f]) new_index[v] = 0;
     kept.triangles.push_back(soup.triangles[f]);
+    triangles.push_back(static_cast<int>(f));
   }
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     if (new_index[v] < 0) continue;
     new_index[v] = static_cast<int>(kept.points.size());
     kept.points.push_back(soup.points[v]);
+    points.push_back(static_cast<int>(v));
     if (!soup.colors.empty()) kept.colors.push_back(soup.colors[v]);
   }
   for (Triangle& triangle : kept.triangles) {
     for (int& v : triangle) v = new_index[v];
   }
+  copy_rows(soup, points, triangles, kept);
   return kept;
 }
 

@@ -808,16 +808,8 @@
             <translation>Öffnen</translation>
         </message>
         <message>
-            <source>Scans and sessions (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)</source>
-            <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.loopmend *.PLY *.STL *.OBJ *.OFF);;Alle Dateien (*)</translation>
-        </message>
-        <message>
             <source>Export</source>
             <translation>Export</translation>
-        </message>
-        <message>
-            <source>PLY, exact (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</source>
-            <translation>PLY, genau (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</translation>
         </message>
         <message>
             <source>Save session</source>
@@ -870,6 +862,14 @@
         <message>
             <source>There is work that is neither saved nor exported.</source>
             <translation>Es gibt Arbeit, die weder gesichert noch exportiert ist.</translation>
+        </message>
+        <message>
+            <source>Scans and sessions (*.ply *.stl *.obj *.off *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)</source>
+            <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</source>
+            <translation>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</translation>
         </message>
     </context>
     <context>
@@ -3658,6 +3658,22 @@
         <message>
             <source>Relief around the hole is %1 % of an edge high, noise %2 %. The fits tell the normal at the boundary to %3° and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.</source>
             <translation>Das Relief um das Loch ist %1 % einer Kante hoch, das Rauschen %2 %. Die Anpassungen bestimmen die Normale am Rand auf %3° und die mittlere Krümmung auf %4 (sie beträgt dort %5, Effektivwert); das Band im Schnitt zeigt es.</translation>
+        </message>
+        <message>
+            <source>separate solids</source>
+            <translation>einzelne Körper</translation>
+        </message>
+        <message>
+            <source>face attributes</source>
+            <translation>Flächenattribute</translation>
+        </message>
+        <message>
+            <source>names of no face</source>
+            <translation>Namen ohne Fläche</translation>
+        </message>
+        <message>
+            <source>display statements</source>
+            <translation>Anzeigeanweisungen</translation>
         </message>
     </context>
 </TS>

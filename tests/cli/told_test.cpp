@@ -58,17 +58,19 @@ TEST_F(Told, WhatIsNotInTheOutputWithItsCount) {
   soup.colors.assign(soup.points.size(), {10, 20, 30, 255});
   write_mesh(work / "in.obj", soup);
   add_normals(work / "in.obj", 642);
-  EXPECT_THAT(loopmend_program("info " + path("in.obj")).out,
-              AllOf(HasSubstr("in no file that Loopmend writes: normals (642), materials (1)"),
-                    HasSubstr("not in STL: vertex colours (" + std::to_string(soup.points.size()) + ")")));
+  EXPECT_THAT(
+      loopmend_program("info " + path("in.obj")).out,
+      AllOf(HasSubstr("also holds: normals (642)"), HasSubstr("in no file that Loopmend writes: names of no face (1)"),
+            HasSubstr("not in STL: vertex colours (" + std::to_string(soup.points.size()) + "), normals (642)")));
   const std::string command = "fill " + path("in.obj") + "--flow none -o ";
   EXPECT_THAT(loopmend_program(command + path("out.ply")).out,
-              HasSubstr("Not in " + (work / "out.ply").string() + ": normals (642), materials (1).\n"));
+              HasSubstr("Not in " + (work / "out.ply").string() + ": names of no face (1), normals (642).\n"));
   const Outcome stl = loopmend_program(command + path("out.stl") + "--report " + path("r.json"));
   const json report = json::parse(test::text_of(work / "r.json"));
-  EXPECT_EQ(report["input"]["import"]["not_kept"][0], (json{{"what", "normals"}, {"count", 642}}));
+  EXPECT_EQ(report["input"]["import"]["not_kept"][0], (json{{"what", "names of no face"}, {"count", 1}}));
   ASSERT_EQ(report["output"]["not_kept"].size(), 3u);
-  EXPECT_EQ(report["output"]["not_kept"][2]["what"], "vertex colours");
+  EXPECT_EQ(report["output"]["not_kept"][1]["what"], "vertex colours");
+  EXPECT_EQ(report["output"]["not_kept"][2]["what"], "normals");
   EXPECT_THAT(stl.out, HasSubstr("vertex colours"));
 }
 

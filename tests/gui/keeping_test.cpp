@@ -479,9 +479,9 @@ void KeepingTest::what_will_not_be_saved_is_told_on_opening() {
   QVERIFY(!told().contains(QStringLiteral("saved")));
   QFile file(path);
   QVERIFY(file.open(QIODevice::Append));
-  file.write("vn 0 0 1\nvn 0 1 0\nvt 0 0\nusemtl skin\n");
+  file.write("vn 0 0 1\nvt 0 0\nl 1 2\nl 2 3\nl 3 4\nusemtl skin\n");
   file.close();
-  QVERIFY(told().endsWith(QStringLiteral("Will not be saved: normals (2), texture coordinates (1), materials (1).")));
+  QVERIFY(told().endsWith(QStringLiteral("Will not be saved: names of no face (1), lines (3).")));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<KeepingTest>(); }

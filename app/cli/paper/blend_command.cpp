@@ -8,6 +8,7 @@
 
 #include "core/version.h"
 #include "pipeline/blend.h"
+#include "pipeline/continue_attributes.h"
 
 #include <chrono>
 #include <cstdio>
@@ -76,6 +77,7 @@ int run_blend(const BlendCommand& command) {
                  result.outcome.message.c_str());
     return exit_loops_failed;
   }
+  continue_attributes(model.soup);
   OutputTransaction outputs;
   write_mesh(outputs, command.output, model.soup, command.words.encoding());
   std::vector<NotKept> not_read;

@@ -9,6 +9,7 @@
 
 #include "analysis/seam_report.h"
 #include "core/version.h"
+#include "pipeline/continue_attributes.h"
 #include "pipeline/evolve_region.h"
 
 #include <chrono>
@@ -66,7 +67,8 @@ int run_evolve(const EvolveCommand& command) {
     std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.c_str());
     return exit_loops_failed;
   }
-  const TriangleSoup surface = with_region(opened.model, region, evolved.patch);
+  TriangleSoup surface = with_region(opened.model, region, evolved.patch);
+  continue_attributes(surface);
   OutputTransaction outputs;
   write_mesh(outputs, command.output, surface, command.words.encoding());
   const OutputLosses losses =

@@ -2,6 +2,7 @@
 #include "part_loops.h"
 
 #include "cli/commands.h"
+#include "io/write_mesh.h"
 
 #include "problems/facing_loops.h"
 
@@ -67,6 +68,9 @@ OpenedParts open_parts(const std::vector<std::filesystem::path>& paths) {
     OpenedModel opened = open_model(path);
     parts.paths.push_back(path);
     parts.imports.push_back(opened.import);
+    if (paths.size() > 1)
+      for (const NotKept& entry : carried_attributes(opened.as_read))
+        count_not_kept(parts.imports.back().not_kept, entry.what, entry.count);
     parts.repairs.push_back(opened.model.repairs);
     soups.push_back(std::move(opened.model.soup));
   }
