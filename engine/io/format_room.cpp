@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a soup a format has no room for.
+#include "io/format_writers.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// What the file held beside; an empty table where there is none.
+const ScanAttributes& attributes_of(const TriangleSoup& soup) {
+  static const ScanAttributes none;
+  return soup.attributes ? *soup.attributes : none;
+}
+
+bool has_rows(const CornerValues& values) { return values.count() > 0 && !values.at.empty(); }
+
+/// The faces of a PLY file may have a list of that name already.
+bool writes_texture(const ScanAttributes& scan) {
+  return has_rows(scan.texture) && !find_column(scan.faces, "texcoord");
+}
+
+/// Their numbers of vertices hold only while the points are where they were.
+bool keeps_elements(const TriangleSoup& soup) { return soup.attributes && soup.point_rows.empty(); }
+
+const FaceNames* find_names(const ScanAttributes& scan, std::string_view keyword) {
+  const auto found =
+      std::find_if(scan.names.begin(), scan.names.end(), [&](const FaceNames& n) { return n.keyword == keyword; });
+  return found == scan.names.end() ? nullptr : &*found;
+}
+
+/// The place of the column that becomes the two bytes behind each facet.
+std::optional<std::size_t> find_stl_attribute(const ScanAttributes& scan) {
+  for (std::size_t k = 0; k < scan.faces.size(); ++k)
+    if (scan.faces[k].name() == "attribute" && scan.faces[k].type() == ScalarType::uint16 && !scan.faces[k].is_list())
+      return k;
+  return {};
+}
+
+/// What a face is called under a keyword; −1: nothing.
+int name_of(const FaceNames& names, const AttributeRow& row) {
+  if (!row.table) return -1;
+  for (const FaceNames& mine : row.table->names)
+    if (mine.keyword == names.keyword) return row.row < mine.of_face.size() ? mine.of_face[row.row] : -1;
+  return -1;
+}
+
+namespace {
+
+/// What a column holds, in words. Columns that belong together share theirs.
+std::string words_for(const std::string& element, const AttributeColumn& column, const std::string& format) {
+  const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), column.name()) != names.end();
+  };
+  const bool of_faces = element == "face";
+  if (role_of(column.name()) == AttributeRole::normal) return of_faces ? "face normals" : "normals";
+  if (is_one_of({"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"}))
+    return of_faces ? "texture coordinates of faces" : "texture coordinates";
+  if (of_faces && (role_of(column.name()) == AttributeRole::color || (format == "OFF" && column.name() == "color")))
+    return "face colours";
+  if (of_faces && format == "STL") return "face attributes";
+  return element + " properties \"" + column.name() + "\"";
+}
+
+const char* words_for_names(std::string_view keyword) {
+  if (keyword == "usemtl") return "materials";
+  if (keyword == "o") return "objects";
+  if (keyword == "s") return "smoothing groups";
+  return keyword == "solid" ? "separate solids" : "groups";
+}
+
+/// What a file has room for; without a format, nothing.
+struct Room {
+  std::optional<Format> format;
+  Encoding encoding = Encoding::binary;
+
+  bool is(Format other) const { return format == other; }
+};
+
+/// Colours of vertices are said by themselves.
+bool holds(const Room& room, const TriangleSoup& soup, bool of_faces, const AttributeColumn& column) {
+  const ScanAttributes& scan = attributes_of(soup);
+  const std::string& name = column.name();
+  const AttributeRole role = role_of(name);
+  if (room.is(Format::ply)) return true;
+  if (!of_faces && role == AttributeRole::color && !soup.colors.empty()) return true;
+  if (room.is(Format::stl)) {
+    const auto attribute = find_stl_attribute(scan);
+    return of_faces && room.encoding == Encoding::binary && attribute && &scan.faces[*attribute] == &column;
+  }
+  if (room.is(Format::off) && of_faces) return scan.format == "OFF" && name == "color";
+  if (room.is(Format::off) && (name == "s" || name == "t")) return true;
+  return (room.is(Format::off) || room.is(Format::obj)) && !of_faces && role == AttributeRole::normal;
+}
+
+void add_columns(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup, bool of_faces) {
+  const ScanAttributes& scan = attributes_of(soup);
+  for (const AttributeColumn& column : of_faces ? scan.faces : scan.points) {
+    if (holds(room, soup, of_faces, column)) continue;
+    const std::string words = words_for(of_faces ? "face" : "vertex", column, scan.format);
+    const bool known = std::any_of(list.begin(), list.end(), [&](const NotKept& entry) { return entry.what == words; });
+    if (!known) count_not_kept(list, words, column.rows());
+  }
+}
+
+std::size_t count_names(const FaceNames& names) {
+  return static_cast<std::size_t>(std::count_if(names.names.begin(), names.names.end(), [&](const std::string& name) {
+    return !(names.keyword == "s" && (name == "off" || name == "0"));
+  }));
+}
+
+void add_attributes(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup) {
+  const ScanAttributes& scan = attributes_of(soup);
+  add_columns(list, room, soup, false);
+  add_columns(list, room, soup, true);
+  const bool obj = room.is(Format::obj), ply = room.is(Format::ply);
+  if (!obj && !(ply && writes_texture(scan))) count_not_kept(list, "texture coordinates", scan.texture.count());
+  if (!obj) count_not_kept(list, "normals", scan.normals.count());
+  for (const FaceNames& names : scan.names) {
+    const bool solid = names.keyword == "solid";
+    const bool kept = solid ? room.is(Format::stl) && room.encoding == Encoding::ascii : obj;
+    const std::size_t count = count_names(names);
+    if (!kept && !(solid && count <= 1)) count_not_kept(list, words_for_names(names.keyword), count);
+  }
+  if (!obj) count_not_kept(list, "material libraries", scan.material_libraries.size());
+  if (!(ply && keeps_elements(soup)))
+    for (const OtherElement& element : scan.elements)
+      count_not_kept(list, "elements \"" + element.name + "\"", element.rows);
+}
+
+}  // namespace
+
+std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const TriangleSoup& soup,
+                                        Encoding encoding) {
+  std::vector<NotKept> list;
+  const Format format = format_of(path);
+  if (format == Format::obj) {
+    const auto see_through = [](const Color& color) { return color[3] != 255; };
+    const auto count = std::count_if(soup.colors.begin(), soup.colors.end(), see_through);
+    count_not_kept(list, "alpha values", static_cast<std::size_t>(count));
+  }
+  if (format == Format::stl) {
+    std::vector<char> used(soup.points.size(), 0);
+    for (const Triangle& triangle : soup.triangles)
+      for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
+    count_not_kept(list, "vertex colours", soup.colors.size());
+    count_not_kept(list, "vertices without faces", static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));
+  }
+  add_attributes(list, {format, encoding}, soup);
+  return list;
+}
+
+std::vector<NotKept> carried_attributes(const TriangleSoup& soup) {
+  std::vector<NotKept> list;
+  add_attributes(list, {}, soup);
+  return list;
+}
+
+}  // namespace loopmend

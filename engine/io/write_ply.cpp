@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/format_writers.h"
+
+#include <utility>
+#include <vector>
+
+namespace loopmend {
+
+namespace {
+
+bool has_colors(const std::vector<AttributeColumn>& columns) {
+  return std::any_of(columns.begin(), columns.end(),
+                     [](const AttributeColumn& column) { return role_of(column.name()) == AttributeRole::color; });
+}
+
+/// Null for a corner without one.
+const double* corner_value(const CornerValues& values, int corner) {
+  if (corner < 0 || values.dimension == 0) return nullptr;
+  const int at = values.at[static_cast<std::size_t>(corner)];
+  return at < 0 ? nullptr : &values.values[static_cast<std::size_t>(at) * static_cast<std::size_t>(values.dimension)];
+}
+
+const char* ply_name(ScalarType type) {
+  switch (type) {
+    case ScalarType::int8: return "char";
+    case ScalarType::uint8: return "uchar";
+    case ScalarType::int16: return "short";
+    case ScalarType::uint16: return "ushort";
+    case ScalarType::int32: return "int";
+    case ScalarType::uint32: return "uint";
+    case ScalarType::float32: return "float";
+    case ScalarType::float64: break;
+  }
+  return "double";
+}
+
+/// One value after the other in the types of a PLY file, binary or as text.
+class PlyValues {
+ public:
+  PlyValues(Output& out, Encoding encoding) : out_(out), encoding_(encoding) {}
+
+  void put(ScalarType type, double value) {
+    if (encoding_ == Encoding::ascii) return put_text(type, value);
+    switch (type) {
+      case ScalarType::int8: return out_.little_endian(static_cast<std::int8_t>(value));
+      case ScalarType::uint8: return out_.little_endian(static_cast<std::uint8_t>(value));
+      case ScalarType::int16: return out_.little_endian(static_cast<std::int16_t>(value));
+      case ScalarType::uint16: return out_.little_endian(static_cast<std::uint16_t>(value));
+      case ScalarType::int32: return out_.little_endian(static_cast<std::int32_t>(value));
+      case ScalarType::uint32: return out_.little_endian(static_cast<std::uint32_t>(value));
+      case ScalarType::float32: return out_.little_endian(static_cast<float>(value));
+      case ScalarType::float64: return out_.little_endian(value);
+    }
+  }
+
+  /// A row of the column; without one, a list of none or a 0.
+  void put(const AttributeColumn& column, bool has_row, std::size_t row) {
+    const std::size_t items = has_row ? column.items(row) : (column.is_list() ? 0 : 1);
+    if (column.is_list()) put(*column.count_type(), static_cast<double>(items));
+    for (std::size_t k = 0; k < items; ++k) put(column.type(), has_row ? column.value(row, k) : 0);
+  }
+
+  void end_row() {
+    if (encoding_ == Encoding::ascii) out_ << '\n';
+    first_ = true;
+  }
+
+ private:
+  void put_text(ScalarType type, double value) {
+    if (!std::exchange(first_, false)) out_ << ' ';
+    if (type == ScalarType::float32)
+      out_ << static_cast<float>(value);
+    else if (type == ScalarType::float64)
+      out_ << value;
+    else
+      out_ << static_cast<std::int64_t>(value);
+  }
+
+  Output& out_;
+  Encoding encoding_;
+  bool first_ = true;
+};
+
+class PlyWriter {
+ public:
+  PlyWriter(Output& out, const TriangleSoup& soup, Encoding encoding)
+      : out_(out),
+        values_(out, encoding),
+        soup_(soup),
+        encoding_(encoding),
+        scan_(attributes_of(soup)),
+        has_own_colors_(!soup.colors.empty() && !has_colors(scan_.points)) {}
+
+  void write() {
+    write_header();
+    PointRows rows(soup_);
+    for (std::size_t v = 0; v < soup_.points.size(); ++v) {
+      for (const double x : soup_.points[v]) values_.put(scan_.coordinates, x);
+      write_columns(scan_.points, rows.next(), &ScanAttributes::points);
+      if (has_own_colors_)
+        for (const unsigned char channel : soup_.colors[v]) values_.put(ScalarType::uint8, channel);
+      values_.end_row();
+    }
+    for_each_face(soup_, [&](const WrittenFace& face) {
+      values_.put(count_type_, static_cast<double>(face.vertices.size()));
+      for (const int v : face.vertices) values_.put(ScalarType::int32, v);
+      write_columns(scan_.faces, face.row, &ScanAttributes::faces);
+      if (writes_texture(scan_)) write_texture(face);
+      values_.end_row();
+    });
+    if (!keeps_elements(soup_)) return;
+    for (const OtherElement& element : scan_.elements)
+      for (std::size_t row = 0; row < element.rows; ++row) {
+        for (const AttributeColumn& column : element.columns) values_.put(column, true, row);
+        values_.end_row();
+      }
+  }
+
+ private:
+  void write_header() {
+    out_ << "ply\nformat " << (encoding_ == Encoding::binary ? "binary_little_endian" : "ascii") << " 1.0\n";
+    constexpr std::string_view ours = "comment Loopmend";
+    out_ << ours << '\n';
+    for (const std::string& remark : scan_.remarks)
+      if (remark != ours) out_ << remark << '\n';
+    out_ << "element vertex " << soup_.points.size() << '\n';
+    for (const char* name : {"x", "y", "z"}) out_ << "property " << ply_name(scan_.coordinates) << ' ' << name << '\n';
+    write_properties(scan_.points);
+    if (has_own_colors_)
+      for (const char* name : {"red", "green", "blue", "alpha"}) out_ << "property uchar " << name << '\n';
+    std::size_t faces = 0, largest = 0;
+    for_each_face(soup_, [&](const WrittenFace& face) {
+      ++faces;
+      largest = std::max(largest, face.vertices.size());
+    });
+    if (2 * largest > 255) count_type_ = ScalarType::int32;  // of the texture coordinates, too
+    out_ << "element face " << faces << "\nproperty list " << ply_name(count_type_) << " int vertex_indices\n";
+    write_properties(scan_.faces);
+    if (writes_texture(scan_)) out_ << "property list " << ply_name(count_type_) << " float texcoord\n";
+    if (keeps_elements(soup_))
+      for (const OtherElement& element : scan_.elements) {
+        out_ << "element " << element.name << ' ' << element.rows << '\n';
+        write_properties(element.columns);
+      }
+    out_ << "end_header\n";
+  }
+
+  void write_properties(const std::vector<AttributeColumn>& columns) {
+    for (const AttributeColumn& column : columns) {
+      out_ << "property ";
+      if (column.is_list()) out_ << "list " << ply_name(*column.count_type()) << ' ';
+      out_ << ply_name(column.type()) << ' ' << column.name() << '\n';
+    }
+  }
+
+  void write_columns(const std::vector<AttributeColumn>& columns, const AttributeRow& row,
+                     std::vector<AttributeColumn> ScanAttributes::*table) {
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      values_.put(row.table ? (row.table->*table)[k] : columns[k], row.table != nullptr, row.row);
+  }
+
+  /// Of OBJ, as MeshLab has them in PLY: two numbers for each corner.
+  void write_texture(const WrittenFace& face) {
+    const bool has_all = std::all_of(face.corners.begin(), face.corners.end(), [&](int corner) {
+      return corner_value(face.row.table->texture, corner) != nullptr;
+    });
+    const std::size_t corners = has_all ? face.corners.size() : 0;
+    values_.put(count_type_, static_cast<double>(2 * corners));
+    for (std::size_t k = 0; k < corners; ++k)
+      for (int c = 0; c < 2; ++c)
+        values_.put(ScalarType::float32, c < face.row.table->texture.dimension
+                                             ? corner_value(face.row.table->texture, face.corners[k])[c]
+                                             : 0);
+  }
+
+  Output& out_;
+  PlyValues values_;
+  const TriangleSoup& soup_;
+  Encoding encoding_;
+  const ScanAttributes& scan_;
+  bool has_own_colors_;
+  ScalarType count_type_ = ScalarType::uint8;
+};
+
+}  // namespace
+
+void write_ply(Output& out, const TriangleSoup& soup, Encoding encoding) { PlyWriter(out, soup, encoding).write(); }
+
+}  // namespace loopmend
