@@ -85,7 +85,7 @@ package(command_line loopmend-cli ""
 "The command line fills holes, joins boundary loops of several meshes, smooths
 regions and draws pictures. It reads and writes PLY, STL, OBJ and OFF.")
 package(development libloopmend-dev
-"libeigen3-dev, libopenmesh-dev, libcgal-dev, libsuitesparse-dev, libopenblas-pthread-dev, libtbb-dev, zlib1g-dev"
+"libeigen3-dev, libopenmesh-dev, libcgal-dev, libsuitesparse-dev, libopenblas-pthread-dev, libtbb-dev, zlib1g-dev, libpng-dev, libjpeg62-turbo-dev"
 "The numerical engine as a static library, with its headers and its CMake
 package: find_package(loopmend) gives the target loopmend::engine.")
 if(LOOPMEND_BUILD_DOCS)

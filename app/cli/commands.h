@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "export/write_scan.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "pipeline/fill_holes.h"
@@ -48,7 +49,7 @@ struct FillCommand {
   std::vector<std::string> bridges;                   ///< "A,B": input vertices between which a strip is laid first
   int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100
   std::string report;                                 ///< file or "-"; empty: none
-  Encoding encoding = Encoding::binary;
+  WriteScanOptions write;
   Verbosity verbosity = Verbosity::normal;
   std::string command_line;  ///< as typed, for the report
 };

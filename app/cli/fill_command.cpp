@@ -9,7 +9,6 @@
 
 #include "core/version.h"
 #include "io/atomic_file.h"
-#include "pipeline/continue_attributes.h"
 #include "pipeline/hand_bridge.h"
 #include "pipeline/paste.h"
 #include "repair/repair_surface.h"
@@ -340,6 +339,21 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
 
 }  // namespace
 
+namespace {
+
+void print_beside(std::FILE* out, const WrittenScan& written) {
+  if (written.painted > 0)
+    std::fprintf(out, "A picture was painted for %s of the patches.\n",
+                 counted(written.painted, "triangle", "triangles").c_str());
+  std::string names;
+  for (const std::filesystem::path& file : written.beside)
+    names += (names.empty() ? "" : ", ") + file.filename().string();
+  if (!names.empty()) std::fprintf(out, "Beside it: %s.\n", names.c_str());
+  for (const std::string& remark : written.remarks) std::fprintf(out, "%s\n", remark.c_str());
+}
+
+}  // namespace
+
 int run_fill(const FillCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   CommandFiles()
@@ -359,17 +373,20 @@ int run_fill(const FillCommand& command) {
   const std::vector<HoleResult> results = fill_selected(model, loops, choices, command, cancel);
   const bool stopped = cancel.cancelled();
   check_exterior(opened.as_read, model.soup, model.repairs.reoriented_faces);
-  continue_attributes(model.soup);
   OutputTransaction outputs;
-  write_mesh(outputs, command.output, model.soup, command.encoding);
-  const OutputLosses losses =
-      losses_of(command.output, model.soup, command.encoding, opened.import.not_kept, opened.as_read.points.size());
+  const WrittenScan written = write_scan(outputs, command.output, model.soup, command.write);
+  const OutputLosses losses = losses_of(command.output, model.soup, command.write.encoding, opened.import.not_kept,
+                                        opened.as_read.points.size());
   const Outcome outcome = outcome_of(results, choices);
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   nlohmann::ordered_json json = fill_report(command, opened.import, preparation.before, results, rims, preparation);
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
   json["output"] = losses_json(losses);
+  json["output"]["beside"] = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& file : written.beside) json["output"]["beside"].push_back(file.string());
+  json["output"]["painted_triangles"] = written.painted;
+  json["output"]["remarks"] = written.remarks;
   json["stopped"] = stopped;
   json["peak_memory_mb"] = peak_memory_mb();
   json["total_seconds"] = seconds;
@@ -394,6 +411,7 @@ int run_fill(const FillCommand& command) {
     else
       print_summary(out, results, outcome, command, seconds);
     print_losses(out, command.output, losses);
+    print_beside(out, written);
     print_import_losses(out, opened.import);
     print_coincident(out, opened.import, loops);
     if (outcome.in_vain()) print_cure(out, model.repairs, loops, command);

@@ -2,8 +2,8 @@
 // The options of a flow as words on the command line, shared by the commands that evolve a patch.
 #pragma once
 
-#include "pipeline/fill_holes.h"
 #include "io/write_mesh.h"
+#include "pipeline/fill_holes.h"
 #include "progress_line.h"
 
 #include <string>

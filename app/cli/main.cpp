@@ -64,7 +64,7 @@ void add_info(CLI::App& app, InfoCommand& command) {
 struct FillWords {
   FlowWords flow;
   bool include_outer_rim = false, stitch = false, repair = false, keep_partial = false;
-  std::string islands = "join";
+  std::string islands = "join", texture = "grain", materials = "copy";
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
@@ -102,6 +102,15 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
                    "to ten of those that cross the surface")
       ->check(between(0, 100))
       ->type_name("N");
+  fill->add_option("--texture", words.texture,
+                   "Texture of patches in a scan with a texture (OBJ): like the scan's, smooth colours, or none")
+      ->check(CLI::IsMember({"grain", "smooth", "none"}))
+      ->capture_default_str();
+  fill->add_option(
+          "--materials", words.materials,
+          "Material files and pictures of OBJ: copied beside an output in another folder, or named where they are")
+      ->check(CLI::IsMember({"copy", "reference"}))
+      ->capture_default_str();
   add_flow_options(*fill, words.flow, DensityOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))
@@ -122,7 +131,11 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
 void take_words(const FillWords& words, FillCommand& command) {
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
   command.verbosity = words.flow.verbosity();
-  command.encoding = words.flow.encoding();
+  command.write.encoding = words.flow.encoding();
+  command.write.texture = std::nullopt;
+  if (words.texture != "none")
+    command.write.texture = words.texture == "grain" ? TextureFill::grain : TextureFill::smooth;
+  command.write.materials = words.materials == "copy" ? MaterialFiles::copy : MaterialFiles::reference;
   command.report = words.flow.report;
   const int threads = command.fill.threads;
   command.fill = options_of(words.flow);

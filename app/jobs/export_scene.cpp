@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/export_scene.h"
 
-#include "io/write_mesh.h"
-#include "pipeline/continue_attributes.h"
+#include "export/write_scan.h"
 #include "pipeline/paste.h"
 
 namespace loopmend {
@@ -59,8 +58,10 @@ ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
       for (const NotKept& entry : carried_attributes(soup)) count_not_kept(result.not_kept, entry.what, entry.count);
   TriangleSoup all = joined(std::move(soups));
   if (cancel.cancelled()) return result;
-  continue_attributes(all);
-  write_mesh(task.path, all);
+  OutputTransaction outputs;
+  result.remarks = write_scan(outputs, task.path, all, {}, cancel).remarks;
+  if (cancel.cancelled()) return result;
+  outputs.commit();
   result.triangles = all.triangles.size();
   for (const NotKept& entry : not_kept_by_format(task.path, all))
     count_not_kept(result.not_kept, entry.what, entry.count);

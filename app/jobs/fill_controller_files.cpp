@@ -244,6 +244,7 @@ void FillController::on_exported(const ExportResult& result, const QString& path
   if (!result.left_open.empty())
     text += tr(" Left open, because the patch cuts the surface or another patch: %1.")
                 .arg(labels::holes(document_, result.left_open));
+  for (const std::string& remark : result.remarks) text += QLatin1Char(' ') + QString::fromStdString(remark);
   Q_EMIT logged(text);
   Q_EMIT notice(text);
 }

@@ -190,6 +190,7 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
   mesh.soup.points = std::move(polygons.points);
   mesh.soup.colors = std::move(polygons.colors);
   attributes->format = format_name(format);
+  attributes->file = std::filesystem::absolute(path);
   attributes->point_count = mesh.soup.points.size();
   attributes->triangle_count = mesh.soup.triangles.size();
   if (!attributes->face_of.empty()) {

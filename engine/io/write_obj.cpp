@@ -18,9 +18,10 @@ class ObjWriter {
 
   void write() {
     out_ << "# Loopmend\n";
-    for (const std::string& library : scan_.material_libraries) out_ << "mtllib " << library << '\n';
-    if (soup_.continued)
-      for (const std::string& library : soup_.continued->material_libraries) out_ << "mtllib " << library << '\n';
+    const ScanAttributes* continued = soup_.continued.get();
+    const bool has_more = continued && !continued->material_libraries.empty();
+    for (const std::string& library : has_more ? continued->material_libraries : scan_.material_libraries)
+      out_ << "mtllib " << library << '\n';
     write_points();
     write_values("vt", &ScanAttributes::texture);
     if (!normals_per_point_) write_values("vn", &ScanAttributes::normals);

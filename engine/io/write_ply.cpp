@@ -89,7 +89,11 @@ class PlyWriter {
         soup_(soup),
         encoding_(encoding),
         scan_(attributes_of(soup)),
-        has_own_colors_(!soup.colors.empty() && !has_colors(scan_.points)) {}
+        has_own_colors_(!soup.colors.empty() && !has_colors(scan_.points)) {
+    if (soup.continued && soup.continued->faces.size() > scan_.faces.size())
+      more_face_columns_.assign(soup.continued->faces.begin() + static_cast<std::ptrdiff_t>(scan_.faces.size()),
+                                soup.continued->faces.end());
+  }
 
   void write() {
     write_header();
@@ -105,6 +109,8 @@ class PlyWriter {
       values_.put(count_type_, static_cast<double>(face.vertices.size()));
       for (const int v : face.vertices) values_.put(ScalarType::int32, v);
       write_columns(scan_.faces, face.row, &ScanAttributes::faces);
+      for (const AttributeColumn& column : more_face_columns_)
+        values_.put(column, face.row.table == soup_.continued.get() && face.row.table != nullptr, face.row.row);
       if (writes_texture(scan_)) write_texture(face);
       values_.end_row();
     });
@@ -121,7 +127,8 @@ class PlyWriter {
     out_ << "ply\nformat " << (encoding_ == Encoding::binary ? "binary_little_endian" : "ascii") << " 1.0\n";
     constexpr std::string_view ours = "comment Loopmend";
     out_ << ours << '\n';
-    for (const std::string& remark : scan_.remarks)
+    const bool has_more = soup_.continued && !soup_.continued->remarks.empty();
+    for (const std::string& remark : has_more ? soup_.continued->remarks : scan_.remarks)
       if (remark != ours) out_ << remark << '\n';
     out_ << "element vertex " << soup_.points.size() << '\n';
     for (const char* name : {"x", "y", "z"}) out_ << "property " << ply_name(scan_.coordinates) << ' ' << name << '\n';
@@ -136,6 +143,7 @@ class PlyWriter {
     if (2 * largest > 255) count_type_ = ScalarType::int32;  // of the texture coordinates, too
     out_ << "element face " << faces << "\nproperty list " << ply_name(count_type_) << " int vertex_indices\n";
     write_properties(scan_.faces);
+    write_properties(more_face_columns_);
     if (writes_texture(scan_)) out_ << "property list " << ply_name(count_type_) << " float texcoord\n";
     if (keeps_elements(soup_))
       for (const OtherElement& element : scan_.elements) {
@@ -179,6 +187,7 @@ class PlyWriter {
   Encoding encoding_;
   const ScanAttributes& scan_;
   bool has_own_colors_;
+  std::vector<AttributeColumn> more_face_columns_;  ///< that only new triangles have; 0 for the others
   ScalarType count_type_ = ScalarType::uint8;
 };
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -77,14 +78,16 @@ struct OtherElement {
 /// Rows of points and faces are numbered as in the file; TriangleSoup says which of them its points and triangles have.
 struct ScanAttributes {
   std::string format;                            ///< of the file: "PLY", "STL", "OBJ" or "OFF"
+  std::filesystem::path file;                    ///< absolute; material files are looked for in its folder
   ScalarType coordinates = ScalarType::float64;  ///< float32 where the file says so and no coordinate needs more
   std::vector<AttributeColumn> points, faces;
-  std::vector<std::string> remarks;  ///< of a PLY header: "comment …", "obj_info …"
+  std::vector<std::string>
+      remarks;  ///< of a PLY header: "comment …", "obj_info …"; of `continued`: as material_libraries
   std::vector<OtherElement> elements;
   CornerValues texture, normals;
   std::vector<FaceNames> names;
-  std::vector<std::string> material_libraries;
-  std::string header;  ///< binary STL: its 80 bytes
+  std::vector<std::string> material_libraries;  ///< of `continued`: all that are to be named, unless it has none
+  std::string header;                           ///< binary STL: its 80 bytes
   std::size_t point_count = 0, triangle_count = 0;
 
   /// The faces of the file; no ends where all are triangles, nothing at all where nobody needs them.

@@ -29,6 +29,8 @@ exec awk '
     may["evolution"] = "core mesh operators flows solvers remeshing filling rim split"
     may["pipeline"] = "core mesh operators flows filling rim split evolution analysis"
     may["repair"] = "core mesh"
+    may["texture"] = "core mesh operators solvers"
+    may["export"] = "core mesh io pipeline texture"
     may["samples"] = "core mesh"
 
     heavy = "^(CGAL/|suitesparse/|SuiteSparse|cholmod|umfpack|Eigen/(Cholmod|UmfPack)Support)"

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/write_scan.h"
+
+#include "core/error.h"
+#include "io/file_content.h"
+#include "io/gzip.h"
+#include "io/material_library.h"
+#include "io/picture_file.h"
+#include "io/text_cursor.h"
+#include "mesh/scan_attributes.h"
+#include "pipeline/continue_attributes.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace loopmend {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+bool has_same_content(const fs::path& a, const fs::path& b) {
+  try {
+    return load_file(a).bytes == load_file(b).bytes;
+  } catch (const ReadError&) {
+    return false;
+  }
+}
+
+/// The files beside a scan and those beside its output.
+class SideFiles {
+ public:
+  SideFiles(OutputTransaction& outputs, const fs::path& path, const fs::path& scan, MaterialFiles materials,
+            WrittenScan& written)
+      : outputs_(outputs),
+        path_(path),
+        from_(folder_of(scan)),
+        to_(folder_of(path)),
+        materials_(materials),
+        written_(written) {
+    std::error_code ignored;
+    is_elsewhere_ = !scan.empty() && !fs::equivalent(from_, to_, ignored);
+  }
+
+  const fs::path& scan_folder() const { return from_; }
+
+  /// As the output shall name a file that the scan names; copied, if so asked. @param folder  of the scan's, from which the
+  /// name is told
+  std::string named(const std::string& name, const fs::path& folder = {}) {
+    if (!is_elsewhere_) return name;
+    if (materials_ == MaterialFiles::copy) {
+      copy(folder / name);
+      return name;
+    }
+    std::error_code ignored;
+    const fs::path there = fs::relative(from_ / folder / name, to_, ignored);
+    return there.empty() ? name : there.generic_string();
+  }
+
+  /// A picture of the scan's texture; null: it cannot be used, which is said.
+  const Picture* picture(const fs::path& path) {
+    const auto [entry, is_new] = pictures_.try_emplace(path.string());
+    if (is_new) {
+      try {
+        entry->second = read_picture(path);
+      } catch (const ReadError& error) {
+        written_.remarks.push_back(std::string("A picture of the scan's texture cannot be used: ") + error.what());
+      }
+    }
+    return entry->second.empty() ? nullptr : &entry->second;
+  }
+
+  /// "NAME_patch" after the output, or with a number where one of the scan's own files is called so.
+  std::string name_for_patches(const std::set<std::string>& taken) const {
+    const std::string stem = without_gzip_name(path_).stem().string() + "_patch";
+    const auto is_free = [&](const std::string& name) {
+      return !taken.contains(name + ".png") && !taken.contains(name + ".mtl");
+    };
+    std::string name = stem;
+    for (int k = 2; !is_free(name); ++k) name = stem + "_" + std::to_string(k);
+    return name;
+  }
+
+  void add(const std::string& name, const std::function<void(std::ostream&)>& write) {
+    outputs_.add(to_ / name, write);
+    written_.beside.push_back(to_ / name);
+  }
+
+  void say(const std::string& remark) { written_.remarks.push_back(remark); }
+
+ private:
+  void copy(const fs::path& name) {
+    const fs::path relative = name.lexically_normal();
+    if (relative.is_absolute() || (!relative.empty() && *relative.begin() == "..")) {
+      say("The file " + name.string() + " is outside the scan's folder and was not copied.");
+      return;
+    }
+    const fs::path source = from_ / relative, target = (to_ / relative).lexically_normal();
+    if (!copied_.insert(target.string()).second || !fs::exists(source)) return;
+    if (fs::exists(target)) {
+      if (has_same_content(source, target)) return;
+      throw WriteError(
+          target, "another file of this name is there already, which the scan's " + name.string() + " would replace",
+          "Choose another folder for the output, or --materials reference.");
+    }
+    if (target.has_parent_path()) outputs_.add_folder(target.parent_path());
+    const FileContent content = load_file(source);
+    outputs_.add(target, [&](std::ostream& out) {
+      out.write(content.bytes.data(), static_cast<std::streamsize>(content.bytes.size()));
+    });
+    written_.beside.push_back(target);
+  }
+
+  OutputTransaction& outputs_;
+  const fs::path& path_;
+  fs::path from_, to_;
+  MaterialFiles materials_;
+  WrittenScan& written_;
+  bool is_elsewhere_ = false;
+  std::map<std::string, Picture> pictures_;
+  std::set<std::string> copied_;
+};
+
+/// What of a format says which picture a face has.
+class Texture {
+ public:
+  virtual ~Texture() = default;
+  virtual const Picture* picture_of(std::size_t face) = 0;
+  /// The files that the scan names, as the output shall name them.
+  virtual void name_files(ScanAttributes& continued) = 0;
+  /// A picture of patches that are like this face: its file, and the new triangles that have it.
+  virtual void add_patches(const PaintedPatches& painted, std::size_t like_face, ScanAttributes& continued) = 0;
+};
+
+/// OBJ: usemtl names a material of a file that mtllib names.
+class ObjTexture : public Texture {
+ public:
+  ObjTexture(const ScanAttributes& scan, SideFiles& files) : scan_(scan), files_(files) {
+    for (const std::string& name : scan_.material_libraries) {
+      try {
+        libraries_.push_back(read_material_library(files.scan_folder() / name));
+      } catch (const ReadError& error) {
+        files.say(std::string("The scan's material file cannot be used: ") + error.what());
+      }
+    }
+  }
+
+  const Picture* picture_of(std::size_t face) override {
+    const std::string* material = material_of(face);
+    if (!material) return nullptr;
+    for (const MaterialLibrary& library : libraries_)
+      if (const auto named = library.color_pictures.find(*material); named != library.color_pictures.end())
+        return files_.picture(folder_of(library.path) / named->second);
+    return nullptr;
+  }
+
+  void name_files(ScanAttributes& continued) override {
+    for (const std::string& name : scan_.material_libraries) continued.material_libraries.push_back(files_.named(name));
+    std::error_code ignored;
+    for (const MaterialLibrary& library : libraries_)  // pictures are told from the folder of the material file
+      for (const std::string& picture : library.pictures)
+        files_.named(picture, fs::relative(folder_of(library.path), files_.scan_folder(), ignored));
+  }
+
+  void add_patches(const PaintedPatches& painted, std::size_t like_face, ScanAttributes& continued) override {
+    std::set<std::string> taken(scan_.material_libraries.begin(), scan_.material_libraries.end());
+    for (const MaterialLibrary& library : libraries_) taken.insert(library.pictures.begin(), library.pictures.end());
+    const std::string name = files_.name_for_patches(taken);
+    for (FaceNames& names : continued.names) {
+      if (names.keyword != "usemtl") continue;
+      std::string material = "loopmend_patch";
+      for (int k = 2; std::find(names.names.begin(), names.names.end(), material) != names.names.end(); ++k)
+        material = "loopmend_patch_" + std::to_string(k);
+      const int number = static_cast<int>(names.names.size());
+      names.names.push_back(material);
+      for (std::size_t f = 0; f < painted.is_painted.size(); ++f)
+        if (painted.is_painted[f]) names.of_face[f] = number;
+      files_.add(name + ".mtl", [&](std::ostream& out) { write_material(out, material, name + ".png", like_face); });
+    }
+    continued.material_libraries.push_back(name + ".mtl");
+    files_.add(name + ".png", [&](std::ostream& out) { write_png(out, painted.picture); });
+  }
+
+ private:
+  const std::string* material_of(std::size_t face) const {
+    for (const FaceNames& names : scan_.names)
+      if (names.keyword == "usemtl" && face < names.of_face.size() && names.of_face[face] >= 0)
+        return &names.names[static_cast<std::size_t>(names.of_face[face])];
+    return nullptr;
+  }
+
+  /// With the statements of the material around, but for its pictures.
+  void write_material(std::ostream& out, const std::string& material, const std::string& picture,
+                      std::size_t like_face) const {
+    out << "# Loopmend\nnewmtl " << material << '\n';
+    if (const std::string* like = material_of(like_face))
+      for (const MaterialLibrary& library : libraries_) {
+        const auto lines = library.statements.find(*like);
+        if (lines == library.statements.end()) continue;
+        for (const std::string& line : lines->second) out << line << '\n';
+        break;
+      }
+    out << "map_Kd " << picture << '\n';
+  }
+
+  const ScanAttributes& scan_;
+  SideFiles& files_;
+  std::vector<MaterialLibrary> libraries_;
+};
+
+/// PLY as MeshLab has it: "comment TextureFile NAME", and the face property texnumber where there are several.
+class PlyTexture : public Texture {
+ public:
+  PlyTexture(const ScanAttributes& scan, SideFiles& files)
+      : scan_(scan),
+        files_(files),
+        number_(find_column(scan.faces, "texnumber")) {
+    for (const std::string& remark : scan.remarks)
+      if (const std::string name = name_in(remark); !name.empty()) names_.push_back(name);
+  }
+
+  const Picture* picture_of(std::size_t face) override {
+    const double number = number_ && !number_->is_list() ? number_->value(face) : 0;
+    if (!(number >= 0) || number >= static_cast<double>(names_.size())) return nullptr;
+    return files_.picture(files_.scan_folder() / names_[static_cast<std::size_t>(number)]);
+  }
+
+  void name_files(ScanAttributes& continued) override {
+    for (const std::string& remark : scan_.remarks) {
+      const std::string name = name_in(remark);
+      continued.remarks.push_back(name.empty() ? remark : keyword + files_.named(name));
+    }
+  }
+
+  void add_patches(const PaintedPatches& painted, std::size_t, ScanAttributes& continued) override {
+    const std::string name = files_.name_for_patches({names_.begin(), names_.end()}) + ".png";
+    continued.remarks.push_back(keyword + name);
+    files_.add(name, [&](std::ostream& out) { write_png(out, painted.picture); });
+    AttributeColumn column("texnumber", number_ ? number_->type() : ScalarType::int32);
+    for (const char is_painted : painted.is_painted) column.push(is_painted ? static_cast<double>(names_.size()) : 0);
+    if (number_)
+      continued.faces[static_cast<std::size_t>(number_ - scan_.faces.data())] = std::move(column);
+    else
+      continued.faces.push_back(std::move(column));
+  }
+
+ private:
+  inline static const std::string keyword = "comment TextureFile ";
+
+  /// Empty where the remark is another one.
+  static std::string name_in(const std::string& remark) {
+    if (remark.substr(0, keyword.size()) != keyword) return {};
+    std::string name = remark.substr(keyword.size());
+    name.erase(0, name.find_first_not_of(' '));
+    return name;
+  }
+
+  const ScanAttributes& scan_;
+  SideFiles& files_;
+  const AttributeColumn* number_;
+  std::vector<std::string> names_;
+};
+
+/// Of a scan of the same format as the output; null: it has none.
+std::unique_ptr<Texture> texture_of(const fs::path& path, const ScanAttributes& scan, SideFiles& files) {
+  const auto is_written_as = [&](const char* format, const char* extension) {
+    return scan.format == format && equals_ignoring_case(without_gzip_name(path).extension().string(), extension);
+  };
+  if (is_written_as("OBJ", ".obj") && !scan.material_libraries.empty())
+    return std::make_unique<ObjTexture>(scan, files);
+  if (is_written_as("PLY", ".ply") && scan.texture.count() > 0) return std::make_unique<PlyTexture>(scan, files);
+  return nullptr;
+}
+
+void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions& options, WrittenScan& written,
+                   const CancelToken& cancel) {
+  auto continued = std::make_shared<ScanAttributes>(soup.continued ? *soup.continued : ScanAttributes{});
+  texture.name_files(*continued);
+  if (options.texture) {
+    std::size_t like_face = 0;
+    PaintedPatches painted = paint_patches(
+        soup,
+        [&](std::size_t face) {
+          const Picture* picture = texture.picture_of(face);
+          if (picture) like_face = face;
+          return picture;
+        },
+        *options.texture, cancel);
+    if (painted.not_painted > 0)
+      written.remarks.push_back(std::to_string(painted.not_painted) +
+                                " new triangles have no texture: their patch cannot be laid out in a plane.");
+    if (!painted.picture.empty()) {
+      written.painted = static_cast<std::size_t>(std::count(painted.is_painted.begin(), painted.is_painted.end(), 1));
+      texture.add_patches(painted, like_face, *continued);
+      continued->texture = std::move(painted.texture);
+    }
+  }
+  soup.continued = std::move(continued);
+}
+
+}  // namespace
+
+WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,
+                       const WriteScanOptions& options, const CancelToken& cancel) {
+  WrittenScan written;
+  continue_attributes(soup);
+  if (soup.attributes) {
+    SideFiles files(outputs, path, soup.attributes->file, options.materials, written);
+    if (const auto texture = texture_of(path, *soup.attributes, files))
+      write_texture(*texture, soup, options, written, cancel);
+  }
+  write_mesh(outputs, path, soup, options.encoding);
+  return written;
+}
+
+}  // namespace loopmend

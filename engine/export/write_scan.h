@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scan and its patches into a file, with what the scan carries.
+#pragma once
+
+#include "core/cancel.h"
+#include "io/atomic_file.h"
+#include "io/write_mesh.h"
+#include "mesh/triangle_soup.h"
+#include "texture/paint_patches.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// What becomes of the material files of OBJ and their pictures where the output is in another folder.
+enum class MaterialFiles {
+  copy,      ///< beside the output
+  reference  ///< named where they are
+};
+
+struct WriteScanOptions {
+  std::filesystem::path
+      input;  ///< the scan's own file: material files are looked for in its folder; empty: there is none
+  Encoding encoding = Encoding::binary;
+  std::optional<TextureFill> texture = TextureFill::grain;  ///< nothing: patches are not painted
+  MaterialFiles materials = MaterialFiles::copy;
+};
+
+/// What was written beside the mesh, or could not be.
+struct WrittenScan {
+  std::vector<std::filesystem::path> beside;  ///< pictures and material files
+  std::size_t painted = 0;                    ///< triangles of patches that a picture was painted for
+  std::vector<std::string> remarks;           ///< sentences: what is missing
+};
+
+/// Makes the soup's new rows (continue_attributes), paints its patches where the scan has a texture and the output is of the same
+/// format (OBJ with materials, PLY with corner texture coordinates), and adds all files to the transaction.
+/// @throws WriteError, InvalidArgument as write_mesh; WriteError where a material file would replace another one.
+WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,
+                       const WriteScanOptions& options, const CancelToken& cancel = {});
+
+}  // namespace loopmend
