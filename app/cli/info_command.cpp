@@ -24,6 +24,7 @@ void print_import(const ImportReport& import, const ModelRepairs& repairs) {
   print_count(import.coincident_vertices, "vertices lie exactly on another; they are kept apart");
   print_count(import.degenerate_faces, "faces have no area; they are kept");
   print_count(import.duplicate_faces, "faces are there twice; they are kept");
+  for (const NotKept& oddity : import.oddities) print_count(oddity.count, oddity.what.c_str());
   print_count(import.missing_colors, "vertices have no colour in a file with colours; they are white");
   print_count(repairs.non_manifold_edges, "edges have more than two faces");
   print_count(repairs.non_manifold_vertices, "vertices join several fans of faces");

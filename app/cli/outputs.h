@@ -71,7 +71,7 @@ nlohmann::ordered_json not_kept_json(const std::vector<NotKept>& list);
 /// A line for each kind of loss; nothing where there is none.
 void print_losses(std::FILE* out, const std::filesystem::path& output, const OutputLosses& losses);
 
-/// What reading alone has changed and a person would miss: colours that were not there.
+/// What reading alone has changed and a person would miss: colours that were not there, and what was odd in the file.
 void print_import_losses(std::FILE* out, const ImportReport& import);
 
 /// Where boundaries lie on each other: how many edges, and what joins them.

@@ -44,7 +44,8 @@ Json input_json(const std::filesystem::path& path, const ImportReport& import, c
             {"has_colors", import.has_colors},
             {"missing_colors", import.missing_colors},
             {"skipped_elements", import.skipped_elements},
-            {"not_kept", not_kept_json(import.not_kept)}}}};
+            {"not_kept", not_kept_json(import.not_kept)},
+            {"oddities", not_kept_json(import.oddities)}}}};
 }
 
 Json loop_json(const BoundaryLoop& loop) {

@@ -205,6 +205,7 @@ QString import_summary(const OpenedScan& scan) {
   note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend::labels", "split at %1 non-manifold vertices"));
   note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend::labels", "%1 vertices that no face uses"));
   note(in.missing_colors, QT_TRANSLATE_NOOP("loopmend::labels", "%1 vertices without a colour, made white"));
+  if (!in.oddities.empty()) notes << not_kept(in.oddities);
   int coincident = 0;
   for (const BoundaryLoop& loop : scan.loops) coincident += loop.kind == LoopKind::cut ? 0 : loop.coincident;
   if (in.coincident_vertices > 0)

@@ -118,14 +118,16 @@ bool looks_like_ascii_stl(std::string_view text, std::string_view first) {
   return equals_ignoring_case(first, "solid") && !looks_binary(text);
 }
 
-bool is_off_keyword(std::string_view token) {
+bool is_off_keyword(std::string_view given) {
+  const std::string token = upper_off_keyword(given);
   const std::size_t at = token.find("OFF");
   if (at == std::string_view::npos || at > 5) return false;
   const auto among = [](std::string_view part, std::string_view allowed) {
     return part.find_first_not_of(allowed) == std::string_view::npos;
   };
   // "OFF8" is what a lost line break makes of "OFF" and the number of vertices.
-  return among(token.substr(0, at), "STCN4n") && among(token.substr(at + 3), "0123456789");
+  const std::string_view all = token;
+  return among(all.substr(0, at), "STCN4n") && among(all.substr(at + 3), "0123456789");
 }
 
 bool is_obj_keyword(std::string_view token) {

@@ -11,12 +11,6 @@ void ParseErrors::not_finite(std::uint64_t vertex, const std::string& place) con
        "Remove or repair that vertex in the program the file comes from.");
 }
 
-void ParseErrors::too_few_corners(std::uint64_t face, std::uint64_t corners, const std::string& place) const {
-  fail("face " + std::to_string(face) + " has " + std::to_string(corners) + (corners == 1 ? " vertex" : " vertices") +
-           ", a face needs at least 3",
-       place, "Remove that face in the program the file comes from.");
-}
-
 void ParseErrors::bad_index(std::uint64_t face, const std::string& index, const std::string& valid,
                             const std::string& place) const {
   fail("face " + std::to_string(face) + " names vertex " + index + ", but " + valid, place);

@@ -17,7 +17,6 @@ class ParseErrors {
 
   /// @param vertex  numbered as the format does: from 1 in OBJ, from 0 elsewhere.
   [[noreturn]] void not_finite(std::uint64_t vertex, const std::string& place) const;
-  [[noreturn]] void too_few_corners(std::uint64_t face, std::uint64_t corners, const std::string& place) const;
   /// @param valid  the range of indices there is, in words.
   [[noreturn]] void bad_index(std::uint64_t face, const std::string& index, const std::string& valid,
                               const std::string& place) const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/lone_places.h"
 #include "io/parse_errors.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
@@ -44,6 +45,12 @@ bool is_other_element(std::string_view word) {
   return is_among(word, words);
 }
 
+/// A keyword of some exporter's own: a word of letters. What looks like a damaged v or f, or includes another file, is none.
+bool may_be_statement(std::string_view word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return word.size() >= 3 && word != "call" && word != "csh" && std::all_of(word.begin(), word.end(), is_letter);
+}
+
 class ObjReader {
  public:
   explicit ObjReader(const FileContent& file) : errors_(file), cursor_(mesh_text(file), '#') {}
@@ -55,6 +62,7 @@ class ObjReader {
       if (!word.empty()) read_statement(word);
     }
     require_forward_references();
+    lone_.finish(soup_, errors_);
     finish_colors();
     finish_corners("texture coordinates", texture_, soup_.attributes.texture);
     finish_corners("normals", normals_, soup_.attributes.normals);
@@ -110,6 +118,12 @@ class ObjReader {
       count_aside(kind_of(word));
       while (!next().empty()) {
       }
+    } else if (word.substr(0, 2) == "//") {
+      count_not_kept(soup_.oddities, "comments that begin with //");
+      cursor_.skip_line();
+    } else if (may_be_statement(word)) {
+      count_not_kept(soup_.oddities, "unknown statements " + in_quotes(word));
+      cursor_.skip_line();
     } else {
       errors_.fail(in_quotes(word) + " is not a statement of an OBJ file", cursor_.place(),
                    "The file is damaged or is something else under this name.");
@@ -210,8 +224,9 @@ class ObjReader {
     }
     if (count < 3 || count == 5) fail_vertex_size();
     if (soup_.points.size() == std::numeric_limits<int>::max()) errors_.fail("more than 2147483647 vertices", "");
-    const Vec3 point(values[0], values[1], values[2]);
-    if (!point.allFinite()) errors_.not_finite(soup_.points.size() + 1, cursor_.place());
+    const int vertex = static_cast<int>(soup_.points.size());
+    const Vec3 point =
+        lone_.checked({values[0], values[1], values[2]}, vertex, soup_.points.size() + 1, cursor_.place());
     if (count >= 6) remember_color({values[3], values[4], values[5], count == 7 ? values[6] : 1.0});
     soup_.points.push_back(point);
   }
@@ -245,10 +260,14 @@ class ObjReader {
 
   void read_face() {
     const std::size_t begin = soup_.corners.size();
-    const std::string place = cursor_.place();
     for (std::string_view token = next(); !token.empty(); token = next()) read_corner(token);
     const std::size_t size = soup_.corners.size() - begin;
-    if (size < 3) errors_.too_few_corners(soup_.polygon_count() + 1, size, place);
+    if (size < 3) {
+      for (Values* values : {&texture_, &normals_})
+        if (values->at.size() > begin) values->at.resize(begin);
+      soup_.close_face(begin);
+      return;
+    }
     for (NamesSoFar& names : names_) {
       if (names.now < 0) continue;
       names.of_face.resize(soup_.polygon_count(), -1);
@@ -321,6 +340,7 @@ class ObjReader {
   ParseErrors errors_;
   TextCursor cursor_;
   bool continues_ = false;  // the last token was followed by a backslash at the end of the line
+  LonePlaces lone_;
   PolygonSoup soup_;
   std::vector<std::pair<std::size_t, std::array<double, 4>>> colors_;  // vertex; red, green, blue, alpha
   double color_scale_ = 1.0;

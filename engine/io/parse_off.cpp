@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/lone_places.h"
 #include "io/parse_errors.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
@@ -28,6 +29,7 @@ class OffReader {
       errors_.fail("there is more data than the header announces", cursor_.place(),
                    "The header and the data do not belong together; export the mesh again.");
     }
+    lone_.finish(soup_, errors_);
     finish_colors();
     keep_face_colors();
     return std::move(soup_);
@@ -37,6 +39,11 @@ class OffReader {
   /// [ST][C][N]OFF, then the numbers of vertices, faces and (often left out) edges.
   void read_header() {
     std::string_view token = cursor_.next_token_across_lines();
+    const std::string upper = upper_off_keyword(token);
+    if (upper != token) {
+      count_not_kept(soup_.oddities, "keyword in lower case");
+      token = upper;
+    }
     const std::size_t keyword = token.find("OFF");
     if (keyword != std::string_view::npos) {
       read_prefix(token.substr(0, keyword));
@@ -107,8 +114,7 @@ class OffReader {
       x = number(token, "a coordinate");
       token = cursor_.next_token();
     }
-    if (!point.allFinite()) errors_.not_finite(v, cursor_.place());
-    soup_.points.push_back(point);
+    soup_.points.push_back(lone_.checked(point, static_cast<int>(v), v, cursor_.place()));
 
     std::array<double, 9> extras{};  // normal 3, colour 4, texture 2
     std::size_t size = 0;
@@ -156,7 +162,7 @@ class OffReader {
   /// One line: the number of corners, the corners, and a colour specification of up to four numbers.
   void read_face(std::uint64_t f) {
     const std::uint64_t size = count(first_of_row("face", f, face_count_), "the number of a face's corners");
-    if (size < 3) errors_.too_few_corners(f, size, cursor_.place());
+    const std::size_t begin = soup_.corners.size();
     for (std::uint64_t i = 0; i < size; ++i) {
       const std::string_view token = cursor_.next_token();
       const std::optional<std::int64_t> index = parse_integer(token);
@@ -167,12 +173,13 @@ class OffReader {
       }
       soup_.corners.push_back(static_cast<int>(*index));
     }
-    soup_.close_polygon();
+    const bool is_face = soup_.close_face(begin);
     for (int extra = 0; extra < 4; ++extra) {
       const std::string_view token = cursor_.next_token();
       if (!token.empty()) face_colors_.push_item(number(token, "a colour"));
     }
     face_colors_.end_list();
+    if (!is_face) face_colors_.pop_row();
     require_line_end();
   }
 
@@ -193,6 +200,7 @@ class OffReader {
 
   ParseErrors errors_;
   TextCursor cursor_;
+  LonePlaces lone_;
   PolygonSoup soup_;
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;

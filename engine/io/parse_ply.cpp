@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/lone_places.h"
 #include "io/parse_errors.h"
 #include "io/ply_header.h"
 #include "io/ply_rows.h"
@@ -109,6 +110,7 @@ class PlyBody {
       if (element.count > 0) last_row_bytes = std::max<std::uint64_t>(1, element.least_row_bytes(header_.encoding));
     }
     rows_.end_body(last_row_bytes);
+    lone_.finish(soup_, errors_);
     soup_.attributes.remarks = header_.remarks;
     drop_columns_of_some_faces();
     move_corner_texture();
@@ -150,7 +152,7 @@ class PlyBody {
     for (std::size_t i = 0; i < plan.roles.size(); ++i) {
       double* value = plan.roles[i] >= 0 ? &values[static_cast<std::size_t>(plan.roles[i])] : nullptr;
       if (column_of[i] < 0) {
-        *value = rows_.number(element.properties[i].type);
+        *value = rows_.carried(element.properties[i].type);
       } else {
         const double carried =
             read_into(soup_.attributes.points[static_cast<std::size_t>(column_of[i])], element.properties[i]);
@@ -158,8 +160,7 @@ class PlyBody {
       }
     }
     const Vec3 point(values[0], values[1], values[2]);
-    if (!point.allFinite()) errors_.not_finite(v, rows_.place());
-    soup_.points.push_back(point);
+    soup_.points.push_back(lone_.checked(point, static_cast<int>(v), v, rows_.place()));
     if (plan.has_colors()) add_color(plan, values);
   }
 
@@ -183,6 +184,7 @@ class PlyBody {
     soup_.corners.reserve(soup_.corners.size() + 3 * believable(element));
     for (std::uint64_t f = 0; f < element.count; ++f) {
       rows_.begin_row(element, f);
+      const std::size_t faces_before = soup_.polygon_count();
       std::size_t column = 0;
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         if (i == plan.corners_at) {
@@ -191,6 +193,8 @@ class PlyBody {
           read_into(columns[column++], element.properties[i]);
         }
       }
+      if (soup_.polygon_count() == faces_before)
+        for (AttributeColumn& of_none : columns) of_none.pop_row();
       rows_.end_row();
     }
   }
@@ -202,13 +206,13 @@ class PlyBody {
 
   void read_corners(const PlyProperty& list, std::uint64_t f) {
     const std::uint64_t length = rows_.list_length(list);
-    if (length < 3) errors_.too_few_corners(f, length, rows_.place());
+    const std::size_t begin = soup_.corners.size();
     for (std::uint64_t i = 0; i < length; ++i) {
       const std::int64_t index = rows_.integer(list.type);
       require_vertex(index, f);
       soup_.corners.push_back(static_cast<int>(index));
     }
-    soup_.close_polygon();
+    soup_.close_face(begin);
   }
 
   /// Rows that are neither vertices nor faces: kept as they are.
@@ -325,6 +329,7 @@ class PlyBody {
   Rows rows_;
   const PlyElement* vertices_;
   std::uint64_t file_bytes_;
+  LonePlaces lone_;
   PolygonSoup soup_;
 };
 

@@ -4,10 +4,12 @@
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace loopmend {
 
@@ -48,7 +50,8 @@ class AsciiStl {
     for (;;) {
       const std::string_view word = cursor_.next_token_across_lines();
       if (word.empty()) break;
-      if (!inside && equals_ignoring_case(word, "solid")) {
+      if (equals_ignoring_case(word, "solid")) {
+        if (inside) count_not_kept(soup_.oddities, missing_end);
         inside = true;
         names.names.emplace_back(cursor_.rest_of_line());
         cursor_.skip_line();
@@ -58,16 +61,20 @@ class AsciiStl {
       } else if (inside && equals_ignoring_case(word, "facet")) {
         read_facet();
         names.of_face.push_back(static_cast<int>(names.names.size()) - 1);
+      } else if (is_remark(word)) {
+        skip_remark();
       } else {
         fail_word(word, inside ? "\"facet\" or \"endsolid\"" : "\"solid\"");
       }
     }
-    if (inside) errors_.truncated("a solid: \"endsolid\" is missing", cursor_.place());
+    if (inside) count_not_kept(soup_.oddities, missing_end);
     soup_.attributes.names.push_back(std::move(names));
     return std::move(soup_);
   }
 
  private:
+  static constexpr const char* missing_end = "missing \"endsolid\" (the file may be cut off)";
+
   void read_facet() {
     std::string_view word = cursor_.next_token_across_lines();
     if (equals_ignoring_case(word, "normal")) {
@@ -84,8 +91,34 @@ class AsciiStl {
       welder_.add_corner(point);
     }
     expect("endloop");
+    skip_words_before("endfacet");
     expect("endfacet");
+    skip_words_before("facet");
     soup_.close_polygon();
+  }
+
+  /// What some exporters write between the statements.
+  static bool is_remark(std::string_view word) {
+    constexpr std::array<std::string_view, 7> words = {"color",    "colour", "comment", "attribute",
+                                                       "material", "name",   "units"};
+    if (word.front() == '#' || word.front() == ';' || word.substr(0, 2) == "//") return true;
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view known) { return equals_ignoring_case(word, known); });
+  }
+
+  void skip_remark() {
+    count_not_kept(soup_.oddities, "remarks between the facets");
+    cursor_.skip_line();
+  }
+
+  /// The rest of the line, unless it goes on with the next statement.
+  void skip_words_before(std::string_view statement) {
+    TextCursor rest(cursor_.rest_of_line());
+    if (!rest.next_line()) return;
+    const std::string_view word = rest.next_token();
+    if (word.empty() || equals_ignoring_case(word, statement) || equals_ignoring_case(word, "endsolid")) return;
+    count_not_kept(soup_.oddities, "words after \"endloop\" or \"endfacet\"");
+    cursor_.skip_line();
   }
 
   double coordinate() {
@@ -96,7 +129,11 @@ class AsciiStl {
   }
 
   void expect(std::string_view word) {
-    const std::string_view token = cursor_.next_token_across_lines();
+    std::string_view token = cursor_.next_token_across_lines();
+    while (!token.empty() && is_remark(token)) {
+      skip_remark();
+      token = cursor_.next_token_across_lines();
+    }
     if (!equals_ignoring_case(token, word)) fail_word(token, in_quotes(word));
   }
 
@@ -119,12 +156,17 @@ std::uint32_t little_endian_word(const char* bytes) {
 }
 
 /// The announced number of facets must be there, and not many more.
-std::size_t require_facet_count(const FileContent& file, const ParseErrors& errors) {
+std::size_t require_facet_count(const FileContent& file, const ParseErrors& errors, std::vector<NotKept>& oddities) {
   using namespace std::string_view_literals;
   const std::string_view bytes = file.bytes;
   if (bytes.size() < header_bytes)
     errors.truncated("the header of a binary STL file", "byte " + std::to_string(bytes.size()));
-  const std::uint64_t count = little_endian_word(bytes.data() + 80);
+  std::uint64_t count = little_endian_word(bytes.data() + 80);
+  const std::uint64_t left = bytes.size() - header_bytes;
+  if (count == 0 && left >= facet_bytes && left % facet_bytes == 0) {  // written before it was known
+    count = left / facet_bytes;
+    count_not_kept(oddities, "count of triangles that is 0: taken from the file's size");
+  }
   const std::uint64_t needed = header_bytes + facet_bytes * count;
   if (bytes.size() < needed) {
     errors.fail("announces " + std::to_string(count) + " triangles, which take " + std::to_string(needed) +
@@ -132,7 +174,10 @@ std::size_t require_facet_count(const FileContent& file, const ParseErrors& erro
                 "byte 80", "It is incomplete or damaged; export or copy it again.");
   }
   const std::string_view rest = bytes.substr(needed);
-  if (rest.size() >= facet_bytes && rest.find_first_not_of("\0 \t\r\n"sv) != std::string_view::npos) {
+  const bool is_blank = rest.find_first_not_of("\0 \t\r\n"sv) == std::string_view::npos;
+  if (!is_blank && rest.size() % facet_bytes != 0)
+    count_not_kept(oddities, "bytes after the last triangle, left out", rest.size());
+  else if (rest.size() >= facet_bytes && !is_blank) {
     errors.fail("announces " + std::to_string(count) + " triangles, but " + std::to_string(rest.size()) +
                     " more bytes follow them",
                 "byte 80", "The count and the data do not belong together; export the mesh again.");
@@ -147,8 +192,8 @@ PolygonSoup parse_stl_ascii(const FileContent& file) { return AsciiStl(file).rea
 
 PolygonSoup parse_stl_binary(const FileContent& file) {
   const ParseErrors errors(file);
-  const std::size_t count = require_facet_count(file, errors);
   PolygonSoup soup;
+  const std::size_t count = require_facet_count(file, errors, soup.oddities);
   Welder welder(soup);
   soup.corners.reserve(3 * count);
   soup.ends.reserve(count);

@@ -23,11 +23,22 @@ struct PolygonSoup {
   std::size_t missing_colors = 0;    ///< vertices without a colour of their own in a file with colours
   std::size_t skipped_elements = 0;  ///< things that are neither vertex nor face: lines, points, edges
   std::vector<NotKept> not_kept;     ///< all that was read over, the skipped elements among it, by name
+  std::vector<NotKept> oddities;     ///< what is not as the format has it, and no fault of the surface, by name
   std::size_t vertices_welded = 0;   ///< STL only
   ScanAttributes attributes;         ///< but for its counts and faces, which read_mesh adds
 
   std::size_t polygon_count() const { return ends.size(); }
   void close_polygon() { ends.push_back(corners.size()); }
+  /// Of the corners from `begin` on; fewer than three enclose nothing: they go, counted. @returns whether there is a face
+  bool close_face(std::size_t begin) {
+    if (corners.size() - begin >= 3) {
+      close_polygon();
+      return true;
+    }
+    corners.resize(begin);
+    count_not_kept(oddities, "faces of fewer than three corners, left out");
+    return false;
+  }
   std::span<const int> polygon(std::size_t k) const {
     const std::size_t begin = k == 0 ? 0 : ends[k - 1];
     return {corners.data() + begin, ends[k] - begin};

@@ -139,6 +139,7 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const T
   report.skipped_elements = polygons.skipped_elements;
   report.has_colors = !soup.colors.empty();
   report.not_kept = polygons.not_kept;
+  report.oddities = polygons.oddities;
   return report;
 }
 

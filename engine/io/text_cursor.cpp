@@ -54,6 +54,15 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return value;
 }
 
+std::string upper_off_keyword(std::string_view token) {
+  std::string upper(token);
+  const std::size_t at = token.find("off");
+  if (at == std::string_view::npos || at > 4) return upper;
+  for (std::size_t k = 0; k < at + 3; ++k)
+    if (upper[k] >= 'a' && upper[k] <= 'z') upper[k] = static_cast<char>(upper[k] - 'a' + 'A');
+  return upper;
+}
+
 std::string in_quotes(std::string_view token) {
   constexpr std::size_t longest = 40;
   std::string text = "\"";

@@ -21,6 +21,9 @@ std::optional<double> parse_double(std::string_view token);
 /// Nothing if the token is not wholly a decimal integer that fits.
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
+/// "off", "coff" and so on in the capitals that the format has; every other token as it is.
+std::string upper_off_keyword(std::string_view token);
+
 /// For error messages: the token in quotes, shortened, with unprintable bytes as '?'.
 std::string in_quotes(std::string_view token);
 

@@ -76,6 +76,11 @@ void AttributeColumn::append(double value) {
   });
 }
 
+void AttributeColumn::pop_row() {
+  bytes_.resize(bytes_.size() - items(rows() - 1) * size_in_bytes(type_));
+  if (is_list()) ends_.pop_back();
+}
+
 void AttributeColumn::reserve(std::size_t rows) {
   if (is_list())
     ends_.reserve(rows);

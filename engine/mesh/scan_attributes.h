@@ -40,6 +40,7 @@ class AttributeColumn {
   void push_item(double value) { append(value); }
   void end_list() { ends_.push_back(bytes_.size() / size_in_bytes(type_)); }
   void reserve(std::size_t rows);
+  void pop_row();
 
  private:
   std::size_t begin(std::size_t row) const { return row == 0 ? 0 : ends_[row - 1]; }

@@ -52,6 +52,10 @@ TEST_F(Damage, CutOffAtEveryByteIsRefusedOrComplete) {
     for (std::size_t size = 0; size < sample.bytes.size(); ++size) {
       try {
         const ImportedMesh mesh = read(std::string_view(sample.bytes).substr(0, size), sample.name);
+        if (!mesh.report.oddities.empty()) {  // text STL cut off between two facets: read, and said
+          EXPECT_NE(to_string(mesh.report.oddities).find("endsolid"), std::string::npos);
+          continue;
+        }
         ++complete;
         EXPECT_TRUE(same_bits(mesh.soup.points, whole.points)) << sample.name << " cut to " << size;
         EXPECT_EQ(mesh.soup.triangles, whole.triangles) << sample.name << " cut to " << size;

@@ -71,8 +71,7 @@ TEST_F(ReadObj, RefusesBrokenFaces) {
   for (const char* bad : {"x3", "3x", "3/x", "3//x", "3/1/1/1", "3.0", "/3", "1e0"}) {
     expect_refused(square + "f 1 2 " + bad + "\n", "a.obj", {bad, "vertex index", "line 5"});
   }
-  expect_refused(square + "f 1 2\n", "a.obj", {"face 1", "2 vertices", "line 5"});
-  expect_refused(square + "f\n", "a.obj", {"face 1", "0 vertices", "line 5"});
+  expect_refused(square + "f 1 2\nf\n", "a.obj", {"points but no faces"});
   expect_refused(square + "f 1 2 3\nf 1 2 0\n", "a.obj", {"face 2", "vertex 0", "counts from 1", "line 6"});
   expect_refused(square + "f 1 2 3\nf 1 2 5\nf 1 2 9\n", "a.obj", {"face 3", "vertex 9", "there are 4", "line 7"});
   expect_refused(square + "f 1 2 -5\n", "a.obj", {"face 1", "vertex -5", "line 5"});

@@ -51,7 +51,7 @@ TEST_F(ReadOff, Refuses) {
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.off",
                  {"face 0", "vertex 3", "there are 3", "line 6"});
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "a.off", {"face 0", "vertex -1"});
-  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "a.off", {"face 0", "2 vertices"});
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "a.off", {"points but no faces"});
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "a.off", {"vertex index", "missing", "line 6"});
   expect_refused("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "a.off", {"points but no faces"});
   expect_refused("OFF BINARY\n3 1 0\n", "a.off", {"binary OFF"});
