@@ -7,6 +7,7 @@
 #include "io/polygon_soup.h"
 #include "io/triangulate_polygon.h"
 #include "mesh/scan_attributes.h"
+#include "mesh/vertex_survey.h"
 
 #include <Eigen/Geometry>
 
@@ -102,25 +103,9 @@ std::size_t count_degenerate(const TriangleSoup& soup) {
   return static_cast<std::size_t>(std::count_if(soup.triangles.begin(), soup.triangles.end(), degenerate));
 }
 
-/// The three vertices in ascending order.
-Triangle sorted(Triangle t) {
-  if (t[0] > t[1]) std::swap(t[0], t[1]);
-  if (t[1] > t[2]) std::swap(t[1], t[2]);
-  if (t[0] > t[1]) std::swap(t[0], t[1]);
-  return t;
-}
-
-std::size_t count_duplicates(const Triangles& triangles) {
-  const auto key = [&](int f) { return sorted(triangles[static_cast<std::size_t>(f)]); };
-  const auto hash = [&](int f) {
-    std::uint64_t value = 0;
-    for (const int v : key(f)) value = mix_hash(value, static_cast<std::uint64_t>(v));
-    return value;
-  };
-  FirstOccurrence first(hash, [&](int f, int g) { return key(f) == key(g); });
-  std::size_t count = 0;
-  for (int f = 0; f < static_cast<int>(triangles.size()); ++f) count += first.find_or_add(f) != f ? 1 : 0;
-  return count;
+std::size_t count_duplicates(const TriangleSoup& soup) {
+  const std::vector<char> repeated = repeated_triangles(soup.triangles, soup.points.size());
+  return static_cast<std::size_t>(std::count(repeated.begin(), repeated.end(), 1));
 }
 
 ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const TriangleSoup& soup) {
@@ -133,7 +118,7 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const T
   report.vertices_welded = polygons.vertices_welded;
   report.unreferenced_vertices = count_unreferenced(soup);
   report.degenerate_faces = count_degenerate(soup);
-  report.duplicate_faces = count_duplicates(soup.triangles);
+  report.duplicate_faces = count_duplicates(soup);
   report.coincident_vertices = count_coincident(soup.points);
   report.missing_colors = polygons.missing_colors;
   report.skipped_elements = polygons.skipped_elements;

@@ -22,7 +22,7 @@ struct ImportReport {
   std::size_t vertices_welded = 0;  ///< merged with an earlier one at the same place: corners of STL, or on request
   std::size_t unreferenced_vertices = 0;
   std::size_t degenerate_faces = 0;     ///< triangles with a vertex twice, or with zero area; kept
-  std::size_t duplicate_faces = 0;      ///< triangles over the same three vertices as an earlier one; kept
+  std::size_t duplicate_faces = 0;      ///< triangles over the same three different vertices as an earlier one; kept
   std::size_t coincident_vertices = 0;  ///< further vertices at exactly the place of another; kept
   std::size_t missing_colors = 0;       ///< vertices without a (finite) colour in a file with colours; made white
   std::size_t skipped_elements = 0;     ///< OBJ lines, points and curves; left out

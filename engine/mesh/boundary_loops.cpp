@@ -84,8 +84,14 @@ class SoupEdges {
     if (model.mesh.n_vertices() == 0 ||
         (model.repairs.non_manifold_edges == 0 && model.repairs.non_manifold_vertices == 0))
       return;
+    std::vector<char> on_boundary(model.soup.points.size(), 0);
+    for (const auto v : model.mesh.vertices())
+      if (model.mesh.is_boundary(v)) on_boundary[model.soup_vertex[v.idx()]] = 1;
     for (int f : model.soup_face)
-      for (int k = 0; k < 3; ++k) ++faces_[key(model.soup.triangles[f][k], model.soup.triangles[f][(k + 1) % 3])];
+      for (int k = 0; k < 3; ++k) {
+        const int a = model.soup.triangles[f][k], b = model.soup.triangles[f][(k + 1) % 3];
+        if (on_boundary[a] && on_boundary[b]) ++faces_[key(a, b)];
+      }
   }
   bool has_several_faces(int a, int b) const {
     const auto found = faces_.find(key(a, b));

@@ -5,6 +5,7 @@
 #include "mesh/directed_edges.h"
 #include "mesh/orient_soup.h"
 #include "mesh/vertex_fans.h"
+#include "mesh/vertex_survey.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -35,86 +36,19 @@ void check_indices(const TriangleSoup& soup) {
 
 /// Soup triangles that can be part of a surface: three different corners, not seen before. Fills the two counts.
 std::vector<int> usable_faces(const TriangleSoup& soup, ModelRepairs& repairs) {
-  std::vector<std::array<int, 4>> keys;
-  keys.reserve(soup.triangles.size());
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
-    Triangle t = soup.triangles[f];
-    std::sort(t.begin(), t.end());
-    if (t[0] == t[1] || t[1] == t[2])
-      ++repairs.degenerate_faces;
-    else
-      keys.push_back({t[0], t[1], t[2], static_cast<int>(f)});
-  }
-  std::sort(keys.begin(), keys.end());
+  const std::vector<char> repeated = repeated_triangles(soup.triangles, soup.points.size());
   std::vector<int> faces;
-  faces.reserve(keys.size());
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    if (k > 0 && std::equal(keys[k].begin(), keys[k].begin() + 3, keys[k - 1].begin()))
+  faces.reserve(soup.triangles.size());
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    const Triangle& t = soup.triangles[f];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+      ++repairs.degenerate_faces;
+    else if (repeated[f])
       ++repairs.duplicate_faces;
     else
-      faces.push_back(keys[k][3]);
+      faces.push_back(static_cast<int>(f));
   }
-  std::sort(faces.begin(), faces.end());
   return faces;
-}
-
-/// True if every edge has at most two faces that agree in orientation, and the faces at every vertex form one fan.
-bool is_oriented_manifold(const Triangles& triangles, std::size_t vertex_count, ModelRepairs& repairs) {
-  std::vector<std::uint64_t> directed, undirected;
-  directed.reserve(3 * triangles.size());
-  undirected.reserve(3 * triangles.size());
-  std::vector<int> faces_at(vertex_count, 0), edges_at(vertex_count, 0), rims_at(vertex_count, 0);
-  for (const Triangle& t : triangles)
-    for (int k = 0; k < 3; ++k) {
-      directed.push_back(directed_key(t[k], t[(k + 1) % 3]));
-      undirected.push_back(edge_key(t[k], t[(k + 1) % 3]));
-      ++faces_at[t[k]];
-    }
-  std::sort(directed.begin(), directed.end());
-  std::sort(undirected.begin(), undirected.end());
-  bool clean = std::adjacent_find(directed.begin(), directed.end()) == directed.end();
-  for (std::size_t i = 0; i < undirected.size();) {
-    std::size_t j = i;
-    while (j < undirected.size() && undirected[j] == undirected[i]) ++j;
-    if (j - i > 2) {
-      ++repairs.non_manifold_edges;
-      clean = false;
-    }
-    for (int v : {static_cast<int>(undirected[i] >> 32), static_cast<int>(undirected[i] & 0xffffffffu)}) {
-      ++edges_at[v];
-      if (j - i == 1) ++rims_at[v];
-    }
-    i = j;
-  }
-  if (!clean) return false;
-  // An interior vertex could still carry two closed fans: the walk in the halfedge mesh would miss one of them.
-  for (std::size_t v = 0; v < vertex_count; ++v)
-    if (rims_at[v] > 2) return false;
-  std::vector<std::vector<std::array<int, 2>>> links(vertex_count);
-  for (const Triangle& t : triangles)
-    for (int k = 0; k < 3; ++k) links[t[k]].push_back({t[(k + 1) % 3], t[(k + 2) % 3]});
-  for (auto& link : links) {
-    if (link.empty()) continue;
-    std::sort(link.begin(), link.end());
-    // Follow the link from its start (a vertex that no pair ends in, if there is one) and count the steps.
-    std::vector<int> ends;
-    ends.reserve(link.size());
-    for (const auto& pair : link) ends.push_back(pair[1]);
-    std::sort(ends.begin(), ends.end());
-    int start = link.front()[0];
-    for (const auto& pair : link)
-      if (!std::binary_search(ends.begin(), ends.end(), pair[0])) start = pair[0];
-    std::size_t steps = 0;
-    for (int at = start; steps < link.size();) {
-      const auto next = std::lower_bound(link.begin(), link.end(), std::array<int, 2>{at, -1});
-      if (next == link.end() || (*next)[0] != at) break;
-      at = (*next)[1];
-      ++steps;
-      if (at == start) break;
-    }
-    if (steps != link.size()) return false;
-  }
-  return true;
 }
 
 bool runs_along(const Triangle& t, int a, int b) {
@@ -243,10 +177,9 @@ class EdgePairing {
   std::vector<int> parent_;  // of corners: 3 · face + place
 };
 
-/// Cuts and turns what is not an oriented manifold; keeps the soup's order of triangles.
-void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles, std::vector<int>& origin,
+/// Turns faces that disagree, and cuts where that does not help. @param faces  soup faces of the triangles
+void orient_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles, std::vector<int>& origin,
                  ModelRepairs& repairs) {
-  if (repairs.non_manifold_edges > 0) view_triangles = EdgePairing(soup.points, view_triangles).separated(origin);
   Points points = soup.points;
   for (std::size_t v = points.size(); v < origin.size(); ++v) points.push_back(soup.points[origin[v]]);
   OrientedSoup oriented = orient_soup(points, view_triangles);
@@ -257,10 +190,37 @@ void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& v
       ++repairs.reoriented_faces;
     }
   for (std::size_t v = origin.size(); v < oriented.origin.size(); ++v) origin.push_back(origin[oriented.origin[v]]);
+  view_triangles = std::move(oriented.triangles);
+}
+
+/// Cuts and turns what is not an oriented manifold, and leaves the pieces alone that are; keeps the order of triangles.
+void repair_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles, std::vector<int>& origin,
+                 VertexSurvey survey, ModelRepairs& repairs) {
+  if (survey.any(VertexState::disordered)) {
+    // Only the pieces of surface with such a vertex.
+    const std::vector<int> piece = components(view_triangles, origin.size());
+    std::vector<char> is_disordered(origin.size(), 0);
+    for (std::size_t k = 0; k < view_triangles.size(); ++k)
+      for (int v : view_triangles[k])
+        if (survey.state[v] == VertexState::disordered) is_disordered[piece[k]] = 1;
+    std::vector<int> places, own_faces;
+    Triangles own;
+    for (std::size_t k = 0; k < view_triangles.size(); ++k)
+      if (is_disordered[piece[k]]) {
+        places.push_back(static_cast<int>(k));
+        own_faces.push_back(faces[k]);
+        own.push_back(view_triangles[k]);
+      }
+    if (survey.non_manifold_edges > 0) own = EdgePairing(soup.points, own).separated(origin);
+    if (survey_vertices(own, origin.size()).any(VertexState::disordered))
+      orient_view(soup, own_faces, own, origin, repairs);
+    for (std::size_t k = 0; k < places.size(); ++k) view_triangles[places[k]] = own[k];
+    survey = survey_vertices(view_triangles, origin.size());
+  }
+  separate_fans(survey, view_triangles, origin);
   std::set<int> split;
   for (std::size_t v = soup.points.size(); v < origin.size(); ++v) split.insert(origin[v]);
   repairs.non_manifold_vertices = split.size();
-  view_triangles = std::move(oriented.triangles);
 }
 
 /// The link of an open fan from its faces' (next, previous) corners, in order; empty for a closed one.
@@ -313,7 +273,7 @@ void rejoin_fans(const Points& points, const std::vector<int>& origin, Triangles
 /// Some boundary vertices have several fans: the boundary goes on from each to the next.
 void link_all_fans(TriMesh& mesh) {
   for (const auto v : mesh.vertices())
-    if (fan_count(mesh, v) > 1) link_fans(mesh, v);
+    if (mesh.is_boundary(v) && fan_count(mesh, v) > 1) link_fans(mesh, v);
 }
 
 }  // namespace
@@ -328,9 +288,11 @@ SurfaceModel make_surface_model(TriangleSoup soup) {
   for (int f : faces) triangles.push_back(soup.triangles[f]);
   std::vector<int> origin(soup.points.size());
   std::iota(origin.begin(), origin.end(), 0);
-  const bool was_split = !is_oriented_manifold(triangles, soup.points.size(), model.repairs);
+  VertexSurvey survey = survey_vertices(triangles, soup.points.size());
+  model.repairs.non_manifold_edges = survey.non_manifold_edges;
+  const bool was_split = survey.any(VertexState::several) || survey.any(VertexState::disordered);
   if (was_split) {
-    repair_view(soup, faces, triangles, origin, model.repairs);
+    repair_view(soup, faces, triangles, origin, std::move(survey), model.repairs);
     rejoin_fans(soup.points, origin, triangles);
   }
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/vertex_survey.h"
+
+#include "core/threads.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace loopmend {
+
+namespace {
+
+constexpr int vertices_at_a_time = 4096;
+
+/// One triangle seen from one of its corners: the edge opposite runs from `next` to `previous`.
+struct LinkEdge {
+  int next, previous;
+  int corner;
+};
+
+void link_at(const Triangles& triangles, std::span<const int> corners, std::vector<LinkEdge>& link) {
+  link.clear();
+  for (int corner : corners) {
+    const Triangle& t = triangles[corner / 3];
+    link.push_back({t[(corner + 1) % 3], t[(corner + 2) % 3], corner});
+  }
+  std::sort(link.begin(), link.end(), [](const LinkEdge& a, const LinkEdge& b) { return a.next < b.next; });
+}
+
+/// How many triangles the edges to the neighbours have: sorted neighbours, one for each triangle at the edge.
+std::vector<int>& neighbors_of(const std::vector<LinkEdge>& link, std::vector<int>& neighbors) {
+  neighbors.clear();
+  for (const LinkEdge& edge : link) {
+    neighbors.push_back(edge.next);
+    neighbors.push_back(edge.previous);
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  return neighbors;
+}
+
+/// Follows the fan from a corner to its end or round. @returns how many corners it has
+template <class Visit>
+std::size_t walk(const std::vector<LinkEdge>& link, std::size_t start, const Visit& visit) {
+  std::size_t steps = 0;
+  for (std::size_t at = start; steps < link.size();) {
+    visit(link[at]);
+    ++steps;
+    const auto next = std::lower_bound(link.begin(), link.end(), link[at].previous,
+                                       [](const LinkEdge& edge, int v) { return edge.next < v; });
+    if (next == link.end() || next->next != link[at].previous) break;
+    at = static_cast<std::size_t>(next - link.begin());
+    if (at == start) break;
+  }
+  return steps;
+}
+
+/// For each corner whether another one leads to it; the first of an open fan is led to by none.
+void find_led_to(const std::vector<LinkEdge>& link, std::vector<int>& previous, std::vector<char>& is_led_to) {
+  previous.clear();
+  for (const LinkEdge& edge : link) previous.push_back(edge.previous);
+  std::sort(previous.begin(), previous.end());
+  is_led_to.clear();
+  for (const LinkEdge& edge : link)
+    is_led_to.push_back(std::binary_search(previous.begin(), previous.end(), edge.next));
+}
+
+struct Scratch {
+  std::vector<LinkEdge> link;
+  std::vector<int> neighbors;
+  std::vector<char> is_led_to;
+};
+
+VertexState state_of(Scratch& scratch) {
+  const std::vector<LinkEdge>& link = scratch.link;
+  std::vector<int>& neighbors = scratch.neighbors;
+  if (link.empty()) return VertexState::clean;
+  for (std::size_t k = 1; k < link.size(); ++k)
+    if (link[k].next == link[k - 1].next) return VertexState::disordered;
+  neighbors_of(link, neighbors);
+  int ends = 0;
+  for (std::size_t k = 0; k < neighbors.size();) {
+    std::size_t end = k;
+    while (end < neighbors.size() && neighbors[end] == neighbors[k]) ++end;
+    if (end - k > 2) return VertexState::disordered;
+    // Twice `previous` is an edge along which two triangles run the same way; twice `next` was found above.
+    ends += end - k == 1;
+    if (end - k == 2) {
+      const auto is_next = std::binary_search(link.begin(), link.end(), LinkEdge{neighbors[k], 0, 0},
+                                              [](const LinkEdge& a, const LinkEdge& b) { return a.next < b.next; });
+      if (!is_next) return VertexState::disordered;
+    }
+    k = end;
+  }
+  if (ends > 2) return VertexState::several;
+  std::size_t start = 0;
+  if (ends == 2) {
+    find_led_to(link, neighbors, scratch.is_led_to);
+    start = static_cast<std::size_t>(std::find(scratch.is_led_to.begin(), scratch.is_led_to.end(), 0) -
+                                     scratch.is_led_to.begin());
+    if (start == link.size()) return VertexState::several;
+  }
+  return walk(link, start, [](const LinkEdge&) {}) == link.size() ? VertexState::clean : VertexState::several;
+}
+
+}  // namespace
+
+CornersAtVertices::CornersAtVertices(const Triangles& triangles, std::size_t vertex_count)
+    : first_(vertex_count + 2, 0),
+      corners_(3 * triangles.size()) {
+  for (const Triangle& t : triangles)
+    for (int v : t) ++first_[static_cast<std::size_t>(v) + 2];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      corners_[first_[static_cast<std::size_t>(triangles[f][k]) + 1]++] = static_cast<int>(3 * f) + k;
+}
+
+bool VertexSurvey::any(VertexState which) const { return std::find(state.begin(), state.end(), which) != state.end(); }
+
+VertexSurvey survey_vertices(const Triangles& triangles, std::size_t vertex_count) {
+  const CornersAtVertices corners(triangles, vertex_count);
+  VertexSurvey survey;
+  survey.state.assign(vertex_count, VertexState::clean);
+  parallel_for(
+      0, static_cast<int>(vertex_count), vertices_at_a_time, [] { return Scratch{}; },
+      [&](int v, Scratch& scratch) {
+        link_at(triangles, corners[v], scratch.link);
+        survey.state[v] = state_of(scratch);
+      });
+  Scratch scratch;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    if (survey.state[v] != VertexState::disordered) continue;
+    link_at(triangles, corners[static_cast<int>(v)], scratch.link);
+    const std::vector<int>& neighbors = neighbors_of(scratch.link, scratch.neighbors);
+    for (std::size_t k = 0; k < neighbors.size();) {
+      std::size_t end = k;
+      while (end < neighbors.size() && neighbors[end] == neighbors[k]) ++end;
+      survey.non_manifold_edges += end - k > 2 && neighbors[k] > static_cast<int>(v);
+      k = end;
+    }
+  }
+  return survey;
+}
+
+std::vector<char> repeated_triangles(const Triangles& triangles, std::size_t vertex_count) {
+  const CornersAtVertices corners(triangles, vertex_count);
+  std::vector<char> repeated(triangles.size(), 0);
+  parallel_for(
+      0, static_cast<int>(vertex_count), vertices_at_a_time, [] { return std::vector<std::array<int, 3>>(); },
+      [&](int v, std::vector<std::array<int, 3>>& others) {
+        others.clear();
+        for (int corner : corners[v]) {
+          const Triangle& t = triangles[corner / 3];
+          const auto [low, high] = std::minmax(t[(corner + 1) % 3], t[(corner + 2) % 3]);
+          if (v < low && low < high) others.push_back({low, high, corner / 3});
+        }
+        std::sort(others.begin(), others.end());
+        for (std::size_t k = 1; k < others.size(); ++k)
+          if (others[k][0] == others[k - 1][0] && others[k][1] == others[k - 1][1]) repeated[others[k][2]] = 1;
+      });
+  return repeated;
+}
+
+void separate_fans(const VertexSurvey& survey, Triangles& triangles, std::vector<int>& origin) {
+  const CornersAtVertices corners(triangles, survey.state.size());
+  std::vector<std::pair<int, int>> renumbered;  // corner, new vertex
+  Scratch scratch;
+  for (std::size_t v = 0; v < survey.state.size(); ++v) {
+    if (survey.state[v] != VertexState::several) continue;
+    const std::vector<LinkEdge>& link = scratch.link;
+    link_at(triangles, corners[static_cast<int>(v)], scratch.link);
+    find_led_to(link, scratch.neighbors, scratch.is_led_to);
+    std::vector<char> used(link.size(), 0);
+    std::vector<std::vector<int>> fans;
+    for (const bool closed : {false, true})
+      for (std::size_t start = 0; start < link.size(); ++start) {
+        if (used[start] || (!closed && scratch.is_led_to[start])) continue;
+        std::vector<int>& fan = fans.emplace_back();
+        walk(link, start, [&](const LinkEdge& edge) {
+          used[static_cast<std::size_t>(&edge - link.data())] = 1;
+          fan.push_back(edge.corner);
+        });
+      }
+    std::sort(fans.begin(), fans.end(), [](const auto& a, const auto& b) {
+      return *std::min_element(a.begin(), a.end()) < *std::min_element(b.begin(), b.end());
+    });
+    for (std::size_t k = 1; k < fans.size(); ++k) {
+      for (int corner : fans[k]) renumbered.emplace_back(corner, static_cast<int>(origin.size()));
+      origin.push_back(origin[v]);
+    }
+  }
+  for (const auto& [corner, vertex] : renumbered) triangles[corner / 3][corner % 3] = vertex;
+}
+
+}  // namespace loopmend
