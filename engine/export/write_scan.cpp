@@ -11,6 +11,7 @@
 #include "pipeline/continue_attributes.h"
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
@@ -77,11 +78,16 @@ class SideFiles {
     return entry->second.empty() ? nullptr : &entry->second;
   }
 
-  /// "NAME_patch" after the output, or with a number where one of the scan's own files is called so.
+  /// "NAME_patch" after the output, or with a number where a file of the scan or of somebody else is called so.
   std::string name_for_patches(const std::set<std::string>& taken) const {
     const std::string stem = without_gzip_name(path_).stem().string() + "_patch";
+    const std::string replaced = head_of_output();
     const auto is_free = [&](const std::string& name) {
-      return !taken.contains(name + ".png") && !taken.contains(name + ".mtl");
+      const std::string picture = name + ".png", material = name + ".mtl";
+      if (taken.contains(picture) || taken.contains(material)) return false;
+      // What the output names that is replaced now was made for it.
+      const bool is_ours = replaced.find(picture) != std::string::npos || replaced.find(material) != std::string::npos;
+      return is_ours || !(fs::exists(to_ / picture) || fs::exists(to_ / material));
     };
     std::string name = stem;
     for (int k = 2; !is_free(name); ++k) name = stem + "_" + std::to_string(k);
@@ -96,6 +102,15 @@ class SideFiles {
   void say(const std::string& remark) { written_.remarks.push_back(remark); }
 
  private:
+  /// The beginning of what stands at the output's place, where a mesh names its other files; empty: nothing does.
+  std::string head_of_output() const {
+    std::string head(1 << 14, '\0');
+    std::ifstream file(path_, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return head;
+  }
+
   void copy(const fs::path& name) {
     const fs::path relative = name.lexically_normal();
     if (relative.is_absolute() || (!relative.empty() && *relative.begin() == "..")) {

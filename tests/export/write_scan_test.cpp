@@ -171,6 +171,18 @@ TEST_F(WriteScan, NoOtherFileIsReplaced) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/bowl.obj"));
 }
 
+/// Our own of the last time are replaced, those of others are not.
+TEST_F(WriteScan, SomebodyElsesPictureStays) {
+  write_bytes(folder_ / "in/filled_patch.png", "holiday");
+  const auto libraries = [&] { return read_mesh(folder_ / "in/filled.obj").soup.attributes->material_libraries; };
+  for (int time = 0; time < 2; ++time) {
+    fill("in/filled.obj");
+    EXPECT_EQ(libraries(), (std::vector<std::string>{"my skin.mtl", "filled_patch_2.mtl"}));
+  }
+  EXPECT_EQ(read_bytes(folder_ / "in/filled_patch.png"), "holiday");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "in/filled_patch_3.png"));
+}
+
 /// A filled scan is filled again under the same name elsewhere: its own picture of patches is not overwritten.
 TEST_F(WriteScan, PatchesOfPatchesHaveTheirOwnNames) {
   fill("in/bowl_filled.obj");
