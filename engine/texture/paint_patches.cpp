@@ -26,6 +26,7 @@ constexpr int most_pixels = 2048;   ///< of one patch, a side
 constexpr int most_rings = 24;      ///< of the scan around a patch
 constexpr double collar_share = 4;  ///< so many times the triangles of the patch around it
 constexpr std::size_t least_collar = 400;
+constexpr double most_repeats = 10000;
 
 /// A patch and the textured triangles around it.
 struct Piece {
@@ -61,6 +62,8 @@ class SourceTriangles {
       const double* uv =
           &scan_.texture.values[static_cast<std::size_t>(value) * static_cast<std::size_t>(scan_.texture.dimension)];
       source.at[k] = {uv[0], scan_.texture.dimension > 1 ? uv[1] : 0};
+      // Pictures are repeated, but not as often as damaged files say.
+      if (!source.at[k].allFinite() || source.at[k].cwiseAbs().maxCoeff() > most_repeats) return {};
     }
     return source;
   }

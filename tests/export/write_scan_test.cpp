@@ -148,6 +148,19 @@ TEST_F(WriteScan, PlyIsPaintedToo) {
   }
 }
 
+TEST_F(WriteScan, CoordinatesThatAreNoneAreNoTexture) {
+  std::string obj = read_bytes(folder_ / "in/bowl.obj");
+  for (const char* bad : {"vt nan nan", "vt 1e300 0", "vt inf 0.5", "vt -1e18 1e18"}) {
+    std::istringstream lines(obj);
+    std::ofstream out(folder_ / "in/bowl.obj");
+    int count = 0;
+    for (std::string line; std::getline(lines, line);)
+      out << (line.substr(0, 3) == "vt " && ++count % 3 == 0 ? bad : line) << '\n';
+    out.close();
+    EXPECT_NO_THROW(fill("in/filled.obj")) << bad;
+  }
+}
+
 TEST_F(WriteScan, BesideTheScanNothingIsCopied) {
   const WrittenScan written = fill("in/filled.obj");
   EXPECT_EQ(written.beside.size(), 2U);
