@@ -3,8 +3,11 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -84,16 +88,16 @@ class Projection {
 class PolygonDelaunay {
  public:
   PolygonDelaunay(const Points& points, std::span<const int> polygon, const Projection& project) {
-    std::vector<Delaunay::Vertex_handle> handles;
-    handles.reserve(polygon.size());
+    std::vector<Delaunay::Vertex_handle> handles(polygon.size());
     Delaunay::Face_handle hint;
-    for (const int index : polygon) {
+    for (const std::size_t corner : order_of(points, polygon, project)) {
+      const int index = polygon[corner];
       const Delaunay::Vertex_handle handle = delaunay_.insert(project(at(points, index)), hint);
       hint = handle->face();
       const bool is_new = seen_.emplace(handle, index).second;
       if (!is_new && handle->info() != index) return;
       handle->info() = index;
-      handles.push_back(handle);
+      handles[corner] = handle;
     }
     good_ = delaunay_.dimension() == 2 && insert_edges(handles);
   }
@@ -115,6 +119,22 @@ class PolygonDelaunay {
 
  private:
   using Edge = std::pair<Delaunay::Vertex_handle, Delaunay::Vertex_handle>;
+
+  /// As the polygon has them; of a large one along a Hilbert curve, since in the order of a smooth outline each new corner would
+  /// turn all the edges that the last ones have made.
+  static std::vector<std::size_t> order_of(const Points& points, std::span<const int> polygon,
+                                           const Projection& project) {
+    std::vector<std::size_t> order(polygon.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    constexpr std::size_t large = 2000;
+    if (polygon.size() < large) return order;
+    std::vector<Kernel::Point_2> places;
+    places.reserve(polygon.size());
+    for (const int index : polygon) places.push_back(project(at(points, index)));
+    const auto map = CGAL::make_property_map(places);
+    CGAL::hilbert_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(map)>(map));
+    return order;
+  }
 
   static Edge edge_between(Delaunay::Vertex_handle a, Delaunay::Vertex_handle b) {
     return a < b ? Edge{a, b} : Edge{b, a};

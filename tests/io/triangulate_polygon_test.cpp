@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -110,6 +111,29 @@ TEST(TriangulatePolygon, LargePolygonsDoNotTakeForEver) {
   for (int i = 0; i < 20000; ++i) knot.push_back((i * 7919) % 20000);
   triangulate(star, knot);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+/// Beyond some thousand corners they are inserted in another order; the triangles are those of the polygon all the same.
+TEST(TriangulatePolygon, LargeOutlines) {
+  constexpr int size = 20'000;
+  Points points;
+  std::vector<int> polygon;
+  for (int k = 0; k < size; ++k) {
+    const double angle = 2 * std::numbers::pi * k / size, radius = 1 + 0.3 * std::sin(12 * angle);
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                        0.1 * angle * (2 * std::numbers::pi - angle));
+    polygon.push_back(k);
+  }
+  Triangles triangles;
+  triangulate_polygon(points, polygon, triangles);
+  ASSERT_EQ(triangles.size(), static_cast<std::size_t>(size) - 2);
+  double area = 0;  // seen from above: r² / 2 over the angle is π (1 + 0.3² / 2)
+  for (const Triangle& t : triangles) {
+    const double part = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).z() / 2;
+    EXPECT_GE(part, 0);
+    area += part;
+  }
+  EXPECT_NEAR(area, std::numbers::pi * 1.045, 1e-5);
 }
 
 }  // namespace
