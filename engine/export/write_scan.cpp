@@ -15,7 +15,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -27,12 +30,12 @@ namespace fs = std::filesystem;
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-bool has_same_content(const fs::path& a, const fs::path& b) {
-  try {
-    return load_file(a).bytes == load_file(b).bytes;
-  } catch (const ReadError&) {
-    return false;
-  }
+/// As they are, also of a compressed file; nothing where it cannot be read.
+std::optional<std::string> bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(bytes << file.rdbuf()))) return {};
+  return bytes.str();
 }
 
 /// The files beside a scan and those beside its output.
@@ -81,13 +84,20 @@ class SideFiles {
   /// "NAME_patch" after the output, or with a number where a file of the scan or of somebody else is called so.
   std::string name_for_patches(const std::set<std::string>& taken) const {
     const std::string stem = without_gzip_name(path_).stem().string() + "_patch";
-    const std::string replaced = head_of_output();
+    std::set<std::string> taken_files;
+    std::error_code error;
+    for (const std::string& name : taken)  // where they are, and where they may be copied
+      for (const fs::path& folder : {from_, to_})
+        taken_files.insert(fs::weakly_canonical(folder / name, error).string());
+    const std::set<std::string> replaced = files_named_by_output();
     const auto is_free = [&](const std::string& name) {
-      const std::string picture = name + ".png", material = name + ".mtl";
-      if (taken.contains(picture) || taken.contains(material)) return false;
-      // What the output names that is replaced now was made for it.
-      const bool is_ours = replaced.find(picture) != std::string::npos || replaced.find(material) != std::string::npos;
-      return is_ours || !(fs::exists(to_ / picture) || fs::exists(to_ / material));
+      bool is_ours = false, is_there = false;
+      for (const std::string& file : {name + ".png", name + ".mtl"}) {
+        if (taken_files.contains(fs::weakly_canonical(to_ / file, error).string())) return false;
+        is_ours = is_ours || replaced.contains(file);
+        is_there = is_there || fs::exists(to_ / file, error);
+      }
+      return is_ours || !is_there;
     };
     std::string name = stem;
     for (int k = 2; !is_free(name); ++k) name = stem + "_" + std::to_string(k);
@@ -102,13 +112,24 @@ class SideFiles {
   void say(const std::string& remark) { written_.remarks.push_back(remark); }
 
  private:
-  /// The beginning of what stands at the output's place, where a mesh names its other files; empty: nothing does.
-  std::string head_of_output() const {
-    std::string head(1 << 14, '\0');
-    std::ifstream file(path_, std::ios::binary);
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-    return head;
+  /// What the mesh at the output's place names that is replaced now: that was made for it.
+  std::set<std::string> files_named_by_output() const {
+    std::set<std::string> names;
+    try {
+      std::error_code error;
+      if (!fs::is_regular_file(path_, error)) return names;
+      const FileContent old = load_file(path_);
+      TextCursor cursor(std::string_view(old.bytes).substr(0, 1 << 14));
+      while (cursor.next_line()) {
+        std::string_view word = cursor.next_token();
+        if (word == "comment") word = cursor.next_token();
+        if (word != "mtllib" && word != "TextureFile") continue;
+        const std::string_view rest = cursor.rest_of_line();
+        names.emplace(rest.substr(std::min(rest.find_first_not_of(' '), rest.size())));
+      }
+    } catch (const ReadError&) {
+    }
+    return names;
   }
 
   void copy(const fs::path& name) {
@@ -118,18 +139,19 @@ class SideFiles {
       return;
     }
     const fs::path source = from_ / relative, target = (to_ / relative).lexically_normal();
-    if (!copied_.insert(target.string()).second || !fs::exists(source)) return;
-    if (fs::exists(target)) {
-      if (has_same_content(source, target)) return;
+    std::error_code error;
+    if (!copied_.insert(target.string()).second || !fs::is_regular_file(source, error)) return;
+    const std::optional<std::string> content = bytes_of(source);
+    if (!content) return say("The file " + name.string() + " cannot be read and was not copied.");
+    if (fs::exists(target, error)) {
+      if (bytes_of(target) == content) return;
       throw WriteError(
           target, "another file of this name is there already, which the scan's " + name.string() + " would replace",
           "Choose another folder for the output, or --materials reference.");
     }
     if (target.has_parent_path()) outputs_.add_folder(target.parent_path());
-    const FileContent content = load_file(source);
-    outputs_.add(target, [&](std::ostream& out) {
-      out.write(content.bytes.data(), static_cast<std::streamsize>(content.bytes.size()));
-    });
+    outputs_.add(target,
+                 [&](std::ostream& out) { out.write(content->data(), static_cast<std::streamsize>(content->size())); });
     written_.beside.push_back(target);
   }
 
@@ -186,7 +208,10 @@ class ObjTexture : public Texture {
 
   void add_patches(const PaintedPatches& painted, std::size_t like_face, ScanAttributes& continued) override {
     std::set<std::string> taken(scan_.material_libraries.begin(), scan_.material_libraries.end());
-    for (const MaterialLibrary& library : libraries_) taken.insert(library.pictures.begin(), library.pictures.end());
+    std::error_code ignored;
+    for (const MaterialLibrary& library : libraries_)
+      for (const std::string& picture : library.pictures)
+        taken.insert((fs::relative(folder_of(library.path), files_.scan_folder(), ignored) / picture).string());
     const std::string name = files_.name_for_patches(taken);
     for (FaceNames& names : continued.names) {
       if (names.keyword != "usemtl") continue;
@@ -237,12 +262,14 @@ class PlyTexture : public Texture {
       : scan_(scan),
         files_(files),
         number_(find_column(scan.faces, "texnumber")) {
+    if (number_ && number_->is_list()) return;  // which picture a face has is not known
     for (const std::string& remark : scan.remarks)
       if (const std::string name = name_in(remark); !name.empty()) names_.push_back(name);
   }
 
   const Picture* picture_of(std::size_t face) override {
-    const double number = number_ && !number_->is_list() ? number_->value(face) : 0;
+    if (names_.empty()) return nullptr;
+    const double number = number_ ? number_->value(face) : 0;
     if (!(number >= 0) || number >= static_cast<double>(names_.size())) return nullptr;
     return files_.picture(files_.scan_folder() / names_[static_cast<std::size_t>(number)]);
   }
@@ -310,7 +337,8 @@ void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions&
         *options.texture, cancel);
     if (painted.not_painted > 0)
       written.remarks.push_back(std::to_string(painted.not_painted) +
-                                " new triangles have no texture: their patch cannot be laid out in a plane.");
+                                " new triangles have no texture: their patch cannot be laid out in a plane, or the "
+                                "picture would be too large.");
     if (!painted.picture.empty()) {
       written.painted = static_cast<std::size_t>(std::count(painted.is_painted.begin(), painted.is_painted.end(), 1));
       texture.add_patches(painted, like_face, *continued);

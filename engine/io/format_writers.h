@@ -24,7 +24,8 @@ class Output {
  public:
   /// @param gzip  null: not compressed
   Output(std::ostream& stream, GzipWriter* gzip) : stream_(stream), gzip_(gzip) {}
-  ~Output() {
+  /// To be called last.
+  void finish() {
     pass_on();
     if (gzip_) gzip_->finish();
   }

@@ -51,7 +51,7 @@ bool is_gzip(std::string_view bytes) { return bytes.substr(0, 2) == "\x1F\x8B"; 
 std::string gunzip(const std::filesystem::path& path, std::string_view bytes) {
   Inflation inflation;
   z_stream& stream = inflation.stream;
-  std::string result;
+  std::string result, buffer(piece, '\0');
   std::size_t at = 0;
   const std::size_t most = most_bytes();
   while (is_gzip(bytes.substr(at))) {
@@ -60,16 +60,14 @@ std::string gunzip(const std::filesystem::path& path, std::string_view bytes) {
       if (result.size() > most)
         throw ReadError(path, "the unpacked mesh would take more than half of this computer's memory", "",
                         "Reduce it first.");
-      const std::size_t size = result.size();
-      result.resize(size + std::max(piece, size / 2));
       stream.next_in = bytes_of(bytes.data() + at);
       stream.avail_in = part(bytes.size() - at);
-      const uInt given = stream.avail_in, room = part(result.size() - size);
-      stream.next_out = bytes_of(result.data() + size);
-      stream.avail_out = room;
+      const uInt given = stream.avail_in;
+      stream.next_out = bytes_of(buffer.data());
+      stream.avail_out = static_cast<uInt>(buffer.size());
       outcome = inflate(&stream, Z_NO_FLUSH);
       at += given - stream.avail_in;
-      result.resize(size + room - stream.avail_out);
+      result.append(buffer.data(), buffer.size() - stream.avail_out);
       if (outcome == Z_MEM_ERROR) throw std::bad_alloc();
       if (outcome != Z_OK && outcome != Z_STREAM_END && outcome != Z_BUF_ERROR)
         fail(path, "the compressed file is damaged", at);

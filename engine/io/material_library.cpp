@@ -5,6 +5,8 @@
 #include "io/text_cursor.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <string_view>
 
 namespace loopmend {
@@ -41,6 +43,13 @@ std::string picture_name(std::string_view rest) {
   return name;
 }
 
+/// Colours, gloss and transparency.
+bool is_plain_statement(std::string_view word) {
+  constexpr std::array<std::string_view, 15> words = {"Ka", "Kd", "Ks",    "Ke",        "Tf", "Ns", "Ni", "d",
+                                                      "Tr", "Pr", "illum", "sharpness", "Pm", "Ps", "Pc"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 }  // namespace
 
 MaterialLibrary read_material_library(const std::filesystem::path& path) {
@@ -48,18 +57,18 @@ MaterialLibrary read_material_library(const std::filesystem::path& path) {
   MaterialLibrary library{path, {}, {}, {}};
   TextCursor cursor(mesh_text(file), '#');
   std::string material;
+  std::set<std::string> known;
   while (cursor.next_line()) {
     const std::string_view word = cursor.next_token();
     if (word == "newmtl") {
-      material = picture_name(cursor.rest_of_line());
+      material = picture_name(cursor.rest_with_comment());
     } else if (word.substr(0, 4) == "map_" || word == "bump" || word == "disp" || word == "decal" || word == "refl" ||
                word == "norm") {
-      const std::string name = picture_name(cursor.rest_of_line());
+      const std::string name = picture_name(cursor.rest_with_comment());
       if (name.empty()) continue;
       if (word == "map_Kd") library.color_pictures[material] = name;
-      if (std::find(library.pictures.begin(), library.pictures.end(), name) == library.pictures.end())
-        library.pictures.push_back(name);
-    } else if (!word.empty()) {
+      if (known.insert(name).second) library.pictures.push_back(name);
+    } else if (!material.empty() && is_plain_statement(word)) {
       library.statements[material].push_back(std::string(word) + std::string(cursor.rest_of_line()));
     }
   }

@@ -122,7 +122,7 @@ class ObjReader {
       count_not_kept(soup_.oddities, "comments that begin with //");
       cursor_.skip_line();
     } else if (may_be_statement(word)) {
-      count_not_kept(soup_.oddities, "unknown statements " + in_quotes(word));
+      count_not_kept(soup_.oddities, "unknown statements");
       cursor_.skip_line();
     } else {
       errors_.fail(in_quotes(word) + " is not a statement of an OBJ file", cursor_.place(),
@@ -151,7 +151,7 @@ class ObjReader {
 
   /// Materials, groups, objects and smoothing groups hold for the faces that follow.
   void read_name(std::string_view word) {
-    std::string name(cursor_.rest_of_line());
+    std::string name(cursor_.rest_with_comment());
     name.erase(0, name.find_first_not_of(" \t"));
     name.erase(name.find_last_not_of(" \t") + 1);
     if (word == "mtllib") {

@@ -54,7 +54,10 @@ class PlyTextRows {
 
   std::uint64_t list_length(const PlyProperty& list) {
     const std::int64_t length = integer(list.count_type);
-    if (length < 0) errors_.fail("a list of " + std::to_string(length) + " items", place());
+    const auto most =
+        (std::uint64_t{1} << (8 * size_in_bytes(list.count_type) - (is_signed(list.count_type) ? 1 : 0))) - 1;
+    if (length < 0 || static_cast<std::uint64_t>(length) > most)
+      errors_.fail("a list of " + std::to_string(length) + " items", place());
     if (static_cast<std::uint64_t>(length) > cursor_.bytes_left()) {
       errors_.truncated("a list of " + std::to_string(length) + " items", place());
     }

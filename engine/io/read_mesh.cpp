@@ -53,7 +53,9 @@ void require_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
 /// @param face_of  is set to the polygon of each triangle where some have more corners
 Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup, std::vector<int>& face_of) {
   const std::size_t count = soup.corners.size() - 2 * soup.polygon_count();
-  if (count > std::numeric_limits<int>::max()) throw ReadError(path, "more than 2147483647 triangles", "", "");
+  constexpr std::size_t most = std::numeric_limits<int>::max() / 3;  // corners are numbered, too
+  if (count > most || soup.corners.size() > std::numeric_limits<int>::max())
+    throw ReadError(path, "more than 715827882 triangles", "", "Reduce it first.");
   Triangles triangles;
   triangles.reserve(count);
   for (std::size_t k = 0; k < soup.polygon_count(); ++k) triangulate_polygon(soup.points, soup.polygon(k), triangles);

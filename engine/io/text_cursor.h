@@ -41,6 +41,11 @@ class TextCursor {
   std::string_view next_token_across_lines();
   /// What is left of this line, its blanks as they are.
   std::string_view rest_of_line() const { return text_.substr(at_, line_end_ - at_); }
+  /// The same with what would be a comment: for names, which may hold the mark.
+  std::string_view rest_with_comment() const {
+    const std::string_view rest = text_.substr(at_, next_ - at_);
+    return rest.substr(0, rest.find_last_not_of("\r\n") + 1);
+  }
   /// Leaves out the rest of this line.
   void skip_line() { at_ = line_end_; }
 

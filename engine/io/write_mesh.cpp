@@ -71,11 +71,12 @@ namespace {
 void write_soup(std::ostream& stream, GzipWriter* gzip, Format format, const TriangleSoup& soup, Encoding encoding) {
   Output out(stream, gzip);
   switch (format) {
-    case Format::ply: return write_ply(out, soup, encoding);
-    case Format::stl: return write_stl(out, soup, encoding);
-    case Format::obj: return write_obj(out, soup);
-    case Format::off: return write_off(out, soup);
+    case Format::ply: write_ply(out, soup, encoding); break;
+    case Format::stl: write_stl(out, soup, encoding); break;
+    case Format::obj: write_obj(out, soup); break;
+    case Format::off: write_off(out, soup); break;
   }
+  out.finish();
 }
 
 /// The writer for this path, once it is clear that the soup can be written there.

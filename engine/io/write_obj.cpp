@@ -68,8 +68,12 @@ class ObjWriter {
       if (names.keyword == "solid") continue;
       now_.resize(scan_.names.size(), -1);
       const int mine = name_of(names, face.row);
-      if (mine < 0 || mine == now_[k]) continue;
+      if (mine == now_[k]) continue;
       now_[k] = mine;
+      if (mine < 0) {  // after others: a face of none would be taken for one of theirs
+        out_ << names.keyword << (names.keyword == "s" ? " off\n" : " default\n");
+        continue;
+      }
       const std::vector<std::string>& words =
           face.row.table == &scan_ ? names.names : find_names(*face.row.table, names.keyword)->names;
       out_ << names.keyword;

@@ -77,7 +77,7 @@ class FaceWalk {
     WrittenFace written{t, {}, {}};
     if (const int row = triangle_row(soup_, f); row >= 0) {
       written.row = {&table(), table().face_of_triangle(row)};
-      if (!table().corners.empty()) find_corners(t, written.row.row);
+      if (!table().corners.empty()) find_corners(t, row, written.row.row);
     } else if (soup_.continued) {
       const int first = 3 * static_cast<int>(new_triangles_);
       corners_ = {first, first + 1, first + 2};
@@ -90,7 +90,7 @@ class FaceWalk {
     return 1;
   }
 
-  void find_corners(const Triangle& t, std::size_t face) {
+  void find_corners(const Triangle& t, int row, std::size_t face) {
     const std::array<int, 3> rows = rows_of(t);
     const std::size_t first = table().first_corner(face), size = table().corner_end(face) - first;
     const std::span<const int> file(table().corners.data() + first, size);
@@ -100,8 +100,11 @@ class FaceWalk {
       corners_.assign(turn.begin(), turn.end());
       return;
     }
+    // By the triangle that was read: its vertices may have been joined with others since.
+    const Triangle& as_read = table().triangles[row];
+    const std::array<int, 3> turn = best_turn(rows, as_read, 0);
     for (int k = 0; k < 3; ++k)
-      if (const auto found = std::find(file.begin(), file.end(), rows[k]); found != file.end())
+      if (const auto found = std::find(file.begin(), file.end(), as_read[turn[k]]); found != file.end())
         corners_[k] = static_cast<int>(first + static_cast<std::size_t>(found - file.begin()));
   }
 

@@ -44,6 +44,10 @@ std::size_t size_in_bytes(ScalarType type) {
   return visit(type, [](auto value) { return sizeof value; });
 }
 
+bool is_signed(ScalarType type) {
+  return type != ScalarType::uint8 && type != ScalarType::uint16 && type != ScalarType::uint32;
+}
+
 bool is_integer(ScalarType type) { return type != ScalarType::float32 && type != ScalarType::float64; }
 
 AttributeColumn::AttributeColumn(std::string name, ScalarType type, std::optional<ScalarType> count_type)

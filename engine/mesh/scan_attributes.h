@@ -18,6 +18,7 @@ enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, float32, floa
 
 std::size_t size_in_bytes(ScalarType type);
 bool is_integer(ScalarType type);
+bool is_signed(ScalarType type);
 
 /// One property of all points, faces or other rows, every value in the type of the file. Every type fits into a double.
 class AttributeColumn {

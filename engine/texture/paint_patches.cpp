@@ -26,6 +26,7 @@ constexpr int most_pixels = 2048;   ///< of one patch, a side
 constexpr int most_rings = 24;      ///< of the scan around a patch
 constexpr double collar_share = 4;  ///< so many times the triangles of the patch around it
 constexpr std::size_t least_collar = 400;
+constexpr double most_area = 1.2e8;  ///< pixels of all patches: readers take 16384 a side
 constexpr double most_repeats = 10000;
 
 /// A patch and the textured triangles around it.
@@ -138,13 +139,18 @@ class Painter {
       if (triangle_row(soup_, f) < 0) number[f] = count++;
     result.is_painted.assign(static_cast<std::size_t>(count), 0);
     std::vector<std::pair<const Piece*, PaintedPiece>> painted;
+    double area = 0;
     for (const Piece& piece : pieces) {
       if (cancel_.cancelled()) return {};
       if (piece.around.empty()) continue;
-      if (std::optional<PaintedPiece> one = paint(piece))
+      std::optional<PaintedPiece> one;
+      if (area < most_area) one = paint(piece);
+      if (one) {
+        area += static_cast<double>(one->picture.width) * one->picture.height;
         painted.emplace_back(&piece, std::move(*one));
-      else
+      } else {
         result.not_painted += piece.own.size();
+      }
     }
     if (painted.empty()) return result;
     arrange(painted, result.picture);

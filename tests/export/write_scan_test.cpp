@@ -148,6 +148,24 @@ TEST_F(WriteScan, PlyIsPaintedToo) {
   }
 }
 
+/// What lies beside the scan must not cost the fill.
+TEST_F(WriteScan, OddFilesBesideTheScanAreNoReasonToFail) {
+  std::string obj = read_bytes(folder_ / "in/bowl.obj");
+  std::filesystem::create_directories(folder_ / "in/folder.mtl");
+  write_bytes(folder_ / "in/empty.mtl", "");
+  write_bytes(folder_ / "in/secret.mtl", "root:x:0:0\nnewmtl skin\nroot:y\nKd 1 1 1\n");
+  for (const std::string& name :
+       {std::string("folder.mtl"), std::string("empty.mtl"), std::string(300, 'a'), std::string("secret.mtl")}) {
+    write_bytes(folder_ / "in/bowl.obj", "mtllib " + name + "\n" + obj);
+    EXPECT_NO_THROW(fill("out/bowl.obj")) << name;
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out/bowl.obj")) << name;
+    EXPECT_EQ(read_bytes(folder_ / "out/bowl_patch.mtl").find("root"), std::string::npos)
+        << "only what a material is made of";
+    std::filesystem::remove_all(folder_ / "out");
+    std::filesystem::create_directories(folder_ / "out");
+  }
+}
+
 TEST_F(WriteScan, CoordinatesThatAreNoneAreNoTexture) {
   std::string obj = read_bytes(folder_ / "in/bowl.obj");
   for (const char* bad : {"vt nan nan", "vt 1e300 0", "vt inf 0.5", "vt -1e18 1e18"}) {

@@ -92,6 +92,36 @@ constexpr const char* rich_obj =
 
 TEST_F(AttributesTest, ObjComesOutAsItWentIn) { EXPECT_EQ(round_trip(rich_obj, "rich.obj"), rich_obj); }
 
+TEST_F(AttributesTest, ObjNamesMayHoldTheSignOfComments) {
+  const std::string text =
+      "# Loopmend\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl Material #1\nf 1 2 3\nusemtl Material #2\nf 2 4 3\n";
+  EXPECT_EQ(round_trip(text, "sharp.obj"), text);
+}
+
+/// After others, what has no material must not be taken for one of theirs.
+TEST_F(AttributesTest, ObjFacesWithoutANameStayWithout) {
+  ImportedMesh mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl far\nf 2 4 3\n", "none.obj");
+  const TriangleSoup whole = mesh.soup;
+  std::swap(mesh.soup.triangles[0], mesh.soup.triangles[1]);
+  copy_rows(whole, {0, 1, 2, 3}, {1, 0}, mesh.soup);
+  write_mesh(folder_ / "out.obj", mesh.soup);
+  EXPECT_NE(read_bytes(folder_ / "out.obj").find("usemtl far\nf 2 4 3\nusemtl default\nf 1 2 3\n"), std::string::npos);
+}
+
+TEST_F(AttributesTest, PlyListsFitTheirCount) {
+  const auto with = [](const std::string& count, int items) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nproperty list " +
+        count + " int tags\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " + std::to_string(items);
+    for (int k = 0; k < items; ++k) text += " 7";
+    return text + "\n";
+  };
+  expect_refused(with("uchar", 300), "long.ply", {"a list of 300 items", "line 14"});
+  expect_refused(with("char", 200), "long.ply", {"a list of 200 items"});
+  EXPECT_EQ(read(with("ushort", 300), "fits.ply").soup.attributes->faces[0].items(0), 300U);
+}
+
 TEST_F(AttributesTest, ObjCornersThatNameWhatIsNotThereHaveNothing) {
   const ImportedMesh mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/-1 2/7 3/1\n", "far.obj");
   EXPECT_EQ(mesh.soup.attributes->texture.at, (std::vector<int>{0, -1, 0}));

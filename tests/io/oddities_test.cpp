@@ -43,7 +43,7 @@ std::vector<Variant> variants() {
       {"two.obj", obj + "f 1 2\nf 1 2 3\n", 1, few},
       {"none.obj", obj + "f\nf 1 2 3\n", 1, few},
       {"slashes.obj", "// exported by hand\n" + obj + "f 1 2 3\n", 1, "comments that begin with // (1)"},
-      {"word.obj", obj + "my_exporter_note 1 2\nf 1 2 3\n", 1, "unknown statements \"my_exporter_note\" (1)"},
+      {"word.obj", obj + "my_exporter_note 1 2\nf 1 2 3\n", 1, "unknown statements (1)"},
       {"nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\n", 1, lone},
       {"two.ply", ply_head + "1 1 0\n2 0 1 0.5\n3 0 1 2 0.25\n", 1, few},
       {"zero.ply", ply_head + "1 1 0\n3 0 1 2 0.25\n0 7\n", 1, few},
@@ -104,6 +104,7 @@ TEST_F(Oddities, DamageIsStillRefused) {
   expect_refused(obj + "call other.obj\nf 1 2 3\n", "call.obj", {"\"call\""});
   expect_refused("solid\n" + facet + "endfacet\nfacte normal 0 0 1\nendsolid\n", "garbled.stl", {"facte"});
   expect_refused(binary_stl(1, 2, ""), "fewer.stl", {"announces 1"});
+  expect_refused(binary_stl(1, 1000, "7 bytes"), "many_more.stl", {"announces 1"});
 }
 
 }  // namespace
