@@ -103,7 +103,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->check(between(0, 100))
       ->type_name("N");
   fill->add_option("--texture", words.texture,
-                   "Texture of patches in a scan with a texture (OBJ): like the scan's, smooth colours, or none")
+                   "Texture of patches in a scan with a texture (OBJ, PLY): like the scan's, smooth colours, or none")
       ->check(CLI::IsMember({"grain", "smooth", "none"}))
       ->capture_default_str();
   fill->add_option(

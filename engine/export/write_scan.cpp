@@ -363,4 +363,11 @@ WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& 
   return written;
 }
 
+WrittenScan write_scan(const std::filesystem::path& path, TriangleSoup& soup, const WriteScanOptions& options) {
+  OutputTransaction outputs;
+  WrittenScan written = write_scan(outputs, path, soup, options);
+  outputs.commit();
+  return written;
+}
+
 }  // namespace loopmend

@@ -43,4 +43,7 @@ struct WrittenScan {
 WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,
                        const WriteScanOptions& options, const CancelToken& cancel = {});
 
+/// The same with a transaction of its own: all files appear together.
+WrittenScan write_scan(const std::filesystem::path& path, TriangleSoup& soup, const WriteScanOptions& options = {});
+
 }  // namespace loopmend

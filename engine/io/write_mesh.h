@@ -25,7 +25,8 @@ std::vector<NotKept> carried_attributes(const TriangleSoup& soup);
 /// a PLY file of floats; binary is the default; OBJ and OFF are always text with 17 digits; binary STL holds floats.
 /// With the points and faces go the soup's attributes, as far as the format holds them: those of the file for what was read,
 /// those of `continued` for what is new. Polygons of which no triangle was changed are polygons again (not in STL).
-/// What the format cannot hold is not written: not_kept_by_format() names it.
+/// What the format cannot hold is not written: not_kept_by_format() names it. Of a soup with attributes and without `continued`
+/// new points and triangles have zeros: export/write_scan.h makes the rows first.
 /// @throws WriteError for an unknown extension, a missing folder, no permission, a full disk. The old file stays.
 /// @throws InvalidArgument for a soup that could not be read again: an index out of range, a coordinate that is not
 ///         finite, colours but not one per point.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/run_program.h"
 
+#include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
@@ -53,6 +54,19 @@ TEST_F(CliCompare, WritesMeshesPictureProfileAndTables) {
     EXPECT_THAT(row, Not(HasSubstr("nan")));
   }
   EXPECT_EQ(rows, 6);  // the head, the start and the four flows
+}
+
+/// The patches of every file have the colours around them, not black ones.
+TEST_F(CliCompare, ColoursRunOnInItsMeshes) {
+  TriangleSoup ball = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.85; });
+  ball.colors.assign(ball.points.size(), {10, 20, 30, 255});
+  write_mesh(work / "ball.ply", ball);
+  ASSERT_EQ(run("compare", path("ball.ply")).code, 0);
+  for (const char* file : {"start.ply", "mcf.ply", "mmcvf.ply"}) {
+    const TriangleSoup filled = read_mesh(work / "flows" / file).soup;
+    ASSERT_GT(filled.points.size(), ball.points.size()) << file;
+    for (const Color& color : filled.colors) EXPECT_EQ(color, (Color{10, 20, 30, 255})) << file;
+  }
 }
 
 TEST_F(CliCompare, RefusesASurfaceWithoutHoles) {

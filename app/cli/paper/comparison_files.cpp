@@ -10,6 +10,7 @@
 #include "flows/flow_terms.h"
 #include "io/atomic_file.h"
 #include "io/write_mesh.h"
+#include "pipeline/continue_attributes.h"
 #include "scene/offscreen_render.h"
 #include "scene/surface_shape.h"
 
@@ -74,10 +75,13 @@ nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
 
 void write_comparison(OutputTransaction& outputs, const Problem& problem, const FlowComparison& comparison,
                       const std::string& title, const std::filesystem::path& folder, const std::optional<Vec3>& eye) {
-  write_mesh(outputs, folder / "start.ply", problem.surface(problem.start));
+  TriangleSoup start = problem.surface(problem.start);
+  continue_attributes(start);
+  write_mesh(outputs, folder / "start.ply", start);
   std::vector<SurfaceModel> models;
   for (const ComparedFlow& run : comparison.runs) {
     TriangleSoup soup = problem.surface(run.outcome.patch);
+    continue_attributes(soup);
     write_mesh(outputs, folder / (std::string(to_string(run.outcome.flow)) + ".ply"), soup);
     models.push_back(make_surface_model(std::move(soup)));
   }
