@@ -17,10 +17,28 @@ std::size_t size_of(const OpenedScan& scan) {
 
 }  // namespace
 
-PatchChange::PatchChange(Document& document, std::vector<Pair> pairs, const QString& text)
+PatchChange::PatchChange(Document& document, std::vector<Pair> pairs, const QString& text, Joining joining)
     : Change(text),
       document_(document),
-      pairs_(std::move(pairs)) {}
+      pairs_(std::move(pairs)),
+      joining_(joining) {}
+
+bool PatchChange::mergeWith(const QUndoCommand* next) {
+  const auto* change = dynamic_cast<const PatchChange*>(next);
+  if (!change || change->joining_ == Joining::none || forgotten()) return false;
+  for (const Pair& pair : change->pairs_) {
+    const auto ours = std::find_if(pairs_.begin(), pairs_.end(), [&](const Pair& mine) {
+      return mine.after && pair.before && mine.after->id == pair.before->id;
+    });
+    if (ours == pairs_.end())
+      pairs_.push_back(pair);
+    else
+      ours->after = pair.after;
+  }
+  std::erase_if(pairs_, [](const Pair& pair) { return !pair.before && !pair.after; });
+  setText(change->text());
+  return true;
+}
 
 void PatchChange::redo() { go(Direction::forth); }
 

@@ -26,9 +26,13 @@ class PatchChange : public Change {
   struct Pair {
     std::optional<OpenPatch> before, after;
   };
-  PatchChange(Document& document, std::vector<Pair> pairs, const QString& text);
+  /// Whether it is taken back together with the patch change before it.
+  enum class Joining { none, previous };
+  PatchChange(Document& document, std::vector<Pair> pairs, const QString& text, Joining joining = Joining::none);
   void undo() override;
   void redo() override;
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* next) override;
   std::size_t held_bytes(std::set<const void*>& seen) const override;
   void forget() override { pairs_.clear(); }
   bool forgotten() const override { return pairs_.empty(); }
@@ -39,6 +43,7 @@ class PatchChange : public Change {
 
   Document& document_;
   std::vector<Pair> pairs_;
+  Joining joining_;
 };
 
 /// A scan was added to the scene.

@@ -6,6 +6,7 @@
 #include "jobs/steady_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <mutex>
 
@@ -117,9 +118,11 @@ class Drive {
   Drive(const EvolveTask& task, RunRecorder& recorder, const Job& job) : task_(task), recorder_(recorder), job_(job) {}
 
   EvolveResult go() {
-    if (task_.pace == Pace::steady) {
-      parallel_for(0, static_cast<int>(task_.items.size()), 1,
-                   [this](int k) { settle(task_.items[static_cast<std::size_t>(k)]); });
+    if (is_to_steady_state(task_.pace)) {
+      parallel_for(0, static_cast<int>(task_.items.size()), 1, [this](int k) {
+        settle(task_.items[static_cast<std::size_t>(k)]);
+        if (task_.progress) task_.progress(++done_);
+      });
     } else {
       step_all();
     }
@@ -174,7 +177,7 @@ class Drive {
         Stepper& stepper = steppers[static_cast<std::size_t>(k)].second;
         if (!stopped() && !stepper.at_rest()) stepper.step(job_.token());
       });
-      if (task_.pace == Pace::one_step) break;
+      if (task_.pace == Pace::time_step) break;
     }
     for (auto& [id, stepper] : steppers) {
       if (job_.token().cancelled()) return;
@@ -187,6 +190,7 @@ class Drive {
   RunRecorder& recorder_;
   const Job& job_;
   std::mutex mutex_;
+  std::atomic<int> done_ = 0;
   EvolveResult result_;
 };
 

@@ -7,16 +7,20 @@
 #include "jobs/scan_site.h"
 #include "jobs/task_runner.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace loopmend {
 
 enum class Pace {
-  one_step,  ///< one step of every patch
-  run,       ///< step after step until all are at rest or a pause is asked for
-  steady,    ///< every patch straight to its steady state, with the fallbacks of the command line
+  time_step,   ///< one semi-implicit time step (paper, §4) of every patch
+  time_steps,  ///< one after another until all are at rest or a pause is asked for
+  steady,      ///< every patch straight to its steady state, with the fallbacks of the command line
+  watched,     ///< the same, every step shown for a moment
 };
+
+inline bool is_to_steady_state(Pace pace) { return pace == Pace::steady || pace == Pace::watched; }
 
 /// An evolution that can be taken up again: it belongs to `state`, and to no other.
 struct EvolutionSession {
@@ -33,8 +37,9 @@ struct EvolveTask {
   };
   std::vector<Item> items;
   EvolutionOptions options;
-  Pace pace = Pace::one_step;
+  Pace pace = Pace::time_step;
   Vec3 origin = Vec3::Zero();
+  std::function<void(int done)> progress;  ///< patches at their end; called on the worker's threads
 };
 
 struct EvolveResult {

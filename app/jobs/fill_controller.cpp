@@ -14,8 +14,9 @@ namespace {
 
 Activity activity_of(Pace pace) {
   switch (pace) {
-    case Pace::one_step: return Activity::stepping;
-    case Pace::run: return Activity::running;
+    case Pace::time_step: return Activity::stepping;
+    case Pace::time_steps:
+    case Pace::watched: return Activity::running;
     case Pace::steady: return Activity::solving;
   }
   return Activity::idle;
@@ -76,8 +77,8 @@ ScanSitePtr FillController::site_of(int scan) {
   return site;
 }
 
-void FillController::push(std::vector<PatchChange::Pair> pairs, const QString& text) {
-  if (!pairs.empty()) undo_.push(std::make_unique<PatchChange>(document_, std::move(pairs), text));
+void FillController::push(std::vector<PatchChange::Pair> pairs, const QString& text, PatchChange::Joining joining) {
+  if (!pairs.empty()) undo_.push(std::make_unique<PatchChange>(document_, std::move(pairs), text, joining));
 }
 
 std::vector<FillTask> FillController::fill_tasks(const std::set<int>& loops, const FillChoice& choice) {
@@ -111,6 +112,16 @@ std::vector<FillTask> FillController::fill_tasks(const std::set<int>& loops, con
 }
 
 void FillController::fill(const std::set<int>& loops, const FillChoice& choice) {
+  start_fill(loops, choice, std::nullopt);
+}
+
+void FillController::fill_and_smooth(const std::set<int>& loops, const std::set<int>& patch_ids,
+                                     const FillChoice& choice, const EvolutionOptions& options) {
+  loops.empty() ? evolve(patch_ids, options, Pace::steady) : start_fill(loops, choice, Smoothing{patch_ids, options});
+}
+
+void FillController::start_fill(const std::set<int>& loops, const FillChoice& choice,
+                                const std::optional<Smoothing>& then) {
   if (busy()) return;
   const std::vector<FillTask> tasks = fill_tasks(loops, choice);
   std::set<int> wanted;
@@ -120,7 +131,7 @@ void FillController::fill(const std::set<int>& loops, const FillChoice& choice) 
   const auto ready = preview_;
   const JobPtr job = begin(Activity::filling, tr("Filling %1").arg(labels::holes(document_, wanted)));
   if (ready && ready->loops == wanted && ready->choice == choice) {
-    on_filled(ready->result, wanted);
+    on_filled(ready->result, wanted, then);
     return;
   }
   const int total = static_cast<int>(wanted.size());
@@ -131,7 +142,7 @@ void FillController::fill(const std::set<int>& loops, const FillChoice& choice) 
             tasks, [&](int done) { job->post([this, done, total] { Q_EMIT progress_changed(done, total); }); },
             job->token());
       },
-      [this, wanted](FillResult result) { on_filled(std::move(result), wanted); },
+      [this, wanted, then](FillResult result) { on_filled(std::move(result), wanted, then); },
       [this](const QString& text) { give_up(text); });
 }
 
@@ -222,7 +233,7 @@ void FillController::drop_fill_preview() {
   Q_EMIT ghosts_changed({});
 }
 
-void FillController::on_filled(FillResult result, const std::set<int>& wanted) {
+void FillController::on_filled(FillResult result, const std::set<int>& wanted, const std::optional<Smoothing>& then) {
   const qint64 milliseconds = clock_.elapsed();
   end();
   std::vector<PatchChange::Pair> pairs;
@@ -248,6 +259,12 @@ void FillController::on_filled(FillResult result, const std::set<int>& wanted) {
   if (!refilled.empty())
     Q_EMIT logged(tr("Some of these holes lie so close to filled ones that both were filled anew, as one."));
   say_fill_outcome(result, wanted);
+  if (!then) return;
+  std::set<int> to_smooth = then->patch_ids;
+  for (int loop : done)
+    if (const OpenPatch* patch = document_.patch_of(loop)) to_smooth.insert(patch->id);
+  start_flow(to_smooth, then->options, Pace::steady,
+             done.empty() ? PatchChange::Joining::none : PatchChange::Joining::previous);
 }
 
 void FillController::say_fill_outcome(const FillResult& result, const std::set<int>& wanted) {
@@ -267,10 +284,15 @@ void FillController::say_fill_outcome(const FillResult& result, const std::set<i
 }
 
 void FillController::evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace) {
+  start_flow(patch_ids, std::move(options), pace, PatchChange::Joining::none);
+}
+
+void FillController::start_flow(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace,
+                                PatchChange::Joining joining) {
   if (busy()) return;
   EvolveTask task;
   task.options = std::move(options);
-  task.options.mode = pace == Pace::steady ? EvolutionMode::steady : EvolutionMode::steps;
+  task.options.mode = is_to_steady_state(pace) ? EvolutionMode::steady : EvolutionMode::steps;
   task.pace = pace;
   task.origin = document_.origin();
   run_start_.clear();
@@ -289,8 +311,14 @@ void FillController::evolve(const std::set<int>& patch_ids, EvolutionOptions opt
   }
   if (task.items.empty()) return;
   const QString name = labels::flow_name(task.options.flow), where = labels::holes(document_, loops);
-  run_name_ = pace == Pace::one_step ? tr("%1 step on %2").arg(name, where) : tr("%1 on %2").arg(name, where);
+  run_name_ = pace == Pace::time_step ? tr("%1 step on %2").arg(name, where) : tr("%1 on %2").arg(name, where);
   const JobPtr job = begin(activity_of(pace), run_name_);
+  run_joining_ = joining;
+  if (joining == PatchChange::Joining::previous) run_name_ = tr("Fill and smooth %1").arg(where);
+  if (const int total = static_cast<int>(task.items.size()); total > 1 && is_to_steady_state(pace))
+    task.progress = [this, job, total](int done) {
+      job->post([this, done, total] { Q_EMIT progress_changed(done, total); });
+    };
   std::set<int> running;
   for (const auto& [id, patch] : run_start_) running.insert(id);
   document_.set_running(running);
@@ -320,7 +348,9 @@ void FillController::on_evolved(const EvolveResult& result) {
   take_records();
   sessions_ = result.sessions;
   record_run(result);
+  const RunEnd how = job_ && job_->asked_to_pause() ? RunEnd::stopped : RunEnd::complete;
   end();
+  Q_EMIT flow_ended(how);
   for (const auto& [id, words] : result.failures) report_failure(QString::fromStdString(words));
 }
 
@@ -336,6 +366,11 @@ QString FillController::run_words(const OpenPatch& before, const OpenPatch& now)
 }
 
 void FillController::record_run(const EvolveResult& result) {
+  constexpr int most_lines = 40;
+  int lines = 0;
+  const auto log_run = [&](const OpenPatch& before, const OpenPatch& now) {
+    if (lines++ < most_lines) Q_EMIT logged(run_words(before, now));
+  };
   std::vector<PatchChange::Pair> pairs;
   for (const auto& [id, before] : run_start_) {
     const OpenPatch* now = document_.patch(id);
@@ -344,7 +379,7 @@ void FillController::record_run(const EvolveResult& result) {
       pairs.push_back({before, std::nullopt});
       for (OpenPatch part : split->second) {
         part.id = document_.next_patch_id();
-        Q_EMIT logged(run_words(part, part));
+        log_run(part, part);
         pairs.push_back({std::nullopt, std::move(part)});
       }
       Q_EMIT logged(tr("%1 could not be solved together; each was solved by itself.")
@@ -352,12 +387,13 @@ void FillController::record_run(const EvolveResult& result) {
       continue;
     }
     if (now->state == before.state) continue;
-    Q_EMIT logged(run_words(before, *now));
+    log_run(before, *now);
     pairs.push_back({before, *now});
   }
+  if (lines > most_lines) Q_EMIT logged(tr("%n more", nullptr, lines - most_lines));
   run_start_.clear();
   recorder_.reset();
-  push(std::move(pairs), run_name_);
+  push(std::move(pairs), run_name_, run_joining_);
 }
 
 void FillController::adopt(OpenPatch patch) {
@@ -405,6 +441,7 @@ void FillController::cancel() {
   end();
   const bool was_flow =
       what == Activity::running || what == Activity::solving || what == Activity::stepping || what == Activity::pausing;
+  if (was_flow) Q_EMIT flow_ended(RunEnd::stopped);
   Q_EMIT logged(was_flow ? tr("Cancelled; the last accepted state is kept.") : tr("Cancelled."));
 }
 

@@ -16,11 +16,15 @@
 #include <QObject>
 #include <QStringList>
 
+#include <optional>
 #include <set>
 
 namespace loopmend {
 
 enum class Activity { idle, opening, filling, stepping, running, solving, pausing, writing };
+
+/// How a run of a flow ended.
+enum class RunEnd { complete, stopped };
 
 enum class OpenMode {
   replace,  ///< another scene
@@ -78,6 +82,9 @@ class FillController : public QObject {
   /// A strip between the boundary edges that begin at these soup points of a scan; as with_bridge() of the engine.
   void bridge(int scan, int soup_a, int soup_b);
   void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
+  /// Fills the loops, then takes their patches and these others to the steady state: one change for undo.
+  void fill_and_smooth(const std::set<int>& loops, const std::set<int>& patch_ids, const FillChoice& choice,
+                       const EvolutionOptions& options);
   void pause();
   /// Comes back at once; what was accepted so far stays and can be undone.
   void cancel();
@@ -100,6 +107,7 @@ class FillController : public QObject {
   void activity_changed();
   void stage_changed(const QString& words);
   void progress_changed(int done, int total);  ///< total 0: not known
+  void flow_ended(RunEnd end);
   void preview_ready(std::shared_ptr<const SurfaceShape> shape);
   void preview_dropped();
   void ghosts_changed(std::vector<std::shared_ptr<const SurfaceShape>> ghosts);
@@ -117,7 +125,14 @@ class FillController : public QObject {
     FillChoice choice;
     FillResult result;
   };
+  /// What follows a fill.
+  struct Smoothing {
+    std::set<int> patch_ids;  ///< besides those that the fill makes
+    EvolutionOptions options;
+  };
 
+  void start_fill(const std::set<int>& loops, const FillChoice& choice, const std::optional<Smoothing>& then);
+  void start_flow(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace, PatchChange::Joining joining);
   JobPtr begin(Activity activity, const QString& stage);
   void end();
   void report_failure(const QString& words);
@@ -132,14 +147,15 @@ class FillController : public QObject {
   std::vector<FillTask> fill_tasks(const std::set<int>& loops, const FillChoice& choice);
   void on_judged(OpenPatch patch, PatchStatePtr state);
   void on_exported(const ExportResult& result, const QString& path);
-  void on_filled(FillResult result, const std::set<int>& wanted);
+  void on_filled(FillResult result, const std::set<int>& wanted, const std::optional<Smoothing>& then);
   void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
   void take_records();
   void on_evolved(const EvolveResult& result);
   void record_run(const EvolveResult& result);
   QString run_words(const OpenPatch& before, const OpenPatch& now) const;
   ScanSitePtr site_of(int scan);
-  void push(std::vector<PatchChange::Pair> pairs, const QString& text);
+  void push(std::vector<PatchChange::Pair> pairs, const QString& text,
+            PatchChange::Joining joining = PatchChange::Joining::none);
 
   Document& document_;
   UndoHistory& undo_;
@@ -155,6 +171,7 @@ class FillController : public QObject {
   std::map<int, OpenPatch> run_start_;
   std::map<int, OpenPatch> scrub_start_;
   QString run_name_;
+  PatchChange::Joining run_joining_ = PatchChange::Joining::none;
   ViewSource view_;
   std::size_t timeline_budget_ = std::size_t{256} << 20;
 };

@@ -12,6 +12,12 @@
 namespace loopmend {
 namespace {
 
+/// How long a step is shown where one patch is watched; several share it.
+constexpr std::chrono::milliseconds watched_step{250};
+
+/// More patches than this appear when they are done: nobody can follow the steps of so many.
+constexpr std::size_t most_live = 40;
+
 /// What was done in place of the flow, and why; then what is to be said of the result.
 std::string message_of(const PatchResult& result) {
   const char* method = [&] {
@@ -43,6 +49,7 @@ SteadyRun::SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRe
 void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   const PatchState& start = *item_.patch.state;
   if (evolution.patch().loop_numbers != start.patch.loop_numbers) return;  // only a part of what is shown
+  if (task_.pace != Pace::watched && task_.items.size() > most_live) return;
   if (record.step == 1) {
     if (attempts_++ > 0) recorder_.restart(item_.patch.id);
     initial_energy_ = evolution.initial_energy();
@@ -63,6 +70,7 @@ void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   next->recipe.runs.push_back(run);
   last_ = next;
   recorder_.record(item_.patch.id, std::move(next));
+  if (task_.pace == Pace::watched) job_.linger(watched_step / std::max<std::size_t>(1, task_.items.size()));
 }
 
 PatchStatePtr SteadyRun::state_of(const PatchResult& result, const PatchState& from) {
@@ -147,10 +155,11 @@ OpenPatch SteadyRun::part(const std::vector<int>& numbers, const PatchResult* re
   for (std::size_t k = 0; k < item_.loops.size(); ++k)
     for (const BoundaryLoop& loop : loops)
       if (loop.number == item_.loops[k].number) part.loops.push_back(item_.patch.loops[k]);
-  InitialPatch initial = make_initial_patch(item_.site->model(), loops, InitialPatchOptions{density}, job_.pause_token());
+  InitialPatch initial =
+      make_initial_patch(item_.site->model(), loops, InitialPatchOptions{density}, job_.pause_token());
   Patch first_patch = initial.patch ? std::move(*initial.patch) : result ? result->patch : Patch();
-  auto first = std::make_shared<PatchState>(
-      *first_state(std::move(first_patch), initial.message(), density, task_.origin));
+  auto first =
+      std::make_shared<PatchState>(*first_state(std::move(first_patch), initial.message(), density, task_.origin));
   if (!result) first->message = why_not;
   part.state = result ? state_of(*result, *first) : first;
   part.timeline = std::make_shared<Timeline>(result ? Timeline{first, part.state} : Timeline{first});

@@ -22,6 +22,12 @@ void Job::post(std::function<void()> act) const {
       Qt::QueuedConnection);
 }
 
+void Job::linger(std::chrono::milliseconds time) const {
+  constexpr std::chrono::milliseconds look{10};
+  const auto until = std::chrono::steady_clock::now() + time;
+  while (!pause_.cancelled() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(look);
+}
+
 namespace {
 
 /// The window's thread goes first when both want the processor: what works for seconds can spare milliseconds.

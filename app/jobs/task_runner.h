@@ -29,6 +29,8 @@ class Job {
   void ask_to_pause() { pause_.cancel(); }
   /// Set by a pause and by cancelling alike: for work that keeps what it has when it is stopped.
   const CancelToken& pause_token() const { return pause_; }
+  /// Waits on the worker's thread; a pause or a cancel ends it.
+  void linger(std::chrono::milliseconds time) const;
   /// Give it up: what it says from now on is not heard.
   void cancel() {
     token_.cancel();

@@ -24,7 +24,7 @@ constexpr std::size_t most_previewed = 200;
 }  // namespace
 
 FillBox::FillBox(const Document& document, const HoleSelection& selection, FillController& controller, QWidget* parent)
-    : QGroupBox(tr("1  Fill"), parent),
+    : QGroupBox(tr("1  Fill and smooth"), parent),
       document_(document),
       selection_(selection),
       controller_(controller) {
@@ -32,6 +32,7 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
   preview_timer_.setSingleShot(true);
   preview_timer_.setInterval(preview_delay_ms);
   connect(&preview_timer_, &QTimer::timeout, this, &FillBox::preview_now);
+  connect(whole_, &QPushButton::clicked, this, qOverload<>(&FillBox::fill_and_smooth));
   connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
   connect(trim_, &QPushButton::clicked, this, [this] { mend(Mending::trim); });
   connect(stitch_, &QPushButton::clicked, this, [this] { mend(Mending::stitch); });
@@ -82,25 +83,48 @@ void FillBox::build() {
       "repair", tr("&Repair"),
       tr("Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove "
          "degenerate and duplicate faces and crumbs; Ctrl+Z takes it back"));
-  fill_ = make_button("fill", tr("&Fill"), tr("Close the selected holes, or all holes when none is selected (Ctrl+F)"));
+  whole_ = make_button("fillAndSmooth", tr("&Fill and smooth"),
+                       tr("Close the selected holes, or all holes when none is selected, and let the flow run to its "
+                          "steady state (Ctrl+F)"));
+  QFont strong = whole_->font();
+  strong.setBold(true);
+  whole_->setFont(strong);
+  fill_ = make_button("fill", tr("Initial pa&tch only"),
+                      tr("Close the holes by their initial patches, and let no flow run yet (Ctrl+Shift+F)"));
+  QSizePolicy keep = estimate_->sizePolicy();
+  keep.setRetainSizeWhenHidden(true);  // nothing moves under the mouse
+  estimate_->setSizePolicy(keep);
   grid->addWidget(target_, 0, 0, 1, 3);
-  grid->addWidget(density_label, 1, 0);
-  grid->addWidget(density_, 1, 1);
-  grid->addWidget(preview_, 1, 2);
-  grid->addWidget(islands_, 2, 0, 1, 3);
+  grid->addWidget(estimate_, 1, 0, 1, 3);
+  grid->addWidget(whole_, 2, 0, 1, 3);
+  grid->addWidget(fill_, 3, 0, 1, 3);
+  grid->addWidget(density_label, 4, 0);
+  grid->addWidget(density_, 4, 1);
+  grid->addWidget(preview_, 4, 2);
+  grid->addWidget(islands_, 5, 0, 1, 3);
   auto* mending = new QHBoxLayout;
   for (QPushButton* button : {trim_, stitch_, repair_}) mending->addWidget(button);
-  grid->addLayout(mending, 3, 0, 1, 3);
-  grid->addWidget(estimate_, 4, 0, 1, 3);
-  grid->addWidget(fill_, 5, 0, 1, 3);
+  grid->addLayout(mending, 6, 0, 1, 3);
   grid->setColumnStretch(1, 1);
 }
 
-void FillBox::fill() {
-  if (fill_->isEnabled()) fill_holes(loops_to_fill(document_, selection_));
+/// The initial patches among those that may be moved; all of these where there is none.
+std::set<int> FillBox::patches_to_smooth() const {
+  const std::set<int> all = patches_to_move(document_, selection_);
+  std::set<int> initial = all;
+  std::erase_if(initial, [&](int id) { return !document_.patch(id)->state->recipe.runs.empty(); });
+  return initial.empty() && loops_to_fill(document_, selection_).empty() ? all : initial;
 }
 
-void FillBox::fill_holes(const std::set<int>& loops) { controller_.fill(loops, choice()); }
+void FillBox::fill_and_smooth() {
+  if (whole_->isEnabled()) Q_EMIT wanted(loops_to_fill(document_, selection_), patches_to_smooth(), choice());
+}
+
+void FillBox::fill_and_smooth(const std::set<int>& loops) { Q_EMIT wanted(loops, {}, choice()); }
+
+void FillBox::fill() {
+  if (fill_->isEnabled()) controller_.fill(loops_to_fill(document_, selection_), choice());
+}
 
 FillChoice FillBox::choice() const {
   return {density_->value(), islands_->isChecked() ? FillOptions::Islands::join : FillOptions::Islands::cover};
@@ -162,7 +186,9 @@ void FillBox::update_state() {
   estimate_->setText(estimate(loops));
   estimate_->setVisible(!loops.empty());
   fill_->setEnabled(idle && !loops.empty());
-  fill_->setDefault(fill_->isEnabled());
+  whole_->setEnabled(idle && (!loops.empty() || !patches_to_smooth().empty()));
+  whole_->setDefault(whole_->isEnabled());
+  whole_->setText(loops.empty() && whole_->isEnabled() ? tr("S&mooth") : tr("&Fill and smooth"));
   density_->setEnabled(idle && document_.has_scan());
   islands_->setEnabled(idle && document_.has_scan());
   trim_->setEnabled(idle && !loops.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First part of the patch dock: close holes by a first patch, of a chosen density.
+// First part of the patch dock: the button that does the whole job, and how holes are closed.
 #pragma once
 
 #include <QGroupBox>
@@ -27,14 +27,21 @@ class FillBox : public QGroupBox {
   FillBox(const Document& document, const HoleSelection& selection, FillController& controller,
           QWidget* parent = nullptr);
 
+  /// The whole job: fills what is open and takes it to the steady state; smooths where nothing is open.
+  void fill_and_smooth();
   void fill();
   void mend(Mending what);
-  void fill_holes(const std::set<int>& loops);
+  void fill_and_smooth(const std::set<int>& loops);
   void update_state();
+
+ Q_SIGNALS:
+  /// The flow is chosen in another box.
+  void wanted(const std::set<int>& loops, const std::set<int>& patch_ids, const FillChoice& choice);
 
  private:
   void build();
   FillChoice choice() const;
+  std::set<int> patches_to_smooth() const;
   QString target_words(const std::set<int>& loops) const;
   QString estimate(const std::set<int>& loops) const;
   void preview_soon();
@@ -46,7 +53,7 @@ class FillBox : public QGroupBox {
   QLabel *target_ = nullptr, *estimate_ = nullptr;
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;
-  QPushButton *fill_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr, *repair_ = nullptr;
+  QPushButton *whole_ = nullptr, *fill_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr, *repair_ = nullptr;
   QTimer preview_timer_;
 };
 

@@ -27,14 +27,13 @@ constexpr int sigma_start = 1 * ticks_per_decade;
 }  // namespace
 
 FlowBox::FlowBox(const Document& document, const HoleSelection& selection, FillController& controller, QWidget* parent)
-    : QGroupBox(tr("2  Smooth by a flow"), parent),
+    : QGroupBox(tr("2  Flow"), parent),
       document_(document),
       selection_(selection),
       controller_(controller) {
   build();
   connect(step_, &QPushButton::clicked, this, &FlowBox::step);
   connect(run_, &QPushButton::clicked, this, &FlowBox::run_or_pause);
-  connect(steady_, &QPushButton::clicked, this, &FlowBox::to_steady_state);
   connect(compare_, &QPushButton::clicked, this, &FlowBox::compare_wanted);
   connect(flow_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &FlowBox::update_state);
   connect(sigma_, &QSlider::valueChanged, this, &FlowBox::update_state);
@@ -53,22 +52,22 @@ void FlowBox::build() {
   boundary_label->setBuddy(boundary_);
   auto* continuity_label = new QLabel(tr("Continuit&y"));
   continuity_label->setBuddy(continuity_);
-  steady_ = make_button("steady", tr("&To steady state"), tr("Go straight to where the flow converges (T)"));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("sigma"));
   sigma_->setRange(sigma_low, sigma_high);
   sigma_->setValue(sigma_start);
   sigma_->setPageStep(ticks_per_decade);
-  explain(
-      sigma_, tr("Time step"),
-      tr("Time step \u03c3 of Step and Run, without a unit: 1 is one decay time of the slowest wave on this patch"));
+  explain(sigma_, tr("Time step"),
+          tr("Time step \u03c3 of Step, without a unit: 1 is one decay time of the slowest wave on this patch"));
   sigma_value_ = new QLabel;
   sigma_value_->setObjectName(QStringLiteral("sigmaValue"));
   sigma_value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* sigma_label = new QLabel(tr("Time ste&p"));
   sigma_label->setBuddy(sigma_);
-  step_ = make_button("step", tr("&Step"), tr("Take one time step (S)"));
-  run_ = make_button("run", tr("&Run"), tr("Take one time step after another until the flow converges (Space)"));
+  step_ = make_button("step", tr("&Step"),
+                      tr("One time step of the flow itself, the boundary taken literally: on rough scans it may lead "
+                         "away from the surface (S)"));
+  run_ = make_button("run", tr("&Run"), tr("The same as Smooth, every step shown for a moment; again: pause (Space)"));
   compare_ = make_button("compareFlows", tr("Compare &flows\u2026"),
                          tr("Two to four flows from one start, side by side, in a window of their own (C)"));
   grid->addWidget(target_, 0, 0, 1, 2);
@@ -78,29 +77,24 @@ void FlowBox::build() {
   grid->addWidget(boundary_, 3, 1);
   grid->addWidget(continuity_label, 4, 0);
   grid->addWidget(continuity_, 4, 1);
-  grid->addWidget(steady_, 5, 0, 1, 2);
+  grid->addWidget(run_, 5, 0);
+  grid->addWidget(compare_, 5, 1);
   grid->addWidget(sigma_label, 6, 0);
   grid->addWidget(sigma_value_, 6, 1);
-  grid->addWidget(sigma_, 7, 0, 1, 2);
-  grid->addWidget(step_, 8, 0);
-  grid->addWidget(run_, 8, 1);
-  grid->addWidget(compare_, 9, 0, 1, 2);
+  grid->addWidget(sigma_, 7, 0);
+  grid->addWidget(step_, 7, 1);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }
 
 void FlowBox::step() {
-  if (step_->isEnabled()) evolve(Pace::one_step);
+  if (step_->isEnabled()) evolve(Pace::time_step);
 }
 
 void FlowBox::run_or_pause() {
   if (!run_->isEnabled()) return;
   const Activity now = controller_.activity();
-  now == Activity::running || now == Activity::solving ? controller_.pause() : evolve(Pace::run);
-}
-
-void FlowBox::to_steady_state() {
-  if (steady_->isEnabled()) evolve(Pace::steady);
+  now == Activity::running || now == Activity::solving ? controller_.pause() : evolve(Pace::watched);
 }
 
 void FlowBox::evolve(Pace pace) { controller_.evolve(patches_to_move(document_, selection_), options(), pace); }
@@ -137,7 +131,6 @@ void FlowBox::update_state() {
   continuity_->setEnabled(of_mmcvf);
   sigma_->setEnabled(idle);
   step_->setEnabled(idle && !to_move.empty());
-  steady_->setEnabled(idle && !to_move.empty());
   compare_->setEnabled(document_.has_scan());
   run_->setEnabled(can_pause || (idle && !to_move.empty()));
   run_->setText(can_pause ? tr("Pau&se") : now == Activity::pausing ? tr("Pausing\u2026") : tr("&Run"));

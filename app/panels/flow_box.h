@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Second part of the patch dock: which flow, how large a step; step, run, straight to rest.
+// Second part of the patch dock: which flow, to which boundary; watched, or time step by time step.
 #pragma once
 
 #include "jobs/evolve_patches.h"
@@ -25,7 +25,7 @@ class FlowBox : public QGroupBox {
 
   void step();
   void run_or_pause();
-  void to_steady_state();
+  EvolutionOptions options() const;
   void update_state();
 
  Q_SIGNALS:
@@ -33,7 +33,6 @@ class FlowBox : public QGroupBox {
 
  private:
   void build();
-  EvolutionOptions options() const;
   double sigma() const;
   void evolve(Pace pace);
 
@@ -43,7 +42,7 @@ class FlowBox : public QGroupBox {
   QLabel *target_ = nullptr, *help_ = nullptr, *sigma_value_ = nullptr;
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
   QSlider* sigma_ = nullptr;
-  QPushButton *step_ = nullptr, *run_ = nullptr, *steady_ = nullptr, *compare_ = nullptr;
+  QPushButton *step_ = nullptr, *run_ = nullptr, *compare_ = nullptr;
 };
 
 }  // namespace loopmend

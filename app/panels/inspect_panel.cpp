@@ -106,10 +106,13 @@ QWidget* InspectPanel::build_seam() {
   seam_->setTabKeyNavigation(false);
   seam_->setShowGrid(false);
   seam_->setWordWrap(false);
+  seam_->setTextElideMode(Qt::ElideLeft);  // the value of now is seen whole
   seam_->verticalHeader()->hide();
   seam_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 9);
   seam_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  seam_->horizontalHeader()->setSectionResizeMode(hole, QHeaderView::ResizeToContents);
+  // Of a width of its own: contents would be measured anew at every change of every row.
+  seam_->horizontalHeader()->setSectionResizeMode(hole, QHeaderView::Fixed);
+  seam_->horizontalHeader()->resizeSection(hole, fontMetrics().horizontalAdvance(QStringLiteral("00000  ")));
   sentence_ = new QLabel;
   sentence_->setObjectName(QStringLiteral("seamSentence"));
   sentence_->setWordWrap(true);
@@ -220,6 +223,10 @@ void InspectPanel::fill_row(int row, int loop) {
       const QString now = labels::number(value(patch.state->seams[at], column)) + unit;
       const QString before = labels::number(value(patch.state->seams_before[at], column)) + unit;
       text = before == now ? now : before.chopped(unit.size()) + QStringLiteral(" \u2192 ") + now;
+    }
+    if (QTableWidgetItem* there = seam_->item(row, column)) {
+      if (there->text() != text) there->setText(text);
+      continue;
     }
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment(Qt::AlignVCenter | (column == hole ? Qt::AlignLeft : Qt::AlignRight));

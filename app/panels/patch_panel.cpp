@@ -8,20 +8,23 @@
 #include "panels/flow_box.h"
 #include "panels/progress_box.h"
 
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace loopmend {
 
 PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection, FillController& controller,
                        QWidget* parent)
-    : QScrollArea(parent),
+    : QWidget(parent),
       fill_(new FillBox(document, selection, controller)),
       flow_(new FlowBox(document, selection, controller)),
       decision_(new DecisionBox(document, selection, controller)) {
   setObjectName(QStringLiteral("patchPanel"));
-  setFrameShape(QFrame::NoFrame);
-  setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 8);
@@ -29,10 +32,20 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   layout->addWidget(fill_);
   layout->addWidget(flow_);
   layout->addWidget(decision_);
-  layout->addWidget(new ProgressBox(document, controller));
   layout->addStretch(1);
-  setWidget(content);
-  setMinimumWidth(content->minimumSizeHint().width() + 2);
+  scroll->setWidget(content);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 4);
+  whole->setSpacing(4);
+  whole->addWidget(scroll, 1);
+  auto* progress = new ProgressBox(controller);
+  progress->setContentsMargins(8, 0, 8, 0);
+  whole->addWidget(progress);
+  setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width() + 2);
+  connect(fill_, &FillBox::wanted, &controller,
+          [this, &controller](const std::set<int>& loops, const std::set<int>& patch_ids, const FillChoice& choice) {
+            controller.fill_and_smooth(loops, patch_ids, choice, flow_->options());
+          });
   connect(&controller, &FillController::activity_changed, this, &PatchPanel::update_state);
   connect(&selection, &HoleSelection::selection_changed, this, &PatchPanel::update_state);
   connect(&document, &Document::opened, this, &PatchPanel::update_state);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The right dock: fill, smooth by a flow, look back and decide.
+// The right dock: fill, smooth by a flow, look back and decide. What runs, and its Cancel, never scroll away.
 #pragma once
 
-#include <QScrollArea>
+#include <QWidget>
 
 #include <set>
 
@@ -15,7 +15,7 @@ class FlowBox;
 class HoleSelection;
 class FillController;
 
-class PatchPanel : public QScrollArea {
+class PatchPanel : public QWidget {
   Q_OBJECT
 
  public:

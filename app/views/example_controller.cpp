@@ -101,7 +101,7 @@ void ExampleController::fill_and_run() {
         [this] {
           EvolutionOptions options;
           options.sigma = paper_sigma;
-          parts_.controller.evolve(patches_to_move(parts_.document, parts_.selection), options, Pace::run);
+          parts_.controller.evolve(patches_to_move(parts_.document, parts_.selection), options, Pace::time_steps);
         },
         Qt::QueuedConnection);
   });

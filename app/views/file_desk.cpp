@@ -10,6 +10,8 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include <algorithm>
+
 namespace loopmend {
 
 FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& controller, Banner& banner, QWidget* window)
@@ -100,7 +102,46 @@ void FileDesk::ask_export() {
                                               filters.join(QStringLiteral(";;")), &chosen);
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += chosen.section(QStringLiteral("*"), 1).chopped(1);
-  controller_.export_to(path);
+  export_to(path);
+}
+
+void FileDesk::export_to(const QString& path) {
+  std::set<int> initial;
+  for (const OpenPatch& patch : document_.patches()) {
+    const bool movable = patch.acceptance == Acceptance::pending && patch.state->patch.free_count > 0;
+    if (movable && patch.state->recipe.runs.empty()) initial.insert(patch.id);
+  }
+  if (initial.empty()) {
+    controller_.export_to(path);
+    return;
+  }
+  banner_.ask(tr("%n of the patches are initial patches: no flow has smoothed them yet.", nullptr,
+                 static_cast<int>(initial.size())),
+              {{tr("&Smooth, then export"), "answerSmooth",
+                [this, path, initial] {
+                  if (controller_.busy()) return;
+                  Q_EMIT smoothing_wanted(initial);
+                  const auto done = std::make_shared<QMetaObject::Connection>();
+                  *done = connect(&controller_, &FillController::flow_ended, this, [this, path, done](RunEnd end) {
+                    disconnect(*done);
+                    if (end == RunEnd::complete) controller_.export_to(path);
+                  });
+                }},
+               {tr("&Export as they are"), "answerExport", [this, path] { controller_.export_to(path); }},
+               {tr("&Cancel"), "answerCancel", [] {}}});
+}
+
+void FileDesk::close_scan(int scan) {
+  const auto act = [this, scan] { controller_.close_scan(scan); };
+  const bool made = document_.scan(scan)->from == ScanOrigin::made;
+  const bool work = made || std::any_of(document_.patches().begin(), document_.patches().end(),
+                                        [scan](const OpenPatch& patch) { return patch.scan == scan; });
+  if (!work) {
+    act();
+    return;
+  }
+  act_when_safe(tr("%1 holds work that is neither saved nor exported.").arg(document_.scan(scan)->name),
+                tr("&Close without saving"), act);
 }
 
 void FileDesk::save_session() { session_path_.isEmpty() ? save_session_as() : controller_.save_session(session_path_); }
@@ -168,7 +209,7 @@ void FileDesk::show_scans(QMenu* menu) {
   menu->clear();
   for (int index : document_.scans()) {
     const QString name = document_.scan(index)->name;
-    connect(menu->addAction(name), &QAction::triggered, this, [this, index] { controller_.close_scan(index); });
+    connect(menu->addAction(name), &QAction::triggered, this, [this, index] { close_scan(index); });
   }
   if (menu->isEmpty()) menu->addAction(tr("Nothing is open"))->setEnabled(false);
 }

@@ -30,6 +30,10 @@ class FileDesk : public QObject {
   void when_safe(const std::function<void()>& act);
   void ask_open(OpenMode mode);
   void ask_export();
+  /// Asks first where some patches are initial patches still.
+  void export_to(const QString& path);
+  /// Asks first where patches of this scan would be lost.
+  void close_scan(int scan);
   void save_session();
   void save_session_as();
   /// Asks in place, and closes the window later if that is wanted. @returns whether it may close now.
@@ -44,6 +48,8 @@ class FileDesk : public QObject {
 
  Q_SIGNALS:
   void recent_changed();
+  /// A flow is to run on these patches, as it is chosen at present.
+  void smoothing_wanted(const std::set<int>& patch_ids);
   /// The work in this copy is on the screen again.
   void recovered(const Leftover& leftover);
 

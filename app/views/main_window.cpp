@@ -184,7 +184,8 @@ void MainWindow::connect_document() {
 
 void MainWindow::connect_panels() {
   connect(holes_, &HolesPanel::fly_to, view_, &MeshView::fly_to);
-  connect(holes_, &HolesPanel::fill_wanted, &patch_->fill_box(), &FillBox::fill_holes);
+  connect(holes_, &HolesPanel::fill_wanted, &patch_->fill_box(),
+          qOverload<const std::set<int>&>(&FillBox::fill_and_smooth));
   connect(patch_, &PatchPanel::updated, this, &MainWindow::update_actions);
   connect(&patch_->decision_box(), &DecisionBox::notice, banner_, &Banner::show_notice);
   connect(look_, &LookPanel::look_changed, view_, &MeshView::set_look);
@@ -206,6 +207,9 @@ void MainWindow::connect_panels() {
           [this](const QString& id) { files_->when_safe([this, id] { examples_->open(id); }); });
   connect(welcome_, &Welcome::file_wanted, this, [this](const QString& path) { open(path); });
   connect(files_, &FileDesk::recovered, &autosave_, &Autosave::take_over);
+  connect(files_, &FileDesk::smoothing_wanted, this, [this](const std::set<int>& patch_ids) {
+    controller_.evolve(patch_ids, patch_->flow_box().options(), Pace::steady);
+  });
   connect(files_, &FileDesk::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });
 }
 

@@ -87,10 +87,10 @@ void MainWindow::connect_view_actions() {
 
 void MainWindow::connect_patch_actions() {
   const WindowActions& a = *actions_;
-  a.on("fillAction", &patch_->fill_box(), &FillBox::fill);
+  a.on("fillAction", &patch_->fill_box(), [box = &patch_->fill_box()] { box->fill_and_smooth(); });
+  a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
   a.on("runAction", &patch_->flow_box(), &FlowBox::run_or_pause);
-  a.on("steadyAction", &patch_->flow_box(), &FlowBox::to_steady_state);
   a.on("acceptAction", &patch_->decision_box(), &DecisionBox::accept_or_reopen);
   a.on("rejectAction", &patch_->decision_box(), &DecisionBox::reject);
   a.on("copyAction", &patch_->decision_box(), &DecisionBox::copy_command);
@@ -135,10 +135,10 @@ void MainWindow::update_actions() {
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));
   };
-  follow("fillAction", "fill");
+  follow("fillAction", "fillAndSmooth");
+  follow("initialAction", "fill");
   follow("stepAction", "step");
   follow("runAction", "run");
-  follow("steadyAction", "steady");
   follow("acceptAction", "accept");
   follow("rejectAction", "reject");
   follow("copyAction", "copyCommand");

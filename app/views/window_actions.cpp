@@ -78,14 +78,16 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the whole scene"), "F", "frame"},
     {"probe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Values in the middle"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show the values at the middle of the picture"), "P", nullptr},
-    {"fillAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Fill"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all"), "Ctrl+F", nullptr},
+    {"fillAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Fill and smooth"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all, by fair patches"), "Ctrl+F; T",
+     nullptr},
+    {"initialAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Initial &patch only"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all; no flow runs yet"), "Ctrl+Shift+F",
+     nullptr},
     {"stepAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Step"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take one time step"), "S", nullptr},
     {"runAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Run or pause"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Step after step until the flow converges"), "Space", nullptr},
-    {"steadyAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&To steady state"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Straight to where the flow converges"), "T", nullptr},
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Smooth, every step shown for a moment"), "Space", nullptr},
     {"compare", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Compare flows\u2026"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Several flows from one start, side by side"), "C", "compare"},
     {"toolRegionAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Region"),
@@ -170,7 +172,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian", "plain", "zebra", "isophotes", "-", "wireframe",
                                        "seams", "-", "frame", "probe", "-"});
   view->addActions(docks);
-  add_menu(tr("&Patch"), {"fillAction", "-", "stepAction", "runAction", "steadyAction", "-", "compare", "-",
+  add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "runAction", "stepAction", "-", "compare", "-",
                           "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
   add_menu(tr("&Tools"),
            {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction"});

@@ -871,13 +871,28 @@
             <source>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</source>
             <translation>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</translation>
         </message>
+        <message numerus="yes">
+            <source>%n of the patches are initial patches: no flow has smoothed them yet.</source>
+            <translation>
+                <numerusform>%n Flicken ist noch ein erster Flicken: kein Fluss hat ihn geglättet.</numerusform>
+                <numerusform>%n Flicken sind noch erste Flicken: kein Fluss hat sie geglättet.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>&amp;Smooth, then export</source>
+            <translation>&amp;Glätten, dann exportieren</translation>
+        </message>
+        <message>
+            <source>&amp;Export as they are</source>
+            <translation>&amp;Exportieren, wie sie sind</translation>
+        </message>
+        <message>
+            <source>%1 holds work that is neither saved nor exported.</source>
+            <translation>%1 enthält Arbeit, die weder gespeichert noch exportiert ist.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillBox</name>
-        <message>
-            <source>1  Fill</source>
-            <translation>1  Füllen</translation>
-        </message>
         <message>
             <source>Density</source>
             <translation>Dichte</translation>
@@ -897,14 +912,6 @@
         <message>
             <source>Preview</source>
             <translation>Vorschau</translation>
-        </message>
-        <message>
-            <source>&amp;Fill</source>
-            <translation>&amp;Füllen</translation>
-        </message>
-        <message>
-            <source>Close the selected holes, or all holes when none is selected (Ctrl+F)</source>
-            <translation>Die gewählten Löcher schließen, oder alle, wenn keines gewählt ist (Strg+F)</translation>
         </message>
         <message>
             <source>Open a scan first.</source>
@@ -977,6 +984,30 @@
         <message>
             <source>Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove degenerate and duplicate faces and crumbs; Ctrl+Z takes it back</source>
             <translation>Den Scan zu einer orientierten Mannigfaltigkeit machen: Kanten mit mehr als zwei Dreiecken trennen, Dreiecke wenden, entartete und doppelte Dreiecke und Krümel entfernen; Strg+Z macht es rückgängig</translation>
+        </message>
+        <message>
+            <source>1  Fill and smooth</source>
+            <translation>1  Füllen und glätten</translation>
+        </message>
+        <message>
+            <source>&amp;Fill and smooth</source>
+            <translation>&amp;Füllen und glätten</translation>
+        </message>
+        <message>
+            <source>Close the selected holes, or all holes when none is selected, and let the flow run to its steady state (Ctrl+F)</source>
+            <translation>Die gewählten Löcher schließen, oder alle, wenn keines gewählt ist, und den Fluss laufen lassen, bis er ruht (Strg+F)</translation>
+        </message>
+        <message>
+            <source>Initial pa&amp;tch only</source>
+            <translation>Nur erster Fl&amp;icken</translation>
+        </message>
+        <message>
+            <source>Close the holes by their initial patches, and let no flow run yet (Ctrl+Shift+F)</source>
+            <translation>Die Löcher durch ihre ersten Flicken schließen und noch keinen Fluss laufen lassen (Strg+Umschalt+F)</translation>
+        </message>
+        <message>
+            <source>S&amp;mooth</source>
+            <translation>&amp;Glätten</translation>
         </message>
     </context>
     <context>
@@ -1181,28 +1212,27 @@
             <source>%1 The patches of this scan were removed.</source>
             <translation>%1 Die Flicken dieses Scans wurden entfernt.</translation>
         </message>
+        <message>
+            <source>Fill and smooth %1</source>
+            <translation>%1 füllen und glätten</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>%n weiterer</numerusform>
+                <numerusform>%n weitere</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowBox</name>
-        <message>
-            <source>2  Smooth by a flow</source>
-            <translation>2  Durch einen Fluss glätten</translation>
-        </message>
         <message>
             <source>Which geometric flow moves the patch, and so how far the seam is matched</source>
             <translation>Welcher geometrische Fluss den Flicken bewegt, und damit, wie weit die Naht passt</translation>
         </message>
         <message>
-            <source>&amp;To steady state</source>
-            <translation>Bis zur &amp;Ruhe</translation>
-        </message>
-        <message>
             <source>Time step</source>
             <translation>Zeitschritt</translation>
-        </message>
-        <message>
-            <source>Time step σ of Step and Run, without a unit: 1 is one decay time of the slowest wave on this patch</source>
-            <translation>Zeitschritt σ von Schritt und Lauf, ohne Einheit: 1 ist eine Abklingzeit der langsamsten Welle auf diesem Flicken</translation>
         </message>
         <message>
             <source>Time ste&amp;p</source>
@@ -1211,10 +1241,6 @@
         <message>
             <source>&amp;Step</source>
             <translation>&amp;Schritt</translation>
-        </message>
-        <message>
-            <source>Take one time step (S)</source>
-            <translation>Einen Zeitschritt machen (S)</translation>
         </message>
         <message>
             <source>&amp;Run</source>
@@ -1261,12 +1287,20 @@
             <translation>Über&amp;gang</translation>
         </message>
         <message>
-            <source>Go straight to where the flow converges (T)</source>
-            <translation>Geradewegs dorthin, wo der Fluss konvergiert (T)</translation>
+            <source>2  Flow</source>
+            <translation>2  Fluss</translation>
         </message>
         <message>
-            <source>Take one time step after another until the flow converges (Space)</source>
-            <translation>Einen Zeitschritt nach dem anderen, bis der Fluss konvergiert (Leertaste)</translation>
+            <source>Time step σ of Step, without a unit: 1 is one decay time of the slowest wave on this patch</source>
+            <translation>Zeitschritt σ von Schritt, ohne Einheit: 1 ist eine Abklingzeit der langsamsten Welle auf diesem Flicken</translation>
+        </message>
+        <message>
+            <source>One time step of the flow itself, the boundary taken literally: on rough scans it may lead away from the surface (S)</source>
+            <translation>Ein Zeitschritt des Flusses selbst, mit dem Rand, wie er ist: auf rauen Scans kann er von der Fläche wegführen (S)</translation>
+        </message>
+        <message>
+            <source>The same as Smooth, every step shown for a moment; again: pause (Space)</source>
+            <translation>Dasselbe wie Glätten, jeder Schritt einen Augenblick lang gezeigt; noch einmal: anhalten (Leertaste)</translation>
         </message>
     </context>
     <context>
@@ -2490,18 +2524,6 @@
             <source>Stop at once; what was accepted so far is kept (Esc)</source>
             <translation>Sofort anhalten; das Erreichte bleibt (Esc)</translation>
         </message>
-        <message>
-            <source>%1, %2: step %3, energy %4 (from %5)</source>
-            <translation>%1, %2: Schritt %3, Energie %4 (von %5)</translation>
-        </message>
-        <message>
-            <source>, residual %1 edge lengths</source>
-            <translation>, Rest %1 Kantenlängen</translation>
-        </message>
-        <message>
-            <source>, %1 s</source>
-            <translation>, %1 s</translation>
-        </message>
     </context>
     <context>
         <name>loopmend::RegionBox</name>
@@ -3181,14 +3203,6 @@
             <translation>Die ganze Szene sehen</translation>
         </message>
         <message>
-            <source>&amp;Fill</source>
-            <translation>&amp;Füllen</translation>
-        </message>
-        <message>
-            <source>Close the selected holes, or all</source>
-            <translation>Die gewählten Löcher schließen, oder alle</translation>
-        </message>
-        <message>
             <source>&amp;Step</source>
             <translation>&amp;Schritt</translation>
         </message>
@@ -3199,10 +3213,6 @@
         <message>
             <source>&amp;Run or pause</source>
             <translation>&amp;Lauf oder Pause</translation>
-        </message>
-        <message>
-            <source>&amp;To steady state</source>
-            <translation>Bis zur &amp;Ruhe</translation>
         </message>
         <message>
             <source>&amp;Accept or open again</source>
@@ -3297,10 +3307,6 @@
             <translation>Vergleichen</translation>
         </message>
         <message>
-            <source>Step after step until the flow converges</source>
-            <translation>Schritt um Schritt, bis der Fluss konvergiert</translation>
-        </message>
-        <message>
             <source>Brid&amp;ge</source>
             <translation>B&amp;rücke</translation>
         </message>
@@ -3317,16 +3323,32 @@
             <translation>Ränder und Nähte als Linien zeichnen</translation>
         </message>
         <message>
-            <source>Straight to where the flow converges</source>
-            <translation>Geradewegs dorthin, wo der Fluss ruht</translation>
-        </message>
-        <message>
             <source>&amp;Blend boundaries</source>
             <translation>Ränder &amp;verbinden</translation>
         </message>
         <message>
             <source>Join two or more boundaries by one patch</source>
             <translation>Zwei oder mehr Ränder durch einen Flicken verbinden</translation>
+        </message>
+        <message>
+            <source>&amp;Fill and smooth</source>
+            <translation>&amp;Füllen und glätten</translation>
+        </message>
+        <message>
+            <source>Close the selected holes, or all, by fair patches</source>
+            <translation>Die gewählten Löcher oder alle durch glatte Flicken schließen</translation>
+        </message>
+        <message>
+            <source>Initial &amp;patch only</source>
+            <translation>Nur &amp;erster Flicken</translation>
+        </message>
+        <message>
+            <source>Close the selected holes, or all; no flow runs yet</source>
+            <translation>Die gewählten Löcher oder alle schließen; noch läuft kein Fluss</translation>
+        </message>
+        <message>
+            <source>Smooth, every step shown for a moment</source>
+            <translation>Glätten, jeder Schritt einen Augenblick lang gezeigt</translation>
         </message>
     </context>
     <context>

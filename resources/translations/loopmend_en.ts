@@ -12,6 +12,26 @@
         </message>
     </context>
     <context>
+        <name>loopmend::FileDesk</name>
+        <message numerus="yes">
+            <source>%n of the patches are initial patches: no flow has smoothed them yet.</source>
+            <translation>
+                <numerusform>%n of the patches is an initial patch: no flow has smoothed it yet.</numerusform>
+                <numerusform>%n of the patches are initial patches: no flow has smoothed them yet.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::FillController</name>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>%n more</numerusform>
+                <numerusform>%n more</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::HolesPanel</name>
         <message numerus="yes">
             <source>%n hole(s), %1 open</source>

@@ -260,7 +260,7 @@ void FeatureTest::no_long_gaps_on_the_bunny() {
   key(window, Qt::Key_Escape);
   settle(100);
   gaps.report("bunny: cancel");
-  press(window, "steady");
+  press(window, "fillAndSmooth");
   wait_idle(window, 300);
   settle(200);
   gaps.report("bunny: to steady state");
@@ -311,7 +311,7 @@ void FeatureTest::memory_is_given_back() {
   const auto fill_sheet = [&](int across) {
     window.open(write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), across));
     return wait_idle(window) && (press(window, "fill"), wait_idle(window, 200)) &&
-           (press(window, "steady"), wait_idle(window, 200));
+           (press(window, "fillAndSmooth"), wait_idle(window, 200));
   };
   const auto back_to_sample = [&] {
     window.controller().open({sample_file(folder_)}, OpenMode::replace);

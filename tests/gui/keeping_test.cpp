@@ -11,6 +11,7 @@
 #include "io/write_mesh.h"
 #include "panels/banner.h"
 #include "samples/analytic_surfaces.h"
+#include "views/file_desk.h"
 
 #include <QAbstractItemView>
 #include <QAction>
@@ -84,6 +85,10 @@ class KeepingTest : public QObject {
   void preferences_count_at_once_and_stay();
   void recent_files_are_listed_opened_and_forgotten();
   void closing_saves_first_if_wanted();
+  void closing_a_scan_asks_before_its_patches_go();
+  void export_offers_to_smooth_initial_patches();
+  void run_ends_where_fill_and_smooth_ends_data();
+  void run_ends_where_fill_and_smooth_ends();
   void a_session_is_looked_at_as_before();
   void a_session_of_the_first_version_opens();
   void where_the_flow_must_give_way();
@@ -203,6 +208,80 @@ void KeepingTest::closing_saves_first_if_wanted() {
   QCOMPARE(shown.window.document().patches().size(), std::size_t(2));
 }
 
+void KeepingTest::closing_a_scan_asks_before_its_patches_go() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  auto* files = window.findChild<FileDesk*>();
+  window.selection().select({first_hole(window.document())});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  files->close_scan(0);
+  QVERIFY2(window.document().has_scan(), "unsaved work: it should ask");
+  press(window, "answerCancel");
+  QVERIFY(window.document().has_scan());
+  QVERIFY2(!window.close(), "the work is still unsaved");
+  press(window, "answerCancel");
+  files->close_scan(0);
+  press(window, "answerLose");
+  QVERIFY(!window.document().has_scan());
+  QVERIFY2(window.close(), "what was given up by name is not asked for again");
+}
+
+void KeepingTest::export_offers_to_smooth_initial_patches() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  auto* files = window.findChild<FileDesk*>();
+  window.selection().select({first_hole(window.document())});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  const QString path = folder_.filePath(QStringLiteral("smoothed.ply"));
+  files->export_to(path);
+  QVERIFY(!window.controller().busy() && !QFile::exists(path));
+  press(window, "answerSmooth");
+  QVERIFY(wait_until([&] { return QFile::exists(path); }, 120));
+  QVERIFY(wait_idle(window));
+  QVERIFY(window.document().patches().front().state->steps > 0);
+  // Smooth patches are exported without a question.
+  QFile::remove(path);
+  files->export_to(path);
+  QVERIFY(wait_until([&] { return QFile::exists(path); }, 60));
+  QVERIFY(wait_idle(window));
+}
+
+void KeepingTest::run_ends_where_fill_and_smooth_ends_data() {
+  QTest::addColumn<QString>("scan");
+  QTest::addColumn<int>("hole");
+  QTest::newRow("sample") << QString() << 1;
+  QTest::newRow("head_holes") << QStringLiteral("head_holes.ply") << 2;
+  QTest::newRow("bunny") << QStringLiteral("bunny.ply") << 3;
+}
+
+/// Run grew noses and socks when it took the boundary literally.
+void KeepingTest::run_ends_where_fill_and_smooth_ends() {
+  QFETCH(QString, scan);
+  QFETCH(int, hole);
+  const QString path = scan.isEmpty() ? sample_file(folder_) : QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + scan;
+  if (!QFile::exists(path)) QSKIP("not in the shared folder");
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  window.selection().select({hole});
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 240));
+  const PatchStatePtr whole = document.patch_of(hole)->state;
+  QVERIFY(whole->steps > 0);
+  trigger(window, "undo");
+  QVERIFY2(document.patch_of(hole) == nullptr, "one press is undone by one");
+  press(window, "fill");
+  QVERIFY(wait_idle(window, 240));
+  press(window, "run");
+  QVERIFY(wait_idle(window, 240));
+  const PatchStatePtr run = document.patch_of(hole)->state;
+  QCOMPARE(run->status, whole->status);
+  QCOMPARE(run->steps, whole->steps);
+  QVERIFY2(run->patch.positions == whole->patch.positions, "Run and Fill and smooth end in different surfaces");
+}
+
 void KeepingTest::a_session_is_looked_at_as_before() {
   const QString path = folder_.filePath(QStringLiteral("looked.loopmend"));
   Viewpoint from;
@@ -270,7 +349,7 @@ void KeepingTest::where_the_flow_must_give_way() {
   press(window, "fill");
   QVERIFY(wait_idle(window));
   QCOMPARE(document.patches().size(), std::size_t(1));  // neighbours: one problem
-  press(window, "steady");
+  press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window, 240));
   // Together they would cut the plate: each by itself, and the large one stays as it was filled.
   QCOMPARE(document.patches().size(), std::size_t(2));
@@ -376,7 +455,7 @@ void KeepingTest::window_and_command_line_give_the_same_bits() {
   part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
   press(window, "fill");
   QVERIFY(wait_idle(window));
-  press(window, "steady");
+  press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window, 240));
   const QString by_hand = folder_.filePath(QStringLiteral("window.ply"));
   const QString by_script = folder_.filePath(QStringLiteral("command.ply"));

@@ -126,7 +126,7 @@ void measure_gaps(const QString& path, Start start) {
   press(window, "fill");
   wait_idle(window);
   gaps.report("filled at once");
-  press(window, "steady");
+  press(window, "fillAndSmooth");
   wait_idle(window, 300);
   gaps.report("to steady state");
   for (Qt::Key digit : {Qt::Key_4, Qt::Key_2, Qt::Key_3, Qt::Key_5, Qt::Key_1}) {
@@ -316,7 +316,7 @@ void measure_memory(const QTemporaryDir& folder) {
   const long opened = megabytes();
   press(window, "fill");
   wait_idle(window, 200);
-  press(window, "steady");
+  press(window, "fillAndSmooth");
   wait_idle(window, 200);
   const long filled = megabytes();
   while (window.undo().can_undo()) window.undo().undo();

@@ -96,7 +96,7 @@ void show_story(MainWindow& window, const QString& file) {
   window.controller().cancel();
   settle(200);
   window.selection().select({});
-  press(window, "steady");
+  press(window, "fillAndSmooth");
   wait_idle(window, 300);
   window.selection().select({0});
   settle(200);

@@ -160,7 +160,7 @@ void WindowTest::whole_story(const QString& path) {
 
   // Flow to the steady state.
   const PatchStatePtr filler = document.patches().front().state;
-  press(window, "steady");
+  press(window, "fillAndSmooth");
   QVERIFY(window.controller().busy());
   QVERIFY(wait_idle(window, 240));
   const PatchStatePtr steady = document.patches().front().state;
@@ -312,7 +312,8 @@ void WindowTest::unwritable_export_is_told() {
 void WindowTest::controls_follow_what_makes_sense() {
   MainWindow window;
   window.show();
-  for (const char* name : {"fill", "step", "run", "steady", "cancel", "accept", "reject", "copyCommand", "fillUpTo"}) {
+  for (const char* name :
+       {"fill", "step", "run", "fillAndSmooth", "cancel", "accept", "reject", "copyCommand", "fillUpTo"}) {
     QVERIFY2(!part<QPushButton>(window, name)->isEnabled(), name);
     QVERIFY2(!part<QPushButton>(window, name)->toolTip().isEmpty(), name);
   }
