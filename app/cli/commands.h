@@ -57,7 +57,7 @@ struct FillCommand {
 struct RenderCommand {
   std::vector<std::filesystem::path> inputs;  ///< one, or two for before and after
   std::filesystem::path output;
-  std::string color = "h";
+  std::string color = "auto";
   int width = 0, height = 0;      ///< pixels; 0: the default
   std::string view;               ///< "front", ...; empty: towards the holes
   std::optional<Vec3> direction;  ///< from the middle towards the eye

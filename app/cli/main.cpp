@@ -150,8 +150,11 @@ void add_render(CLI::App& app, RenderCommand& command) {
   CLI::App* render = app.add_subcommand("render", "Make a picture of a mesh; needs no display");
   render->add_option("IN", command.inputs, "One mesh, or two to be shown side by side")->required()->expected(1, 2);
   render->add_option("-o,--output", command.output, "PNG file to write")->required();
-  render->add_option("--color", command.color, "h: mean curvature; plain; zebra: reflection lines")
-      ->check(CLI::IsMember({"h", "plain", "zebra"}))
+  render
+      ->add_option("--color", command.color,
+                   "scan: the scan's own colours or texture; h: mean curvature; plain; "
+                   "zebra: reflection lines; auto: scan where it has colours, else h")
+      ->check(CLI::IsMember({"auto", "scan", "h", "plain", "zebra"}))
       ->capture_default_str();
   const auto take_size = [&command](const std::string& text) {
     int used = 0;

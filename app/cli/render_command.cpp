@@ -4,14 +4,28 @@
 #include "open_model.h"
 #include "outputs.h"
 
+#include "appearance/scan_colors.h"
 #include "scene/offscreen_render.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
+#include <vector>
 
 namespace loopmend {
 
 namespace {
+
+/// @param models  to be rendered
+Shading shading_of(const std::string& color, const std::vector<const SurfaceModel*>& models) {
+  if (color == "scan") return Shading::scan;
+  if (color == "plain") return Shading::plain;
+  if (color == "zebra") return Shading::zebra;
+  const bool own = color == "auto" && std::all_of(models.begin(), models.end(), [](const SurfaceModel* model) {
+                     return !scan_colors(*model).at_vertices.empty();
+                   });
+  return own ? Shading::scan : Shading::curvature;
+}
 
 RenderOptions options_of(const RenderCommand& command) {
   static const std::map<std::string, NamedView> views{{"front", NamedView::front}, {"back", NamedView::back},
@@ -19,9 +33,6 @@ RenderOptions options_of(const RenderCommand& command) {
                                                       {"top", NamedView::top},     {"bottom", NamedView::bottom},
                                                       {"iso", NamedView::iso}};
   RenderOptions options;
-  options.shading = command.color == "plain"   ? Shading::plain
-                    : command.color == "zebra" ? Shading::zebra
-                                               : Shading::curvature;
   if (command.width > 0) {
     options.width = command.width;
     options.height = command.height;
@@ -38,11 +49,14 @@ int run_render(const RenderCommand& command) {
   CommandFiles files;
   for (const std::filesystem::path& input : command.inputs) files.reads("the input", input);
   files.writes(NamedFile::Kind::picture, "-o", command.output).check();
-  const RenderOptions options = options_of(command);
-  const SurfaceModel first = open_model(command.inputs[0]).model;
-  const std::string png = command.inputs.size() == 1
-                              ? render_surface(first, options)
-                              : render_before_after(first, open_model(command.inputs[1]).model, options);
+  RenderOptions options = options_of(command);
+  std::vector<SurfaceModel> models;
+  for (const std::filesystem::path& input : command.inputs) models.push_back(open_model(input).model);
+  std::vector<const SurfaceModel*> all;
+  for (const SurfaceModel& model : models) all.push_back(&model);
+  options.shading = shading_of(command.color, all);
+  const std::string png =
+      models.size() == 1 ? render_surface(models[0], options) : render_before_after(models[0], models[1], options);
   OutputTransaction outputs;
   add_text(outputs, command.output, png);
   outputs.commit();

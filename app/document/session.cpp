@@ -306,7 +306,7 @@ SessionView session_view(Reader& in) {
     if (!v->allFinite()) in.fail("a coordinate is not a finite number");
   }
   if (view.from.focus == view.from.eye || !(view.from.up.norm() > 0)) in.fail("the view is from nowhere");
-  view.look.shading = word(in, Shading::isophotes);
+  view.look.shading = word(in, Shading::scan);
   view.look.edges = word(in, Edges::shown);
   view.look.seams = word(in, Seams::shown);
   view.look.map = word(in, ColorMap::grey);

@@ -73,7 +73,7 @@ void FillController::report_failure(const QString& words) {
 
 ScanSitePtr FillController::site_of(int scan) {
   ScanSitePtr& site = sites_[scan];
-  if (!site) site = std::make_shared<ScanSite>(document_.scan(scan)->model);
+  if (!site) site = std::make_shared<ScanSite>(document_.scan(scan)->model, document_.scan(scan)->colors);
   return site;
 }
 

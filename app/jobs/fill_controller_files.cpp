@@ -41,6 +41,8 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
             on_opened(scan, next);
             Q_EMIT logged(labels::import_summary(*scan) +
                           tr(" Opened in %1 s.").arg(labels::seconds(clock_.elapsed())));
+            for (const std::string& problem : scan->color_problems) Q_EMIT logged(QString::fromStdString(problem));
+            if (!scan->color_problems.empty()) Q_EMIT notice(QString::fromStdString(scan->color_problems.front()));
             if (scan->loops.empty()) Q_EMIT notice(tr("This surface is closed: there is no hole to fill."));
           });
         };
@@ -128,7 +130,9 @@ FillController::Restored FillController::restore(const QString& path, const JobP
       patch.loops.push_back(static_cast<int>(found - loops.begin()));
     }
     auto state = std::make_shared<PatchState>(*saved.state);
-    state->shape = std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), *origin));
+    state->shape =
+        std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), *origin,
+                                                restored.scans[static_cast<std::size_t>(saved.scan)]->colors));
     state->rim = rim_knowledge(state->patch);
     patch.state = state;
     patch.timeline = start_timeline(patch.state);

@@ -73,8 +73,8 @@ void add_patch(const Group& group, std::vector<int> loops, Patch patch, const st
   OpenPatch open;
   open.scan = task.scan;
   open.loops = std::move(loops);
-  auto first =
-      std::make_shared<PatchState>(*first_state(std::move(patch), message, task.options.initial.density, task.origin));
+  auto first = std::make_shared<PatchState>(
+      *first_state(std::move(patch), message, task.options.initial.density, task.origin, task.site->colors()));
   first->recipe.start = group.start;
   open.state = judged(std::move(first), nullptr, *task.site);
   open.timeline = start_timeline(open.state);

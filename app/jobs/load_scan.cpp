@@ -36,6 +36,17 @@ void say(const std::function<void(T...)>& to, const std::type_identity_t<T>&... 
   if (to) to(what...);
 }
 
+/// The colours that the scan has of its own, and what is drawn by them.
+void add_colors(OpenedScan& scan, const CancelToken& cancel) {
+  ScanColors colors = scan_colors(*scan.model, cancel);
+  scan.color_problems = std::move(colors.problems);
+  if (colors.at_vertices.empty()) return;
+  auto shape = std::make_shared<SurfaceShape>(*scan.shape);
+  scan.colored = colored_parts(colors, *shape);
+  scan.shape = std::move(shape);
+  scan.colors = std::make_shared<const std::vector<Color>>(std::move(colors.at_vertices));
+}
+
 }  // namespace
 
 OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const LoadStages& stages,
@@ -63,6 +74,8 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   if (!view_is_file(*scan->model))
     scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, CurvatureField{}, scan->origin));
   if (cancel.cancelled()) return nullptr;
+  add_colors(*scan, cancel);
+  if (cancel.cancelled()) return nullptr;
   say(stages.opened, scan);
   return scan;
 }
@@ -79,13 +92,16 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
   scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(surface)));
   scan->loops = find_boundary_loops(*scan->model);
   scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, curvature_field(scan->model->mesh), origin));
+  add_colors(*scan, {});
   return scan;
 }
 
 std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel) {
   const CurvatureField field = curvature_field(scan.model->mesh);
   if (cancel.cancelled()) return nullptr;
-  return std::make_shared<SurfaceShape>(shape_of(scan.model->mesh, field, scan.origin));
+  auto shape = std::make_shared<SurfaceShape>(shape_of(scan.model->mesh, field, scan.origin));
+  shape->colors = scan.shape->colors;
+  return shape;
 }
 
 }  // namespace loopmend

@@ -13,9 +13,10 @@ std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch) {
   return rim;
 }
 
-PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin) {
+PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin,
+                          const std::shared_ptr<const std::vector<Color>>& scan_colors) {
   auto state = std::make_shared<PatchState>();
-  state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+  state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, scan_colors));
   state->seams = seam_reports(patch);
   state->seams_before = state->seams;
   state->status = PatchStatus::filled;
@@ -29,7 +30,7 @@ PatchStatePtr first_state(Patch patch, const std::string& message, double densit
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin) {
   auto next = std::make_shared<PatchState>(old);
   next->patch = patch;
-  next->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+  next->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, old.shape->scan_colors));
   next->seams = seam_reports(patch);
   return next;
 }

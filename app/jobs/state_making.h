@@ -11,7 +11,9 @@ namespace loopmend {
 std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch);
 
 /// The state of an initial patch.
-PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin);
+/// @param scan_colors  as shape_of()
+PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin,
+                          const std::shared_ptr<const std::vector<Color>>& scan_colors);
 
 /// The state with another patch in it: shape and seam are made anew.
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin);

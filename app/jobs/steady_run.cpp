@@ -81,7 +81,8 @@ PatchStatePtr SteadyRun::state_of(const PatchResult& result, const PatchState& f
   state->history.clear();
   state->seams_before = before;
   state->message = message_of(result);
-  state->shape = std::make_shared<SurfaceShape>(shape_of(result.patch, curvature_field(result.patch), task_.origin));
+  state->shape = std::make_shared<SurfaceShape>(
+      shape_of(result.patch, curvature_field(result.patch), task_.origin, item_.site->colors()));
   state->recipe = start.recipe;
   RunRecipe run = recipe_of(task_.options);
   run.steps = result.steps;
@@ -158,8 +159,8 @@ OpenPatch SteadyRun::part(const std::vector<int>& numbers, const PatchResult* re
   InitialPatch initial =
       make_initial_patch(item_.site->model(), loops, InitialPatchOptions{density}, job_.pause_token());
   Patch first_patch = initial.patch ? std::move(*initial.patch) : result ? result->patch : Patch();
-  auto first =
-      std::make_shared<PatchState>(*first_state(std::move(first_patch), initial.message(), density, task_.origin));
+  auto first = std::make_shared<PatchState>(
+      *first_state(std::move(first_patch), initial.message(), density, task_.origin, item_.site->colors()));
   if (!result) first->message = why_not;
   part.state = result ? state_of(*result, *first) : first;
   part.timeline = std::make_shared<Timeline>(result ? Timeline{first, part.state} : Timeline{first});

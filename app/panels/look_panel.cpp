@@ -42,6 +42,10 @@ QString shading_help(Shading shading) {
       return LookPanel::tr("Reflected stripes: broken where tangents jump, kinked where the curvature jumps.");
     case Shading::isophotes:
       return LookPanel::tr("Bands of equal brightness: they stay when you move closer, and kink where tangents jump.");
+    case Shading::scan:
+      return LookPanel::tr(
+          "The scan's own colours or texture. Patches continue the colours smoothly; the grain of a texture is painted "
+          "on export.");
   }
   return {};
 }
@@ -65,7 +69,8 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent) {
 }
 
 void LookPanel::build() {
-  shading_ = make_shading_choice("shading", tr("How surfaces are shown (keys 1 to 5)"));
+  shading_ = make_shading_choice("shading", tr("How surfaces are shown (keys 1 to 6)"));
+  shading_->addItem(tr("Scan colours"), static_cast<int>(Shading::scan));
   help_ = make_note("shadingHelp");
   auto* shading_box = new QGroupBox(tr("Shading"));
   auto* shading_layout = new QVBoxLayout(shading_box);

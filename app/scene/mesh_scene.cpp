@@ -34,6 +34,11 @@ struct MeshScene::Impl {
   vtkNew<vtkRenderer> legend_renderer;
   vtkSmartPointer<vtkLookupTable> table = make_diverging_table();
   std::map<int, std::unique_ptr<SurfaceActor>> scans;
+  struct Parts {
+    std::vector<ShapePtr> shapes;
+    std::vector<std::unique_ptr<SurfaceActor>> actors;
+  };
+  std::map<int, Parts> parts;  ///< by scan
   struct PatchGoal {
     ShapePtr shape;
     Arrival arrival = Arrival::at_once;
@@ -54,6 +59,8 @@ struct MeshScene::Impl {
 
   void each_surface(const auto& act) {
     for (auto& [index, scan] : scans) act(*scan);
+    for (auto& [index, of_scan] : parts)
+      for (auto& part : of_scan.actors) act(*part);
     for (auto& [id, patch] : patches) act(*patch);
     act(batch.surface());
   }
@@ -64,6 +71,32 @@ struct MeshScene::Impl {
     made->set_stripes(stripes);
     renderer->AddActor(made->actor());
     return made;
+  }
+  void drop_parts(int scan) {
+    for (auto& part : parts[scan].actors) {
+      renderer->remove_still(part->actor());
+      renderer->RemoveActor(part->actor());
+    }
+    parts.erase(scan);
+  }
+  void set_parts(int scan, const std::vector<ShapePtr>& shapes) {
+    if (parts[scan].shapes == shapes) return;
+    drop_parts(scan);
+    for (const ShapePtr& shape : shapes) {
+      auto part = make(SurfaceActor::Role::scan);
+      renderer->add_still(part->actor());
+      part->set_shape(shape);
+      parts[scan].actors.push_back(std::move(part));
+    }
+    parts[scan].shapes = shapes;
+  }
+  /// In its own colours a scan is drawn by its parts, else as a whole.
+  void choose_scans() {
+    for (auto& [index, scan] : scans) {
+      const bool by_parts = shading == Shading::scan && !parts[index].actors.empty();
+      scan->actor()->SetVisibility(!by_parts);
+      for (auto& part : parts[index].actors) part->actor()->SetVisibility(by_parts);
+    }
   }
   bool colored() const {
     const auto known = [](const SurfaceShape* shape) { return shape && !shape->H.empty(); };
@@ -130,12 +163,14 @@ void MeshScene::clear() {
   update();
 }
 
-void MeshScene::set_scan(int index, ShapePtr shape) {
+void MeshScene::set_scan(int index, ShapePtr shape, const std::vector<ShapePtr>& parts) {
   auto& scan = impl_->scans[index];
   if (!scan) {
     scan = impl_->make(SurfaceActor::Role::scan);
     impl_->renderer->add_still(scan->actor());
   }
+  impl_->set_parts(index, parts);
+  impl_->choose_scans();
   if (shape.get() == scan->shape()) return;
   scan->set_shape(std::move(shape));
   impl_->renderer->still_changed();
@@ -145,6 +180,7 @@ void MeshScene::set_scan(int index, ShapePtr shape) {
 void MeshScene::keep_scans(const std::vector<int>& indices) {
   std::erase_if(impl_->scans, [&](const auto& entry) {
     if (std::find(indices.begin(), indices.end(), entry.first) != indices.end()) return false;
+    impl_->drop_parts(entry.first);
     impl_->renderer->remove_still(entry.second->actor());
     impl_->renderer->RemoveActor(entry.second->actor());
     return true;
@@ -159,6 +195,8 @@ void MeshScene::place_scan(int index, const Eigen::Matrix4d& placement) {
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, placement(row, column));
   scan->second->actor()->SetUserMatrix(placement.isIdentity() ? nullptr : matrix.Get());
+  for (auto& part : impl_->parts[index].actors)
+    part->actor()->SetUserMatrix(placement.isIdentity() ? nullptr : matrix.Get());
   impl_->renderer->still_changed();
 }
 
@@ -238,6 +276,7 @@ void MeshScene::set_shading(Shading shading) {
   impl_->renderer->still_changed();
   impl_->shading = shading;
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_shading(shading); });
+  impl_->choose_scans();
   impl_->update_legend();
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 class vtkRenderer;
 
@@ -25,7 +26,9 @@ class MeshScene {
   vtkRenderer* renderer() const;
 
   void clear();
-  void set_scan(int index, std::shared_ptr<const SurfaceShape> shape);
+  /// @param parts  what the scan is drawn by in its own colours, where those of the shape do not say it all
+  void set_scan(int index, std::shared_ptr<const SurfaceShape> shape,
+                const std::vector<std::shared_ptr<const SurfaceShape>>& parts = {});
   /// Every scan whose index is not in `indices` goes.
   void keep_scans(const std::vector<int>& indices);
   /// Adds the patch, or shows its new state.

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int supersampling = 2;
 
-struct Picture {
+struct SceneOfModel {
   MeshScene scene;
   std::shared_ptr<const SurfaceShape> shape;
 };
@@ -61,10 +61,14 @@ std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<Boun
   return lines;
 }
 
-void fill_scene(Picture& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
-  const CurvatureField field = options.shading == Shading::plain ? CurvatureField{} : curvature_field(model.mesh);
-  picture.shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, field, origin));
-  picture.scene.set_scan(0, picture.shape);
+void fill_scene(SceneOfModel& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
+  const CurvatureField field =
+      !is_drawn_over_the_scan(options.shading) ? CurvatureField{} : curvature_field(model.mesh);
+  auto shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, field, origin));
+  std::vector<std::shared_ptr<const SurfaceShape>> parts;
+  if (options.shading == Shading::scan) parts = colored_parts(scan_colors(model), *shape);
+  picture.shape = std::move(shape);
+  picture.scene.set_scan(0, picture.shape, parts);
   picture.scene.set_shading(options.shading);
   picture.scene.set_loops(lines_of(model, find_boundary_loops(model), origin));
 }
@@ -202,7 +206,7 @@ std::string render_surface(const SurfaceModel& model, const RenderOptions& optio
   const int width = supersampling * options.width, height = supersampling * options.height;
   const auto window = make_offscreen_window(width, height);
   const double ratio = pixel_ratio(options.width, options.height);
-  Picture picture;
+  SceneOfModel picture;
   picture.scene.set_pixel_ratio(ratio);
   fill_scene(picture, model, options, scene_origin(model.soup));
   picture.scene.set_range(options.h_range.value_or(symmetric_range(picture.shape->H)));
@@ -223,14 +227,14 @@ std::string render_before_after(const SurfaceModel& before, const SurfaceModel& 
   const auto window = make_offscreen_window(width, height);
   const double ratio = pixel_ratio(options.width, options.height);
   const Vec3 origin = scene_origin(before.soup);
-  Picture left, right;
-  for (Picture* picture : {&left, &right}) {
+  SceneOfModel left, right;
+  for (SceneOfModel* picture : {&left, &right}) {
     picture->scene.set_pixel_ratio(ratio);
     fill_scene(*picture, picture == &left ? before : after, options, origin);
     window->AddRenderer(picture->scene.renderer());
   }
   const double range = options.h_range.value_or(symmetric_range(left.shape->H));
-  for (Picture* picture : {&left, &right}) picture->scene.set_range(range);
+  for (SceneOfModel* picture : {&left, &right}) picture->scene.set_range(range);
   left.scene.set_legend(LegendPlace::none);
   const int strip = is_colored(options.shading) ? give_legend_room(right.scene, window, ratio, width, height) : 0;
   const int room = (width - strip) / 2;
@@ -256,10 +260,10 @@ std::string render_panels(const std::vector<Panel>& panels, int columns, const R
   const double ratio =
       0.5 * (pixel_ratio(options.width, options.height) + pixel_ratio(options.width / columns, options.height / rows));
   const Vec3 origin = scene_origin(panels.front().model->soup);
-  std::vector<std::unique_ptr<Picture>> pictures;
+  std::vector<std::unique_ptr<SceneOfModel>> pictures;
   std::vector<float> all_H;
   for (const Panel& panel : panels) {
-    pictures.push_back(std::make_unique<Picture>());
+    pictures.push_back(std::make_unique<SceneOfModel>());
     pictures.back()->scene.set_pixel_ratio(ratio);
     fill_scene(*pictures.back(), *panel.model, options, origin);
     all_H.insert(all_H.end(), pictures.back()->shape->H.begin(), pictures.back()->shape->H.end());

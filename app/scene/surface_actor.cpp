@@ -4,6 +4,7 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -11,8 +12,10 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+#include <vtkTexture.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUniforms.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
@@ -80,6 +83,30 @@ vtkNew<vtkFloatArray> wrap(const std::vector<float>& values, int components, con
   // The shape is kept alive, and never written to, as long as the arrays are in use.
   array->SetArray(const_cast<float*>(values.data()), static_cast<vtkIdType>(values.size()), 1);
   return array;
+}
+
+vtkNew<vtkUnsignedCharArray> wrap_colors(const std::vector<unsigned char>& values) {
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName("colors");
+  array->SetNumberOfComponents(3);
+  array->SetArray(const_cast<unsigned char*>(values.data()), static_cast<vtkIdType>(values.size()), 1);
+  return array;
+}
+
+vtkNew<vtkTexture> texture_of(const Picture& picture) {
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(picture.width, picture.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = picture.height - 1; y >= 0; --y)  // VTK begins below
+    for (int x = 0; x < picture.width; ++x)
+      for (std::size_t k = 0; k < 3; ++k) *out++ = picture.at(x, y)[k];
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->RepeatOn();
+  return texture;
 }
 
 vtkNew<vtkFloatArray> unknown_everywhere(const std::shared_ptr<const SurfaceShape>& shape) {
@@ -196,10 +223,11 @@ bool SurfaceActor::advance(Clock::time_point now) {
   return true;
 }
 
-/// The rings around a patch continue its H and its reflections, but they are not the patch: in plain colour they go.
+/// The rings around a patch continue its H and its reflections, but they are not the patch: where the scan's own colours stay,
+/// they go.
 void SurfaceActor::update_triangles() {
   const auto all = static_cast<vtkIdType>(shape_->triangles.size() / 3);
-  const vtkIdType shown = shading_ == Shading::plain ? shape_->own_triangles : all;
+  const vtkIdType shown = !is_drawn_over_the_scan(shading_) ? shape_->own_triangles : all;
   // The same ones need not go to the graphics again.
   if (triangles_of_ && data_->GetNumberOfPolys() == shown && triangles_of_->triangles == shape_->triangles) return;
   data_->SetPolys(wrap_triangles(shape_->triangles, shown));
@@ -207,6 +235,19 @@ void SurfaceActor::update_triangles() {
 }
 
 void SurfaceActor::update_scalars() {
+  update_texture();
+  if (shading_ == Shading::scan && shape_) {
+    // While it glides, its vertices are the same.
+    const std::size_t points = shape_->points.size() / 3;
+    const bool known = shape_->colors.size() == 3 * points && points > 0;
+    data_->GetPointData()->SetScalars(nullptr);
+    if (known) data_->GetPointData()->SetScalars(wrap_colors(shape_->colors));
+    mapper_->SetScalarVisibility(known);
+    actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", known ? 1 : 0);
+    data_->Modified();
+    return;
+  }
+  mapper_->ScalarVisibilityOn();
   const SurfaceShape* shown = glide_ ? &glide_->shown() : shape_.get();
   const std::vector<float>* values = nullptr;
   if (shown && shading_ == Shading::curvature) values = &shown->H;
@@ -217,6 +258,23 @@ void SurfaceActor::update_scalars() {
   data_->Modified();
 }
 
+/// A picture multiplies what is drawn, so the surface itself is white.
+void SurfaceActor::update_texture() {
+  const bool textured = shading_ == Shading::scan && shape_ && shape_->picture && !shape_->texture.empty();
+  data_->GetPointData()->SetTCoords(nullptr);
+  if (textured) data_->GetPointData()->SetTCoords(wrap(shape_->texture, 2, "texture"));
+  const auto picture = textured ? shape_->picture : nullptr;
+  if (picture != picture_) {
+    picture_ = picture;
+    actor_->SetTexture(nullptr);
+    if (picture) actor_->SetTexture(texture_of(*picture));
+  }
+  std::array<float, 3> plain{1, 1, 1};
+  const Rgb& color = role_ == Role::scan ? scan_color : patch_color;
+  if (!textured) std::copy(color.begin(), color.end(), plain.begin());
+  actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("loopmendPlain", plain.data());
+}
+
 void SurfaceActor::choose_program() {
   const std::string code = std::string(beginning) + (has_stripes(shading_) ? striped : plain_or_colored) + ending;
   actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
@@ -224,7 +282,8 @@ void SurfaceActor::choose_program() {
 
 void SurfaceActor::set_shading(Shading shading) {
   if (shading == shading_) return;
-  const bool other_scalars = is_colored(shading) || is_colored(shading_);
+  const auto has_colors = [](Shading s) { return is_colored(s) || s == Shading::scan; };
+  const bool other_scalars = has_colors(shading) || has_colors(shading_);
   const bool other_program = has_stripes(shading) != has_stripes(shading_);
   shading_ = shading;
   if (other_program) choose_program();

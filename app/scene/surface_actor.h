@@ -54,10 +54,12 @@ class SurfaceActor {
   void choose_program();
   void update_triangles();
   void update_scalars();
+  void update_texture();
 
   Role role_;
   Shading shading_ = Shading::curvature;
   std::shared_ptr<const SurfaceShape> shape_, triangles_of_;
+  std::shared_ptr<const Picture> picture_;  ///< of the actor's texture
   std::unique_ptr<ShapeGlide> glide_;
   std::optional<Clock::time_point> last_news_;
   vtkNew<vtkPolyData> data_;

@@ -50,6 +50,13 @@ std::vector<float> to_floats(const std::vector<double>& values) {
   return out;
 }
 
+std::vector<unsigned char> three_bytes(const std::vector<Color>& colors) {
+  std::vector<unsigned char> bytes;
+  bytes.reserve(3 * colors.size());
+  for (const Color& color : colors) bytes.insert(bytes.end(), color.begin(), color.begin() + 3);
+  return bytes;
+}
+
 void add_triangle(SurfaceShape& shape, const Triangle& t) {
   shape.triangles.insert(shape.triangles.end(), t.begin(), t.end());
 }
@@ -96,7 +103,8 @@ SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Ve
   return shape;
 }
 
-SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin) {
+SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin,
+                      const std::shared_ptr<const std::vector<Color>>& scan_colors) {
   SurfaceShape shape;
   shape.points.resize(3 * patch.positions.size());
   for (std::size_t i = 0; i < patch.positions.size(); ++i)
@@ -111,7 +119,31 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   set_normals(shape, field.normals);
   shape.H = to_floats(field.H);
   shape.K = to_floats(field.K);
+  shape.scan_colors = scan_colors;
+  if (scan_colors) shape.colors = three_bytes(patch_colors(patch, *scan_colors));
   return shape;
+}
+
+std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors& colors, SurfaceShape& view) {
+  std::vector<std::shared_ptr<const SurfaceShape>> parts;
+  if (colors.at_vertices.size() * 3 == view.points.size()) view.colors = three_bytes(colors.at_vertices);
+  for (const ColoredPart& part : colors.parts) {
+    auto shape = std::make_shared<SurfaceShape>();
+    shape->points.reserve(3 * part.view_vertex.size());
+    shape->normals.reserve(3 * part.view_vertex.size());
+    for (int v : part.view_vertex)
+      for (std::size_t k = 0; k < 3; ++k) {
+        shape->points.push_back(view.points[3 * static_cast<std::size_t>(v) + k]);
+        shape->normals.push_back(view.normals[3 * static_cast<std::size_t>(v) + k]);
+      }
+    for (const Triangle& t : part.triangles) add_triangle(*shape, t);
+    shape->own_triangles = static_cast<int>(part.triangles.size());
+    shape->colors = three_bytes(part.colors);
+    shape->texture = part.texture;
+    shape->picture = part.picture;
+    parts.push_back(std::move(shape));
+  }
+  return parts;
 }
 
 double symmetric_range(std::span<const float> values, double percent) {

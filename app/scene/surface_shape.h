@@ -3,9 +3,11 @@
 #pragma once
 
 #include "analysis/curvature_field.h"
+#include "appearance/scan_colors.h"
 #include "mesh/patch.h"
 #include "mesh/surface_model.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,12 +15,17 @@ namespace loopmend {
 
 /// Positions are relative to an origin that the whole scene shares, so that far-off scans keep their digits as floats.
 struct SurfaceShape {
-  std::vector<float> points;   ///< 3 × #V, mesh units, minus the scene's origin
-  std::vector<float> normals;  ///< 3 × #V, unit
-  std::vector<int> triangles;  ///< 3 × #F; a patch's own come first, then those of the rings around it
-  int own_triangles = 0;       ///< of a patch: how many are its own; of a scan: all
-  std::vector<float> H;        ///< #V, mean curvature, 1/length, NaN where unknown; empty before it was computed
-  std::vector<float> K;        ///< #V, Gaussian curvature, 1/length², likewise
+  std::vector<float> points;          ///< 3 × #V, mesh units, minus the scene's origin
+  std::vector<float> normals;         ///< 3 × #V, unit
+  std::vector<int> triangles;         ///< 3 × #F; a patch's own come first, then those of the rings around it
+  int own_triangles = 0;              ///< of a patch: how many are its own; of a scan: all
+  std::vector<float> H;               ///< #V, mean curvature, 1/length, NaN where unknown; empty before it was computed
+  std::vector<float> K;               ///< #V, Gaussian curvature, 1/length², likewise
+  std::vector<unsigned char> colors;  ///< 3 × #V, red, green, blue; empty: it has none of its own
+  std::vector<float> texture;         ///< 2 × #V, of a part of a scan that has a picture; else empty
+  std::shared_ptr<const Picture> picture;  ///< of `texture`
+  /// Of a patch: colours of the scan, per vertex of its view; null: it has none.
+  std::shared_ptr<const std::vector<Color>> scan_colors;
 };
 
 /// The middle of the bounding box.
@@ -31,7 +38,13 @@ SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin);
 SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Vec3& origin);
 
 /// The patch and the three rings around it, where its H runs into that of the open scan.
-SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin);
+/// @param scan_colors  ScanColors::at_vertices, from which its colours go on; null: the scan has none
+SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin,
+                      const std::shared_ptr<const std::vector<Color>>& scan_colors = nullptr);
+
+/// Gives the shape of a scan's view its colours at vertices, and makes shapes of the parts that it is drawn by where these do
+/// not say it all; normals are those of the shape.
+std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors& colors, SurfaceShape& view);
 
 /// Half-width R of the colour range [−R, R] that holds `percent` of the values on either side of 0, rounded to two digits
 /// so that the legend reads well; 1 when nothing is known.

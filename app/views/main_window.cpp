@@ -31,6 +31,9 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <utility>
+
 namespace loopmend {
 
 MainWindow::MainWindow(QWidget* parent)
@@ -171,6 +174,7 @@ void MainWindow::connect_document() {
     banner_->hide();
   });
   connect(&document_, &Document::scans_changed, this, [this] {
+    follow_scan_colors();
     show_centre();
     update_title();
     update_actions();
@@ -232,6 +236,17 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 void MainWindow::show_centre() {
   welcome_->setVisible(!document_.has_scan());
   centre_->setCurrentWidget(document_.has_scan() ? static_cast<QWidget*>(view_) : welcome_);
+}
+
+void MainWindow::follow_scan_colors() {
+  const std::vector<int> scans = document_.scans();
+  const bool now =
+      std::any_of(scans.begin(), scans.end(), [this](int index) { return document_.scan(index)->colors != nullptr; });
+  if (std::exchange(has_scan_colors_, now) == now) return;
+  if (now)
+    look_->set_shading(Shading::scan);
+  else if (look_->look().shading == Shading::scan)
+    look_->set_shading(Shading::curvature);
 }
 
 void MainWindow::update_title() {

@@ -77,6 +77,8 @@ class MainWindow : public QMainWindow {
   void show_picture_dialog();
   void step_back();
   void update_actions();
+  /// A scan that brings its own colours is shown in them.
+  void follow_scan_colors();
   void update_title();
   void show_centre();
 
@@ -89,6 +91,7 @@ class MainWindow : public QMainWindow {
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;
   Banner* banner_ = nullptr;
+  bool has_scan_colors_ = false;
   CompareController* compare_ = nullptr;
   ExampleController* examples_ = nullptr;
   FileDesk* files_ = nullptr;

@@ -30,11 +30,9 @@
 namespace loopmend {
 namespace {
 
-constexpr std::pair<const char*, Shading> shadings[] = {{"curvature", Shading::curvature},
-                                                        {"gaussian", Shading::gaussian},
-                                                        {"plain", Shading::plain},
-                                                        {"zebra", Shading::zebra},
-                                                        {"isophotes", Shading::isophotes}};
+constexpr std::pair<const char*, Shading> shadings[] = {
+    {"scanColors", Shading::scan}, {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
+    {"plain", Shading::plain},     {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes}};
 
 /// A window of its own that goes when it is closed.
 template <class Dialog, class... Arguments>
@@ -132,6 +130,7 @@ void MainWindow::update_actions() {
                            "toolBridgeAction", "screenshot", "frame", "probe", "wireframe", "seams", "selectAll",
                            "nextHole", "previousHole", "curvature", "gaussian", "plain", "zebra", "isophotes"})
     a[name]->setEnabled(scan);
+  a["scanColors"]->setEnabled(has_scan_colors_);
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));
   };

@@ -106,7 +106,10 @@ void MeshView::follow_document() {
   });
   connect(&document, &Document::scans_changed, this, &MeshView::on_scans_changed);
   connect(&document, &Document::shape_changed, this, [this](int scan) {
-    if (!impl_->trial.hidden_scans.contains(scan)) impl_->scene.set_scan(scan, impl_->document.scan(scan)->shape);
+    if (!impl_->trial.hidden_scans.contains(scan)) {
+      const auto now = impl_->document.scan(scan);
+      impl_->scene.set_scan(scan, now->shape, now->colored);
+    }
     update_range();
     redraw();
   });
@@ -268,7 +271,7 @@ void MeshView::show_surfaces() {
   for (int index : document.scans()) {
     if (impl_->trial.hidden_scans.contains(index)) continue;
     scans.push_back(index);
-    impl_->scene.set_scan(index, document.scan(index)->shape);
+    impl_->scene.set_scan(index, document.scan(index)->shape, document.scan(index)->colored);
   }
   if (impl_->trial.backdrop) {
     scans.push_back(trial);

@@ -70,6 +70,8 @@ const Spec specs[] = {
      "4", "zebra", choice},
     {"isophotes", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Isophotes"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Bands of equal brightness"), "5", "isophotes", choice},
+    {"scanColors", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Scan colours"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The scan's own colours or texture"), "6", "palette", choice},
     {"wireframe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Wireframe"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw the triangles' edges"), "W", "wireframe", toggle},
     {"seams", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Boundaries and seams"),
@@ -169,8 +171,8 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   file->insertMenu((*this)["sample"], recent_);
   file->insertMenu((*this)["quit"], close_);
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
-  QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian", "plain", "zebra", "isophotes", "-", "wireframe",
-                                       "seams", "-", "frame", "probe", "-"});
+  QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors", "-",
+                                       "wireframe", "seams", "-", "frame", "probe", "-"});
   view->addActions(docks);
   add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "runAction", "stepAction", "-", "compare", "-",
                           "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
@@ -200,7 +202,7 @@ void WindowActions::build_toolbar() {
   };
   group({"open", "saveSession", "export"}, Qt::ToolButtonTextBesideIcon);
   group({"undo", "redo"}, Qt::ToolButtonIconOnly);
-  group({"curvature", "gaussian", "plain", "zebra", "isophotes"}, Qt::ToolButtonTextBesideIcon);
+  group({"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors"}, Qt::ToolButtonTextBesideIcon);
   group({"wireframe", "seams", "frame", "screenshot"}, Qt::ToolButtonIconOnly);
   group({"compare"}, Qt::ToolButtonTextBesideIcon);
   const auto short_name = [this](const char* name, const QString& text) { (*this)[name]->setIconText(text); };
@@ -210,6 +212,7 @@ void WindowActions::build_toolbar() {
   short_name("compare", tr("Compare"));
   short_name("curvature", tr("H"));
   short_name("gaussian", tr("K"));
+  short_name("scanColors", tr("Colours"));
 }
 
 void WindowActions::update_icons() {

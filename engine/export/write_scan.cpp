@@ -7,6 +7,7 @@
 #include "io/material_library.h"
 #include "io/picture_file.h"
 #include "io/text_cursor.h"
+#include "io/texture_files.h"
 #include "mesh/scan_attributes.h"
 #include "pipeline/continue_attributes.h"
 
@@ -179,29 +180,23 @@ class Texture {
 /// OBJ: usemtl names a material of a file that mtllib names.
 class ObjTexture : public Texture {
  public:
-  ObjTexture(const ScanAttributes& scan, SideFiles& files) : scan_(scan), files_(files) {
-    for (const std::string& name : scan_.material_libraries) {
-      try {
-        libraries_.push_back(read_material_library(files.scan_folder() / name));
-      } catch (const ReadError& error) {
-        files.say(std::string("The scan's material file cannot be used: ") + error.what());
-      }
-    }
+  ObjTexture(const ScanAttributes& scan, SideFiles& files)
+      : scan_(scan),
+        files_(files),
+        named_(scan, files.scan_folder()) {
+    for (const std::string& problem : named_.problems())
+      files.say("The scan's material file cannot be used: " + problem);
   }
 
   const Picture* picture_of(std::size_t face) override {
-    const std::string* material = material_of(face);
-    if (!material) return nullptr;
-    for (const MaterialLibrary& library : libraries_)
-      if (const auto named = library.color_pictures.find(*material); named != library.color_pictures.end())
-        return files_.picture(folder_of(library.path) / named->second);
-    return nullptr;
+    const auto path = named_.picture_of(face);
+    return path ? files_.picture(*path) : nullptr;
   }
 
   void name_files(ScanAttributes& continued) override {
     for (const std::string& name : scan_.material_libraries) continued.material_libraries.push_back(files_.named(name));
     std::error_code ignored;
-    for (const MaterialLibrary& library : libraries_)  // pictures are told from the folder of the material file
+    for (const MaterialLibrary& library : named_.libraries())  // pictures are told from the folder of the material file
       for (const std::string& picture : library.pictures)
         files_.named(picture, fs::relative(folder_of(library.path), files_.scan_folder(), ignored));
   }
@@ -209,7 +204,7 @@ class ObjTexture : public Texture {
   void add_patches(const PaintedPatches& painted, std::size_t like_face, ScanAttributes& continued) override {
     std::set<std::string> taken(scan_.material_libraries.begin(), scan_.material_libraries.end());
     std::error_code ignored;
-    for (const MaterialLibrary& library : libraries_)
+    for (const MaterialLibrary& library : named_.libraries())
       for (const std::string& picture : library.pictures)
         taken.insert((fs::relative(folder_of(library.path), files_.scan_folder(), ignored) / picture).string());
     const std::string name = files_.name_for_patches(taken);
@@ -229,19 +224,12 @@ class ObjTexture : public Texture {
   }
 
  private:
-  const std::string* material_of(std::size_t face) const {
-    for (const FaceNames& names : scan_.names)
-      if (names.keyword == "usemtl" && face < names.of_face.size() && names.of_face[face] >= 0)
-        return &names.names[static_cast<std::size_t>(names.of_face[face])];
-    return nullptr;
-  }
-
   /// With the statements of the material around, but for its pictures.
   void write_material(std::ostream& out, const std::string& material, const std::string& picture,
                       std::size_t like_face) const {
     out << "# Loopmend\nnewmtl " << material << '\n';
-    if (const std::string* like = material_of(like_face))
-      for (const MaterialLibrary& library : libraries_) {
+    if (const std::string* like = named_.material_of(like_face))
+      for (const MaterialLibrary& library : named_.libraries()) {
         const auto lines = library.statements.find(*like);
         if (lines == library.statements.end()) continue;
         for (const std::string& line : lines->second) out << line << '\n';
@@ -252,7 +240,7 @@ class ObjTexture : public Texture {
 
   const ScanAttributes& scan_;
   SideFiles& files_;
-  std::vector<MaterialLibrary> libraries_;
+  TextureFiles named_;
 };
 
 /// PLY as MeshLab has it: "comment TextureFile NAME", and the face property texnumber where there are several.
@@ -261,34 +249,30 @@ class PlyTexture : public Texture {
   PlyTexture(const ScanAttributes& scan, SideFiles& files)
       : scan_(scan),
         files_(files),
-        number_(find_column(scan.faces, "texnumber")) {
-    if (number_ && number_->is_list()) return;  // which picture a face has is not known
-    for (const std::string& remark : scan.remarks)
-      if (const std::string name = name_in(remark); !name.empty()) names_.push_back(name);
-  }
+        named_(scan, files.scan_folder()) {}
 
   const Picture* picture_of(std::size_t face) override {
-    if (names_.empty()) return nullptr;
-    const double number = number_ ? number_->value(face) : 0;
-    if (!(number >= 0) || number >= static_cast<double>(names_.size())) return nullptr;
-    return files_.picture(files_.scan_folder() / names_[static_cast<std::size_t>(number)]);
+    const auto path = named_.picture_of(face);
+    return path ? files_.picture(*path) : nullptr;
   }
 
   void name_files(ScanAttributes& continued) override {
     for (const std::string& remark : scan_.remarks) {
-      const std::string name = name_in(remark);
+      const std::string name = TextureFiles::name_in(remark);
       continued.remarks.push_back(name.empty() ? remark : keyword + files_.named(name));
     }
   }
 
   void add_patches(const PaintedPatches& painted, std::size_t, ScanAttributes& continued) override {
-    const std::string name = files_.name_for_patches({names_.begin(), names_.end()}) + ".png";
+    const std::vector<std::string>& names = named_.ply_pictures();
+    const AttributeColumn* numbers = named_.picture_numbers();
+    const std::string name = files_.name_for_patches({names.begin(), names.end()}) + ".png";
     continued.remarks.push_back(keyword + name);
     files_.add(name, [&](std::ostream& out) { write_png(out, painted.picture); });
-    AttributeColumn column("texnumber", number_ ? number_->type() : ScalarType::int32);
-    for (const char is_painted : painted.is_painted) column.push(is_painted ? static_cast<double>(names_.size()) : 0);
-    if (number_)
-      continued.faces[static_cast<std::size_t>(number_ - scan_.faces.data())] = std::move(column);
+    AttributeColumn column("texnumber", numbers ? numbers->type() : ScalarType::int32);
+    for (const char is_painted : painted.is_painted) column.push(is_painted ? static_cast<double>(names.size()) : 0);
+    if (numbers)
+      continued.faces[static_cast<std::size_t>(numbers - scan_.faces.data())] = std::move(column);
     else
       continued.faces.push_back(std::move(column));
   }
@@ -296,18 +280,9 @@ class PlyTexture : public Texture {
  private:
   inline static const std::string keyword = "comment TextureFile ";
 
-  /// Empty where the remark is another one.
-  static std::string name_in(const std::string& remark) {
-    if (remark.substr(0, keyword.size()) != keyword) return {};
-    std::string name = remark.substr(keyword.size());
-    name.erase(0, name.find_first_not_of(' '));
-    return name;
-  }
-
   const ScanAttributes& scan_;
   SideFiles& files_;
-  const AttributeColumn* number_;
-  std::vector<std::string> names_;
+  TextureFiles named_;
 };
 
 /// Of a scan of the same format as the output; null: it has none.

@@ -3,6 +3,7 @@
 
 #include "texture/chart.h"
 #include "texture/inpaint.h"
+#include "texture/texture_of_triangles.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -27,71 +28,11 @@ constexpr int most_rings = 24;      ///< of the scan around a patch
 constexpr double collar_share = 4;  ///< so many times the triangles of the patch around it
 constexpr std::size_t least_collar = 400;
 constexpr double most_area = 1.2e8;  ///< pixels of all patches: readers take 16384 a side
-constexpr double most_repeats = 10000;
 
 /// A patch and the textured triangles around it.
 struct Piece {
   std::vector<int> own, around;  ///< soup triangles
 };
-
-/// Texture coordinates of a triangle of the file, in the order of its vertices; nothing where it has none.
-class SourceTriangles {
- public:
-  SourceTriangles(const TriangleSoup& soup, const std::function<const Picture*(std::size_t)>& picture_of)
-      : soup_(soup),
-        scan_(*soup.attributes),
-        picture_of_(picture_of) {}
-
-  struct Source {
-    const Picture* picture = nullptr;
-    std::array<Vec2, 3> at;  ///< u, v
-  };
-
-  std::optional<Source> find(int triangle) const {
-    const int row = triangle_row(soup_, triangle);
-    if (row < 0 || scan_.corners.empty()) return {};
-    const std::size_t face = scan_.face_of_triangle(static_cast<std::size_t>(row));
-    Source source;
-    source.picture = picture_of_(face);
-    if (!source.picture) return {};
-    for (int k = 0; k < 3; ++k) {
-      const int point = point_row(soup_, soup_.triangles[triangle][k]);
-      int value = -1;
-      for (std::size_t c = scan_.first_corner(face); c < scan_.corner_end(face) && value < 0; ++c)
-        if (scan_.corners[c] == point) value = scan_.texture.at[c];
-      if (value < 0) return {};
-      const double* uv =
-          &scan_.texture.values[static_cast<std::size_t>(value) * static_cast<std::size_t>(scan_.texture.dimension)];
-      source.at[k] = {uv[0], scan_.texture.dimension > 1 ? uv[1] : 0};
-      // Pictures are repeated, but not as often as damaged files say.
-      if (!source.at[k].allFinite() || source.at[k].cwiseAbs().maxCoeff() > most_repeats) return {};
-    }
-    return source;
-  }
-
- private:
-  const TriangleSoup& soup_;
-  const ScanAttributes& scan_;
-  const std::function<const Picture*(std::size_t)>& picture_of_;
-};
-
-/// Between the four nearest pixels; beyond its edges the picture is repeated.
-Color sample(const Picture& picture, const Vec2& uv) {
-  const double x = (uv.x() - std::floor(uv.x())) * picture.width - 0.5;
-  const double y = (1 - (uv.y() - std::floor(uv.y()))) * picture.height - 0.5;
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-  const double fx = x - x0, fy = y - y0;
-  std::array<double, 4> sum{};
-  for (int k = 0; k < 4; ++k) {
-    const int px = (x0 + k % 2 + picture.width) % picture.width, py = (y0 + k / 2 + picture.height) % picture.height;
-    const double weight = (k % 2 ? fx : 1 - fx) * (k / 2 ? fy : 1 - fy);
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * picture.at(px, py)[c];
-  }
-  Color color;
-  for (std::size_t c = 0; c < 4; ++c)
-    color[c] = static_cast<unsigned char>(std::lround(std::clamp(sum[c], 0.0, 255.0)));
-  return color;
-}
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -270,7 +211,7 @@ class Painter {
       if (cross(t[1] - t[0], t[2] - t[0]) >= 0) continue;  // y is downward: turned round in the plane
       const auto source = *sources_.find(piece.around[f - piece.own.size()]);
       for_each_pixel(t, width, height, [&](int x, int y, const std::array<double, 3>& w) {
-        picture.at(x, y) = sample(*source.picture, w[0] * source.at[0] + w[1] * source.at[1] + w[2] * source.at[2]);
+        picture.at(x, y) = color_at(*source.picture, w[0] * source.at[0] + w[1] * source.at[1] + w[2] * source.at[2]);
         at(x, y) = Pixel::known;
       });
     }
@@ -351,7 +292,7 @@ class Painter {
   }
 
   const TriangleSoup& soup_;
-  SourceTriangles sources_;
+  TextureOfTriangles sources_;
   TextureFill fill_;
   const CancelToken& cancel_;
 };

@@ -7,6 +7,8 @@
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
 #include "document/targets.h"
+#include "io/write_mesh.h"
+#include "samples/sample_scan.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -39,6 +41,7 @@ class FeatureTest : public QObject {
 
  private Q_SLOTS:
   void every_look_draws_another_picture();
+  void a_scan_with_colors_is_shown_in_them();
   void a_kept_picture_is_the_whole_picture();
   void a_point_tells_its_values();
   void pictures_of_any_size();
@@ -102,6 +105,41 @@ void FeatureTest::every_look_draws_another_picture() {
 }
 
 /// While a flow runs only the patch is drawn anew, over what was kept; rims and the rest must not get lost.
+void FeatureTest::a_scan_with_colors_is_shown_in_them() {
+  TriangleSoup soup = make_sample_scan();
+  soup.colors.assign(soup.points.size(), Color{20, 200, 30, 255});
+  const QString path = folder_.filePath(QStringLiteral("green.ply"));
+  write_mesh(path.toStdString(), soup);
+  const auto green_share = [](const QImage& picture) {
+    int green = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor color = picture.pixelColor(x, y);
+        green += color.green() > 80 && color.green() > 2 * color.red() && color.green() > 2 * color.blue();
+      }
+    return static_cast<double>(green) / (picture.width() * picture.height());
+  };
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  QCOMPARE(window.view().look().shading, Shading::scan);
+  settle(400);
+  const double open = green_share(window.view().picture());
+  QVERIFY2(open > 0.1, qPrintable(QString::number(open)));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 120));
+  settle(600);
+  const double filled = green_share(window.view().picture());
+  QVERIFY2(filled > open, "the patches do not have the colour of the scan");
+  const auto& patch = *window.document().patches().front().state->shape;
+  QCOMPARE(patch.colors.size(), patch.points.size());
+  // Another scene without colours is shown by curvature again.
+  window.undo().mark_saved();
+  window.open_sample();
+  QVERIFY(wait_until([&] { return window.view().look().shading == Shading::curvature; }, 30));
+  QVERIFY(wait_idle(window));
+  QVERIFY(!part<QAction>(window, "scanColors")->isEnabled());
+}
+
 void FeatureTest::a_kept_picture_is_the_whole_picture() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;

@@ -59,6 +59,23 @@ class RenderTest : public QObject {
     QCOMPARE(QImage(path("a.png")), QImage(path("b.png")));
   }
 
+  void own_colors_are_drawn() {
+    SurfaceModel red = model_;
+    red.soup.colors.assign(red.soup.points.size(), Color{220, 20, 20, 255});
+    RenderOptions options;
+    options.shading = Shading::scan;
+    options.width = options.height = 200;
+    keep("red.png", render_surface(red, options));
+    const QImage picture(path("red.png"));
+    int reddish = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor color = picture.pixelColor(x, y);
+        reddish += color.red() > 90 && color.red() > 3 * color.green() && color.red() > 3 * color.blue();
+      }
+    QVERIFY2(reddish > 8000, qPrintable(QString::number(reddish)));
+  }
+
   void before_and_after_side_by_side() {
     RenderOptions options;
     options.width = 800;
@@ -118,8 +135,13 @@ class RenderTest : public QObject {
   void a_surface_glides_evenly_to_its_next_state() {
     using namespace std::chrono_literals;
     const float unknown = std::numeric_limits<float>::quiet_NaN();
-    SurfaceShape from{
-        {0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1, 0, 0, 1}, {0, 1, 2}, 1, {0, 4, unknown}, {0, 0, 0}};
+    SurfaceShape from;
+    from.points = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    from.normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    from.triangles = {0, 1, 2};
+    from.own_triangles = 1;
+    from.H = {0, 4, unknown};
+    from.K = {0, 0, 0};
     auto to = std::make_shared<SurfaceShape>(from);
     to->points[2] = 8;
     to->H = {8, 4, 3};
@@ -143,7 +165,11 @@ class RenderTest : public QObject {
   }
 
   void surfaces_of_other_vertices_do_not_glide() {
-    const SurfaceShape from{std::vector<float>(12), std::vector<float>(12), {0, 1, 2, 0, 2, 3, 0, 3, 1}, 3, {}, {}};
+    SurfaceShape from;
+    from.points.resize(12);
+    from.normals.resize(12);
+    from.triangles = {0, 1, 2, 0, 2, 3, 0, 3, 1};
+    from.own_triangles = 3;
     SurfaceShape to = from;
     QVERIFY(ShapeGlide::is_possible(from, to));
     to.triangles = {0, 1, 2, 0, 2, 3, 0, 1, 3};  // one of three turned over

@@ -31,6 +31,7 @@ exec awk '
     may["repair"] = "core mesh"
     may["texture"] = "core mesh operators solvers"
     may["export"] = "core mesh io pipeline texture"
+    may["appearance"] = "core mesh io operators filling texture"
     may["samples"] = "core mesh"
 
     heavy = "^(CGAL/|suitesparse/|SuiteSparse|cholmod|umfpack|Eigen/(Cholmod|UmfPack)Support)"
