@@ -416,7 +416,8 @@ int run_fill(const FillCommand& command) {
     print_coincident(out, opened.import, loops);
     if (outcome.in_vain()) print_cure(out, model.repairs, loops, command);
   }
-  return stopped ? exit_cancelled : outcome.exit_code();
+  if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;
+  return outcome.exit_code();
 }
 
 }  // namespace loopmend

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C: ends the process at once with nothing half-written, or asks it to finish early.
+// Signals: end the process at once with nothing half-written, or ask it to finish early.
 #pragma once
 
 #include "core/cancel.h"
 
 namespace loopmend {
 
-/// From then on SIGINT and SIGTERM, on whatever thread they arrive, make the process say
-/// "cancelled" and what was written by then, remove unfinished files and exit with 130, even in the middle of a factorisation.
-void exit_on_interrupt();
+/// Call it first in main(). From then on
+/// - SIGINT, SIGTERM, SIGHUP and SIGXCPU, on whatever thread they arrive, make the process say why it ends and what was
+///   written by then, remove unfinished files and exit with 128 + the signal, even in the middle of a factorisation.
+///   SIGHUP stays ignored where it was, as under nohup;
+/// - a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) removes unfinished files, says so, and goes on as it would have;
+/// - SIGXFSZ and SIGPIPE do nothing: the write fails, and who writes tells why;
+/// - standard streams that were closed lead to /dev/null, so that no output file takes their numbers.
+void handle_signals();
 
-/// From then on the first SIGINT or SIGTERM cancels the token, and only the second ends the process so. Call it once.
+/// From then on the first of the signals that end the process cancels the token, and only the second ends it. Call it once.
 void cancel_on_interrupt(const CancelToken& token);
+
+/// 128 + the signal that has cancelled the token, as a shell tells it; 0: none has.
+int interrupt_exit_code();
 
 }  // namespace loopmend

@@ -14,6 +14,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <clocale>
 #include <cstdio>
@@ -115,7 +118,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))
       ->capture_default_str();
-  fill->add_flag("--keep-partial", words.keep_partial, "Write what is finished when stopped by Ctrl-C");
+  fill->add_flag("--keep-partial", words.keep_partial, "Write what is finished when stopped by Ctrl-C or a signal");
   fill->footer(
       "All holes are filled by default; the outer rim of an open sheet is left.\n"
       "The input's vertices and faces come first in the output, in their order, bit-identical.\n"
@@ -125,7 +128,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "  loopmend fill scan.obj -o filled.ply --flow wf --mode steps --steps 20 --sigma 1\n"
       "Exit codes: 0 all done; 1 some loops failed, are doubtful, or none could be filled, the rest is written; 2 "
       "wrong usage;\n"
-      "3 input unreadable; 4 output unwritable; 130 cancelled.");
+      "3 input unreadable; 4 output unwritable; 128 + signal: stopped, 130 by Ctrl-C.");
 }
 
 void take_words(const FillWords& words, FillCommand& command) {
@@ -254,10 +257,18 @@ int run(int argc, char** argv) {
 
 namespace {
 
+/// True where standard output leads to a pipe that nobody reads any more, as behind `| head`: no fault worth a word.
+bool reader_has_gone() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
 int run_and_tell(int argc, char** argv) {
   try {
     const int code = run(argc, argv);
-    if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
+    const bool flushed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (std::cout.flush() && flushed) return code;
+    if (reader_has_gone()) return exit_reader_gone;
     return say_with_files("standard output cannot be written; is the disk full?", exit_unwritable);
   } catch (const ReadError& error) {
     return say(error, exit_unreadable);
@@ -283,7 +294,7 @@ int run_and_tell(int argc, char** argv) {
 int main(int argc, char** argv) {
   loopmend::keep_freed_memory();
   std::setlocale(LC_NUMERIC, "C");
-  loopmend::exit_on_interrupt();
+  loopmend::handle_signals();
   const int code = run_and_tell(argc, argv);
   // Not exit(): OpenBLAS would then wait for a thread of its own that, where `ulimit -v` is tight, asks for memory for ever.
   std::fflush(nullptr);

@@ -61,6 +61,10 @@ void CommandFiles::check_identity() const {
 void CommandFiles::check() const {
   check_identity();
   for (const NamedFile& output : outputs_) {
+    if (const std::size_t names = other_names(output.path); names > 0)
+      std::fprintf(stderr, "loopmend: %s has %s; %s the old file.\n", output.path.c_str(),
+                   counted(names, "other name (hard link)", "other names (hard links)").c_str(),
+                   names == 1 ? "that keeps" : "those keep");
     if (output.kind == NamedFile::Kind::picture) require_picture_name(output.path);
     if (output.kind == NamedFile::Kind::mesh)
       check_mesh_writable(output.path);

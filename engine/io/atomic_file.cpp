@@ -5,19 +5,24 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <random>
 #include <streambuf>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -168,26 +173,78 @@ std::optional<struct stat> existing_file(const std::filesystem::path& path, cons
   return status;
 }
 
+constexpr std::string_view temporary_prefix = ".loopmend-";
+constexpr std::string_view temporary_suffix = ".tmp";
+constexpr std::size_t tag_digits = 8, random_digits = 8;
+
+std::string hexadecimal(std::uint32_t bits) {
+  std::string digits(8, '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, bits >>= 4)
+    *digit = "0123456789abcdef"[bits & 15U];
+  return digits;
+}
+
+/// In the names of temporary files: where their process ids mean something. A folder may be shared between machines, or
+/// between containers of one machine, and the id of another's process says nothing here.
+std::string machine_tag() {
+  std::string identity;
+  std::ifstream machine("/etc/machine-id");
+  std::getline(machine, identity);
+  std::array<char, 256> host{};
+  if (::gethostname(host.data(), host.size() - 1) == 0) identity += host.data();
+  struct stat processes {};
+  if (::stat("/proc/self/ns/pid", &processes) == 0) identity.append(" ").append(std::to_string(processes.st_ino));
+  std::uint32_t hash = 2166136261U;  // FNV-1a, which is the same in every build
+  for (const char c : identity) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hexadecimal(hash);
+}
+
 std::filesystem::path temporary_name(const std::filesystem::path& folder) {
-  static const char digits[] = "0123456789abcdef";
   std::random_device random;
-  std::string name = ".loopmend-" + std::to_string(::getpid()) + "-";
-  for (int word = 0; word < 2; ++word) {
-    std::uint32_t bits = random();
-    for (int i = 0; i < 8; ++i, bits >>= 4) name += digits[bits & 15U];
+  std::string name(temporary_prefix);
+  name += std::to_string(::getpid()) + "-" + machine_tag() + hexadecimal(random());
+  return folder / name.append(temporary_suffix);
+}
+
+/// The process that made a temporary file of this machine; nothing if the name is no such file's.
+std::optional<pid_t> maker_of(std::string_view name, std::string_view tag) {
+  if (!name.starts_with(temporary_prefix) || !name.ends_with(temporary_suffix)) return std::nullopt;
+  name.remove_prefix(temporary_prefix.size());
+  name.remove_suffix(temporary_suffix.size());
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+  if (error != std::errc() || process <= 0) return std::nullopt;
+  name.remove_prefix(static_cast<std::size_t>(end - name.data()));
+  if (name.size() != 1 + tag_digits + random_digits || name[0] != '-' || name.substr(1, tag_digits) != tag ||
+      name.find_first_not_of("0123456789abcdef", 1) != std::string_view::npos)
+    return std::nullopt;
+  return process;
+}
+
+/// What killed processes have left: of this user, by a process of this machine that is no more. A file whose process id is
+/// in use again stays.
+void remove_leftovers(const std::filesystem::path& folder) {
+  const std::string tag = machine_tag();
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::optional<pid_t> maker = maker_of(entry->path().filename().native(), tag);
+    if (!maker || ::kill(*maker, 0) == 0 || errno != ESRCH) continue;
+    struct stat status {};
+    if (::lstat(entry->path().c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid())
+      ::unlink(entry->path().c_str());
   }
-  return folder / (name + ".tmp");
 }
 
 /// A new file next to the target. Unless it is renamed, it is gone when this object is.
 class TemporaryFile {
  public:
   /// @param path  the name that error messages speak of
-  TemporaryFile(const std::filesystem::path& path, const std::filesystem::path& folder)
+  /// @param mode  before the umask
+  TemporaryFile(const std::filesystem::path& path, const std::filesystem::path& folder, mode_t mode)
       : path_(path),
         name_(temporary_name(folder)),
         registration_(name_.string(), path.string()) {
-    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (descriptor_ < 0) fail(path_, "cannot be written in this folder", errno);
   }
   ~TemporaryFile() {
@@ -199,10 +256,34 @@ class TemporaryFile {
 
   int descriptor() const { return descriptor_; }
 
-  /// Owner first, since changing it may take away bits of the mode. A foreign owner cannot be kept by everyone.
+  /// Owner first, since changing it may take away bits of the mode. A foreign owner cannot be kept by everyone; what ran
+  /// with the owner's rights must not run with another's then.
   void take_mode_of(const struct stat& status) const {
-    if (::fchown(descriptor_, status.st_uid, status.st_gid) != 0) errno = 0;
-    if (::fchmod(descriptor_, status.st_mode & 07777U) != 0) fail(path_, "cannot be written", errno);
+    mode_t mode = status.st_mode & 07777U;
+    if (::fchown(descriptor_, status.st_uid, status.st_gid) != 0) {
+      const bool group_kept = ::fchown(descriptor_, static_cast<uid_t>(-1), status.st_gid) == 0;
+      if (status.st_uid != ::geteuid()) mode &= ~static_cast<mode_t>(S_ISUID);
+      if (!group_kept) mode &= ~static_cast<mode_t>(S_ISGID);
+    }
+    if (::fchmod(descriptor_, mode) != 0) fail(path_, "cannot be written", errno);
+  }
+
+  /// Access lists and whatever a person or a desktop has noted with the file; what the system refuses is left.
+  /// Signatures of the content and rights of a program do not hold for another content.
+  void take_attributes_of(const std::filesystem::path& target) const {
+    const ssize_t length = ::listxattr(target.c_str(), nullptr, 0);
+    if (length <= 0) return;
+    std::vector<char> names(static_cast<std::size_t>(length));
+    const ssize_t filled = ::listxattr(target.c_str(), names.data(), names.size());
+    for (ssize_t at = 0; at < filled; at += static_cast<ssize_t>(std::strlen(&names[at])) + 1) {
+      const char* name = &names[at];
+      if (std::string_view(name).starts_with("security.") && std::string_view(name) != "security.selinux") continue;
+      const ssize_t size = ::getxattr(target.c_str(), name, nullptr, 0);
+      if (size < 0) continue;
+      std::vector<char> value(static_cast<std::size_t>(size) + 1);
+      if (::getxattr(target.c_str(), name, value.data(), value.size()) == size)
+        static_cast<void>(::fsetxattr(descriptor_, name, value.data(), static_cast<std::size_t>(size), 0));
+    }
   }
 
   /// Everything is on the disk when this returns; a full disk may tell only now.
@@ -256,8 +337,14 @@ PreparedFile prepare(const std::filesystem::path& path, const std::function<void
   PreparedFile prepared;
   prepared.target = follow_links(path);
   const std::optional<struct stat> old = existing_file(path, prepared.target);
-  prepared.file = std::make_unique<TemporaryFile>(path, prepared.target.parent_path());
-  if (old) prepared.file->take_mode_of(*old);
+  remove_leftovers(prepared.target.parent_path());
+  // What few may read is never open to more, not even while it is written.
+  const mode_t mode = old ? S_IRUSR | S_IWUSR : 0666;
+  prepared.file = std::make_unique<TemporaryFile>(path, prepared.target.parent_path(), mode);
+  if (old) {
+    prepared.file->take_mode_of(*old);
+    prepared.file->take_attributes_of(prepared.target);
+  }
   DescriptorBuffer buffer(prepared.file->descriptor());
   std::ostream stream(&buffer);
   write(stream);
@@ -360,7 +447,13 @@ void check_writable(const std::filesystem::path& path) {
   require_file_name(path);
   const std::filesystem::path target = follow_links(path);
   existing_file(path, target);
-  const TemporaryFile probe(path, target.parent_path());  // gone at once
+  const TemporaryFile probe(path, target.parent_path(), 0666);  // gone at once
+}
+
+std::size_t other_names(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink == 0) return 0;
+  return static_cast<std::size_t>(status.st_nlink) - 1;
 }
 
 void remove_unfinished_files() noexcept {

@@ -12,7 +12,9 @@ namespace loopmend {
 
 /// Writes to a temporary file in the same folder, checks the stream, fsyncs, renames over `path`. On any failure the
 /// temporary file is removed and `path` is as it was. A symbolic link is written through; an existing file keeps its
-/// mode, a new one follows the umask. What `write` throws is passed on.
+/// mode and, as far as the system permits, its owner, group and extended attributes; a new one follows the umask. Other
+/// names of a file with several hard links keep the old file (other_names()). Temporary files in the folder that a dead
+/// process of the same user on this machine has left are removed. What `write` throws is passed on.
 /// @throws WriteError naming the path and the system's reason.
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
@@ -48,6 +50,10 @@ const char* file_in_place(std::size_t k) noexcept;
 /// True if both names mean one file, whether it is there already or not: hard and symbolic links, ./x and x.
 /// @throws WriteError for a circle of symbolic links.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// How many other names (hard links) the file at `path` has; 0 where there is no file. They keep the old file when `path`
+/// is written: to write into it in place would put all of them at risk.
+std::size_t other_names(const std::filesystem::path& path);
 
 /// Tells before long work whether write_file_atomically could begin: the folder is there and takes a new file, and what
 /// stands at `path` is a regular file that may be replaced. Leaves nothing behind.

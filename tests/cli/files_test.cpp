@@ -151,8 +151,8 @@ TEST_F(Files, CancellingTellsWhatStands) {
   }
   write_mesh(work / "many.ply", joined(parts));
   std::system(script.c_str());
-  EXPECT_EQ(text_of(work / "code"), "130\n");
-  EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled after " + (work / "out.ply").string() + " was written"));
+  EXPECT_EQ(text_of(work / "code"), "143\n");
+  EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled by SIGTERM after " + (work / "out.ply").string() + " was written"));
 }
 
 TEST_F(Files, CancellingBeforeAnythingStandsSaysSo) {
@@ -162,8 +162,8 @@ TEST_F(Files, CancellingBeforeAnythingStandsSaysSo) {
                              "] && break; sleep 0.1; done; kill -TERM $program; wait $program; echo $? >" +
                              path("code");
   std::system(script.c_str());
-  EXPECT_EQ(text_of(work / "code"), "130\n");
-  EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled; nothing was written"));
+  EXPECT_EQ(text_of(work / "code"), "143\n");
+  EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled by SIGTERM; nothing was written"));
   EXPECT_FALSE(std::filesystem::exists(work / "new"));
 }
 

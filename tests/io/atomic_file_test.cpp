@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <sys/xattr.h>
 
 #include <csignal>
 #include <ostream>
@@ -154,6 +155,107 @@ TEST_F(AtomicFile, UnfinishedFilesCanBeRemovedOnTheWayOut) {
   put(folder_ / "a", "fine again");
   remove_unfinished_files();
   EXPECT_EQ(read_bytes(folder_ / "a"), "fine again");
+}
+
+TEST_F(AtomicFile, ExtendedAttributesSurvive) {
+  write_bytes(folder_ / "a", "old");
+  if (::setxattr((folder_ / "a").c_str(), "user.note", "mine", 4, 0) != 0) GTEST_SKIP() << "none on this disk";
+  ASSERT_EQ(::setxattr((folder_ / "a").c_str(), "user.empty", "", 0, 0), 0);
+  put(folder_ / "a", "new");
+  char value[16] = {};
+  EXPECT_EQ(::getxattr((folder_ / "a").c_str(), "user.note", value, sizeof value), 4);
+  EXPECT_EQ(std::string(value), "mine");
+  EXPECT_EQ(::getxattr((folder_ / "a").c_str(), "user.empty", value, sizeof value), 0);
+  EXPECT_EQ(read_bytes(folder_ / "a"), "new");
+}
+
+TEST_F(AtomicFile, OwnerAndGroupSurvive) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root gives files away";
+  write_bytes(folder_ / "a", "old");
+  ASSERT_EQ(::chown((folder_ / "a").c_str(), 12345, 23456), 0);
+  ASSERT_EQ(::chmod((folder_ / "a").c_str(), 0640), 0);
+  put(folder_ / "a", "new");
+  struct stat status {};
+  ASSERT_EQ(::stat((folder_ / "a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_uid, 12345U);
+  EXPECT_EQ(status.st_gid, 23456U);
+  EXPECT_EQ(mode_of(folder_ / "a"), 0640U);
+}
+
+TEST_F(AtomicFile, WhatFewMayReadIsNeverOpenToMore) {
+  write_bytes(folder_ / "a", "secret");
+  ::chmod((folder_ / "a").c_str(), 0600);
+  int others = 0;
+  write_file_atomically(folder_ / "a", [&](std::ostream& out) {
+    out << "secret as well" << std::flush;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+      others += (mode_of(entry.path()) & 077U) != 0;
+  });
+  EXPECT_EQ(others, 0);
+  EXPECT_EQ(mode_of(folder_ / "a"), 0600U);
+}
+
+TEST_F(AtomicFile, OtherNamesKeepTheOldFile) {
+  EXPECT_EQ(other_names(folder_ / "a"), 0U);
+  write_bytes(folder_ / "a", "old");
+  EXPECT_EQ(other_names(folder_ / "a"), 0U);
+  std::filesystem::create_hard_link(folder_ / "a", folder_ / "b");
+  std::filesystem::create_symlink("a", folder_ / "link");
+  EXPECT_EQ(other_names(folder_ / "a"), 1U);
+  EXPECT_EQ(other_names(folder_ / "link"), 1U);
+  put(folder_ / "a", "new");
+  EXPECT_EQ(read_bytes(folder_ / "a"), "new");
+  EXPECT_EQ(read_bytes(folder_ / "b"), "old");
+}
+
+/// The name of a temporary file of a process that is no more.
+std::string name_of_a_leftover(const std::filesystem::path& folder) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    write_file_atomically(folder / "x", [](std::ostream& out) {
+      out << "half" << std::flush;
+      ::raise(SIGKILL);
+    });
+    ::_exit(1);
+  }
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(WTERMSIG(status), SIGKILL);
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".tmp") return entry.path().filename();
+  return "";
+}
+
+TEST_F(AtomicFile, WhatAKilledProcessLeftGoesAtTheNextWrite) {
+  const std::string name = name_of_a_leftover(folder_.path());
+  ASSERT_NE(name, "");
+  put(folder_ / "a", "new");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / name));
+  EXPECT_EQ(folder_.file_count(), 1U);
+}
+
+TEST_F(AtomicFile, WhatIsNotProvablyALeftoverStays) {
+  const std::string name = name_of_a_leftover(folder_.path());  // .loopmend-PID-TAGRANDOM.tmp
+  ASSERT_NE(name, "");
+  const std::size_t tag = name.find('-', 10) + 1;
+  std::string of_another_machine = name;
+  of_another_machine[tag] = name[tag] == '0' ? '1' : '0';
+  const std::string of_the_living = ".loopmend-" + std::to_string(::getpid()) + name.substr(tag - 1);
+  const std::vector<std::string> stay{of_another_machine,
+                                      of_the_living,
+                                      name + "x",
+                                      "x" + name,
+                                      ".loopmend-12.tmp",
+                                      ".loopmend-99999999999-" + name.substr(tag),
+                                      ".loopmend-0" + name.substr(tag - 1),
+                                      "loopmend.tmp"};
+  for (const std::string& other : stay) write_bytes(folder_ / other, "mine");
+  const std::string link = name.substr(0, name.size() - 5) + (name[name.size() - 5] == '0' ? "1" : "0") + ".tmp";
+  std::filesystem::create_symlink("loopmend.tmp", folder_ / link);
+  put(folder_ / "a", "new");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / name));
+  for (const std::string& other : stay) EXPECT_TRUE(std::filesystem::exists(folder_ / other)) << other;
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / link));
 }
 
 TEST_F(AtomicFile, ManyThreadsAtOnce) {
