@@ -49,6 +49,9 @@ struct FillCommand {
   std::vector<std::string> bridges;                   ///< "A,B": input vertices between which a strip is laid first
   int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100
   std::string report;                                 ///< file or "-"; empty: none
+  std::optional<double> max_seconds;                  ///< for the whole command, above 0
+  std::optional<double> max_memory_mb;  ///< of the whole process, above 0; without: nine tenths of what is available
+  enum class WhenStopped { discard, keep_finished } when_stopped = WhenStopped::discard;  ///< by a signal
   WriteScanOptions write;
   Verbosity verbosity = Verbosity::normal;
   std::string command_line;  ///< as typed, for the report

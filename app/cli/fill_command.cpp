@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
@@ -63,13 +64,15 @@ struct Outcome {
   int filled = 0, failed = 0;
   int doubtful = 0;         ///< of those filled
   int left = 0;             ///< as asked
-  int unfinished = 0;       ///< when the command was stopped
+  int unfinished = 0;       ///< when the command was stopped, or its time was over
   int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
   bool holes_left = false;  ///< some loop that could be filled was left as asked
 
   /// Nothing was done, and nobody asked for that.
   bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
-  int exit_code() const { return failed > 0 || doubtful > 0 || in_vain() ? exit_loops_failed : exit_done; }
+  int exit_code() const {
+    return failed > 0 || doubtful > 0 || unfinished > 0 || in_vain() ? exit_loops_failed : exit_done;
+  }
 };
 
 Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<LoopChoice>& choices) {
@@ -246,14 +249,20 @@ std::vector<HoleResult> fill_selected(SurfaceModel& model, const std::vector<Bou
     ProgressLine progress(command.verbosity);
     progress.say("filling " + std::to_string(selected.size()) + (selected.size() == 1 ? " loop" : " loops"));
     const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
-    for (HoleResult& result : fill_holes(model, selected, command.fill, show, cancel))
+    FillOptions options = command.fill;
+    options.on_cancel = FillOptions::OnCancel::keep_finished;  // otherwise a signal has ended the process
+    options.most_memory_mb = memory_left_for_patches(command.max_memory_mb);
+    for (HoleResult& result : fill_holes(model, selected, options, show, cancel))
       filled[result.loop.number] = std::move(result);
   }
+  const bool out_of_time = cancel.cancelled() && interrupt_exit_code() == 0;
   std::vector<HoleResult> results;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const auto done = filled.find(loops[k].number);
     results.push_back(done != filled.end() ? std::move(done->second)
                                            : open_hole(loops[k], PatchStatus::skipped, choices[k].why_not));
+    if (out_of_time && choices[k].fill && results.back().status == PatchStatus::skipped)
+      results.back().message = "not finished in the time that --max-time allows: left open";
   }
   return results;
 }
@@ -369,7 +378,8 @@ int run_fill(const FillCommand& command) {
   const RimWork rims = trim_chosen(opened, loops, choices, command);
 
   const CancelToken cancel;
-  if (command.fill.on_cancel == FillOptions::OnCancel::keep_finished) cancel_on_interrupt(cancel);
+  if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
+  const Deadline deadline(start, command.max_seconds, cancel);
   const std::vector<HoleResult> results = fill_selected(model, loops, choices, command, cancel);
   const bool stopped = cancel.cancelled();
   check_exterior(opened.as_read, model.soup, model.repairs.reoriented_faces);

@@ -119,6 +119,14 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->check(between(0, 1024))
       ->capture_default_str();
   fill->add_flag("--keep-partial", words.keep_partial, "Write what is finished when stopped by Ctrl-C or a signal");
+  fill->add_option("--max-time", command.max_seconds,
+                   "Leave what is not finished after so many seconds, and write the rest")
+      ->check(between(1e-300, 1e9))
+      ->type_name("SECONDS");
+  fill->add_option("--max-memory", command.max_memory_mb,
+                   "Leave loops whose patches would need more memory in all (default: 90 % of what is free)")
+      ->check(between(1e-300, 1e9))
+      ->type_name("MB");
   fill->footer(
       "All holes are filled by default; the outer rim of an open sheet is left.\n"
       "The input's vertices and faces come first in the output, in their order, bit-identical.\n"
@@ -144,7 +152,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   command.fill = options_of(words.flow);
   command.fill.threads = threads;
   command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
-  if (words.keep_partial) command.fill.on_cancel = FillOptions::OnCancel::keep_finished;
+  if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
   if (words.stitch) command.stitch = FillCommand::Stitch::yes;
   if (words.repair) command.repair = FillCommand::Repair::yes;
 }

@@ -27,7 +27,6 @@ constexpr int longest_for_all_methods = 5000;
 constexpr double from_coarse_to_fine = 200;  // vertices
 constexpr double one_try_only = 20000;       // vertices: where the best triangulation fails, others would for as long
 constexpr int beyond_the_cache = 5000;       // free vertices on the last coarse level
-constexpr double most_vertices = 2e6;        // some 13 GB of solver memory
 
 /// Everything the initial patch needs to know about a loop, in the patch frame; the loop's places are 0..n−1. A vertex that
 /// the loop passes twice has two places.
@@ -39,8 +38,13 @@ struct LoopSite {
   Triangles surroundings;    ///< over `points`, by the first places
   std::vector<double> size;  ///< n: mean length of the edges of the surroundings at each loop vertex
   RimNormals rim_normals;
-  Patch frame;  ///< an empty patch: its centre and scale
+  ConstrainedRemesher::Watch watch;  ///< ends remeshing with Cancelled or TooManyVertices
+  Patch frame;                       ///< an empty patch: its centre and scale
 };
+
+/// What ends remeshing early; neither leaves fill_loop().
+struct Cancelled {};
+struct TooManyVertices {};
 
 LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
   LoopSite site;
@@ -172,8 +176,10 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
 }
 
 ConstrainedRemesher guarded(const LoopSite& site, const SizeField& size, const Candidate& c) {
-  return ConstrainedRemesher(c.points, c.triangles, site.n, site.rim_normals,
-                             [&size](const Vec3& p) { return size.at(p); });
+  ConstrainedRemesher mesh(c.points, c.triangles, site.n, site.rim_normals,
+                           [&size](const Vec3& p) { return size.at(p); });
+  mesh.set_watch(site.watch);
+  return mesh;
 }
 
 Candidate harvest(const LoopSite& site, const ConstrainedRemesher& mesh) {
@@ -311,6 +317,13 @@ double expected_vertices(double area, const std::vector<double>& sizes) {
   return area / (0.866 * mean * mean);
 }
 
+/// "3 million", or the number as it is where it is smaller.
+std::string number_of(double vertices) {
+  if (!(vertices < 1e15)) return "far too many";
+  return vertices < 1e6 ? std::to_string(static_cast<long>(vertices))
+                        : std::to_string(static_cast<long>(vertices / 1e6)) + " million";
+}
+
 std::string why_no_triangulation(const LoopSite& site) {
   int without_length = 0;
   for (int i = 0; i < site.n; ++i) without_length += site.points[i] == site.points[(i + 1) % site.n];
@@ -340,7 +353,7 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   LoopPatchOutcome outcome;
   outcome.message = reason_not_to_fill(loop);
   if (!outcome.message.empty()) return outcome;
-  const LoopSite site = make_site(model, loop);
+  LoopSite site = make_site(model, loop);
   if (closes_a_lone_triangle(site)) {
     outcome.message = "the loop is the boundary of a single triangle";
     return outcome;
@@ -348,11 +361,14 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   std::vector<double> sizes = site.size;
   for (double& size : sizes) size /= options.density;
   const double vertices = expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
-  if (vertices > most_vertices) {
-    outcome.message = "the patch would need about " + std::to_string(static_cast<long>(vertices / 1e6)) +
-                      " million vertices: a lower density needs fewer";
+  if (vertices > options.most_vertices) {
+    outcome.message = "the patch would need about " + number_of(vertices) + " vertices: a lower density needs fewer";
     return outcome;
   }
+  site.watch = [&](std::size_t count) {
+    if (cancel.cancelled()) throw Cancelled();
+    if (static_cast<double>(count) > options.most_vertices + site.n) throw TooManyVertices();
+  };
   const std::vector<Candidate> candidates = first_triangulations(site, cancel);
   if (candidates.empty()) {
     if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
@@ -360,10 +376,18 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   }
   const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
   Candidate best;
-  for (const Candidate& candidate : candidates) {
-    Candidate refined = refine(site, size, candidate, options.shape, vertices, cancel);
-    if (best.triangles.empty() || refined.defect_count() < best.defect_count()) best = std::move(refined);
-    if (!best.wants_another(site.n) || vertices > one_try_only || cancel.cancelled()) break;
+  try {
+    for (const Candidate& candidate : candidates) {
+      Candidate refined = refine(site, size, candidate, options.shape, vertices, cancel);
+      if (best.triangles.empty() || refined.defect_count() < best.defect_count()) best = std::move(refined);
+      if (!best.wants_another(site.n) || vertices > one_try_only || cancel.cancelled()) break;
+    }
+  } catch (const Cancelled&) {
+    return outcome;
+  } catch (const TooManyVertices&) {
+    outcome.message =
+        "the patch would need more than " + number_of(options.most_vertices) + " vertices: a lower density needs fewer";
+    return outcome;
   }
   if (cancel.cancelled()) return outcome;
 

@@ -19,6 +19,7 @@ enum class InitialShape {
 struct InitialPatchOptions {
   double density = 1;  ///< edges per length relative to the surroundings, 0.1..10: 2 halves the edge length
   InitialShape shape = InitialShape::minimal;
+  double most_vertices = 2e6;  ///< a loop that needs more is left open, above 0; 2 million take some 13 GB to solve
 };
 
 /// @throws InvalidArgument if an option is out of range.

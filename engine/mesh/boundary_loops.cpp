@@ -3,6 +3,7 @@
 
 #include "mesh/loop_facing.h"
 #include "mesh/pieces.h"
+#include "mesh/point_diameter.h"
 #include "mesh/vertex_fans.h"
 
 #include <Eigen/Eigenvalues>
@@ -38,13 +39,11 @@ Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
 void measure(const SurfaceModel& model, BoundaryLoop& loop) {
   const Points points = loop_points(model, loop);
   const std::size_t n = points.size();
-  double diameter2 = 0;
   for (std::size_t i = 0; i < n; ++i) {
     loop.center += points[i] / static_cast<double>(n);
     loop.perimeter += (points[(i + 1) % n] - points[i]).norm();
-    for (std::size_t j = 0; j < i; ++j) diameter2 = std::max(diameter2, (points[i] - points[j]).squaredNorm());
   }
-  loop.diameter = std::sqrt(diameter2);
+  loop.diameter = diameter_of(points);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   Vec3 area_vector = Vec3::Zero();
   for (std::size_t i = 0; i < n; ++i) {

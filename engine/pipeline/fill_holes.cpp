@@ -3,12 +3,16 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "filling/patch_size.h"
 #include "mesh/pieces.h"
 #include "pipeline/blend.h"
 #include "pipeline/paste.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <new>
@@ -71,10 +75,51 @@ GroupResult open_group(const std::vector<BoundaryLoop>& loops, PatchStatus statu
   return result;
 }
 
-GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const GroupOptions& options,
+/// Of a patch with about so many new vertices. @returns why it is not made; empty where there is no reason.
+std::string why_too_large(double vertices, double needed_mb, double most_memory_mb) {
+  if (!(needed_mb > most_memory_mb)) return "";
+  if (!(vertices < 1e9)) return "its edges are too short for its size: left open; a smaller density needs less memory";
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "about %.0f new vertices would take %.0f MB of memory, and %.0f MB are allowed: left open; a smaller "
+                "density needs less",
+                vertices, std::ceil(needed_mb), std::max(0.0, std::floor(most_memory_mb)));
+  return text;
+}
+
+/// Before there is a patch.
+std::string why_too_large(const SurfaceModel& model, const BoundaryLoop& loop, const FillOptions& options) {
+  if (std::isinf(options.most_memory_mb)) return "";
+  const double vertices = expected_new_vertices(model, loop, options.initial.density);
+  return why_too_large(vertices, expected_memory_mb(vertices), options.most_memory_mb);
+}
+
+GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
+                   const CancelToken& cancel);
+
+/// A group that is too large together: loops that are not so are filled.
+GroupResult each_alone(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
+                       const CancelToken& cancel) {
+  GroupResult all;
+  for (const BoundaryLoop& loop : loops) {
+    if (cancel.cancelled()) return open_group(loops, PatchStatus::cancelled, "");
+    GroupResult one = filled(scan, {loop}, options, cancel);
+    std::move(one.holes.begin(), one.holes.end(), std::back_inserter(all.holes));
+    std::move(one.patches.begin(), one.patches.end(), std::back_inserter(all.patches));
+  }
+  return all;
+}
+
+GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
                    const CancelToken& cancel) {
   try {
     const InitialPatch initial = make_surveyed_patch(scan.model, loops, options.initial, cancel);
+    if (initial.patch && options.evolution) {
+      const int vertices = initial.patch->free_count;
+      const std::string why = why_too_large(vertices, memory_mb_of(vertices), options.most_memory_mb);
+      if (!why.empty() && loops.size() > 1) return each_alone(scan, loops, options, cancel);
+      if (!why.empty()) return open_group(loops, PatchStatus::failed, why);
+    }
     return solve_group(scan, initial, options, nullptr, cancel);
   } catch (const std::bad_alloc&) {
     return open_group(loops, PatchStatus::failed, no_memory_message);
@@ -85,13 +130,16 @@ GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops
 
 /// One patch between a hole and the islands in it. @param why  is set where there is none; its reason may be empty.
 std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<BoundaryLoop>& place,
-                                   const GroupOptions& options, const CancelToken& cancel, std::string& why) {
+                                   const FillOptions& options, const CancelToken& cancel, std::string& why) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   try {
     BridgeOutcome outcome = bridge_loops(scan.model, place, options.initial, cancel);
     why = outcome.message;
     if (!outcome.bridge || cancel.cancelled()) return std::nullopt;
+    const int vertices = outcome.bridge->start.free_count;
+    why = why_too_large(vertices, memory_mb_of(vertices), options.most_memory_mb);
+    if (!why.empty()) return std::nullopt;
     const double bridge_seconds = seconds();
     PatchResult result = solve_bridge(scan, *outcome.bridge, options.evolution, nullptr, cancel);
     why = result.message;
@@ -106,7 +154,7 @@ std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<Boun
 }
 
 /// The hole's islands joined to it, or where that fails covered by its patch.
-GroupResult joined(const ScanIndex& scan, const Task& task, const GroupOptions& options, const CancelToken& cancel) {
+GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& options, const CancelToken& cancel) {
   const std::vector<BoundaryLoop>& place = task.loops;
   std::string why;
   std::optional<PatchResult> made = bridged(scan, place, options, cancel, why);
@@ -171,8 +219,35 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
   return results;
 }
 
-std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
+/// Tasks that could not share the memory with as many others as there are threads come first, to be worked on one by one; a
+/// group that is too large together comes apart. @returns how many these are.
+int large_first(const SurfaceModel& model, const FillOptions& options, std::vector<Task>& tasks) {
+  if (std::isinf(options.most_memory_mb)) return 0;
+  const auto memory_of = [&](const Task& task) {
+    double vertices = 0;
+    for (const BoundaryLoop& loop : task.loops) vertices += expected_new_vertices(model, loop, options.initial.density);
+    return expected_memory_mb(vertices);
+  };
+  std::vector<Task> large, small;
+  for (Task& task : tasks) {
+    const double needed = memory_of(task);
+    if (needed > options.most_memory_mb && task.kind == Task::Kind::fill) {
+      for (BoundaryLoop& loop : task.loops) large.push_back({Task::Kind::fill, {std::move(loop)}, {}});
+    } else {
+      (needed * thread_budget() > options.most_memory_mb ? large : small).push_back(std::move(task));
+    }
+  }
+  const int count = static_cast<int>(large.size());
+  tasks = std::move(large);
+  std::move(small.begin(), small.end(), std::back_inserter(tasks));
+  return count;
+}
+
+std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& asked,
                              const OnFillProgress& progress, const CancelToken& cancel) {
+  FillOptions options = asked;
+  if (options.evolution)  // what could not be solved is not made
+    options.initial.most_vertices = std::min(options.initial.most_vertices, options.most_memory_mb / expected_memory_mb(1));
   const ScanIndex scan(model);
   std::vector<GroupResult> solved;
   std::vector<BoundaryLoop> possible;
@@ -182,6 +257,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
     std::string why;
     try {
       if (loop.kind != LoopKind::cut) why = why_no_patch_exists(scan, loop);
+      if (why.empty()) why = why_too_large(model, loop, options);
     } catch (const std::exception& error) {
       why = error.what();
     }
@@ -196,7 +272,8 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
     if (options.on_cancel == FillOptions::OnCancel::discard) return {};
     return pasted(model, loops, {open_group(loops, PatchStatus::skipped, "not finished when stopped")});
   }
-  const std::vector<Task> tasks = tasks_for(model, possible, options.islands, refused);
+  std::vector<Task> tasks = tasks_for(model, possible, options.islands, refused);
+  const int one_by_one = large_first(model, options, tasks);
   std::vector<GroupResult> results(tasks.size());
   std::vector<char> finished(tasks.size(), 0);
   std::mutex progress_mutex;
@@ -205,7 +282,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
       std::accumulate(tasks.begin(), tasks.end(), static_cast<int>(solved.size()),
                       [](int sum, const Task& task) { return sum + static_cast<int>(task.loops.size()); });
   state.loops_done = static_cast<int>(solved.size());
-  parallel_for(0, static_cast<int>(tasks.size()), 1, [&](int k) {
+  const auto work_on = [&](int k) {
     if (cancel.cancelled()) return;
     const Task& task = tasks[k];
     results[k] =
@@ -216,7 +293,9 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
     state.loops_done += static_cast<int>(task.loops.size());
     state.loop_number = task.loops.front().number;
     if (progress) progress(state);
-  });
+  };
+  for (int k = 0; k < one_by_one; ++k) work_on(k);
+  parallel_for(one_by_one, static_cast<int>(tasks.size()), 1, work_on);
   if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
   for (std::size_t k = 0; k < tasks.size(); ++k)
     solved.push_back(finished[k] ? std::move(results[k])
@@ -228,6 +307,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
 
 void check(const FillOptions& options) {
   check(options.initial);
+  if (!(options.most_memory_mb > 0)) throw InvalidArgument("the memory for patches must be above 0 MB");
   if (options.evolution) check(*options.evolution);
 }
 

@@ -240,7 +240,9 @@ int ConstrainedRemesher::split_long_edges() {
     if (queue.empty()) break;
     count += static_cast<int>(queue.size());
     std::sort(queue.begin(), queue.end());
+    ask_watch();
     for (const auto& [ratio, index] : queue) {
+      if (mesh_.n_vertices() % 4096 == 0) ask_watch();
       const EH e(index);
       const HH h = mesh_.halfedge_handle(e, 0);
       const Vec3 middle = (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
@@ -275,6 +277,7 @@ bool ConstrainedRemesher::collapse_guarded(HH h) {
 }
 
 int ConstrainedRemesher::collapse_short_edges() {
+  ask_watch();
   int count = 0;
   std::vector<std::pair<double, int>> queue;
   for (const auto e : mesh_.edges()) {
@@ -334,6 +337,7 @@ bool ConstrainedRemesher::flip_guarded(EH e) {
 }
 
 void ConstrainedRemesher::flip_to_delaunay() {
+  ask_watch();
   std::vector<EH> queue;
   for (const auto e : mesh_.edges())
     if (!mesh_.is_boundary(e)) queue.push_back(e);
@@ -357,6 +361,7 @@ void ConstrainedRemesher::flip_to_delaunay() {
 }
 
 void ConstrainedRemesher::smooth_tangentially() {
+  ask_watch();
   for (const auto v : mesh_.vertices()) {
     if (is_locked(v)) continue;
     Vec3 centroid = Vec3::Zero(), normal = Vec3::Zero();
@@ -424,6 +429,7 @@ void ConstrainedRemesher::relax_around(const std::vector<EH>& edges, int rings) 
 }
 
 void ConstrainedRemesher::untangle() {
+  ask_watch();
   std::vector<EH> bad = edges_beyond(guard_cosine);
   for (int ring = 1; ring <= 4 && !bad.empty(); ++ring) {
     for (EH e : bad) flip_guarded(e);

@@ -25,6 +25,11 @@ class ConstrainedRemesher {
   ConstrainedRemesher(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
                       TargetSize target_size);
 
+  /// Is asked with the number of vertices before each operation, and while edges are split; may throw to end it, after
+  /// which the mesh is of no use.
+  using Watch = std::function<void(std::size_t vertices)>;
+  void set_watch(Watch watch) { watch_ = std::move(watch); }
+
   void scale_sizes(double factor);
   /// Numbers vertices and triangles anew, so that those near each other in space are near each other in memory: after many
   /// splits everything else takes twice the time. Locked vertices keep their numbers.
@@ -74,8 +79,13 @@ class ConstrainedRemesher {
   void relax_around(const std::vector<EH>& edges, int rings);
   std::vector<EH> edges_beyond(double cosine) const;
 
+  void ask_watch() const {
+    if (watch_) watch_(mesh_.n_vertices());
+  }
+
   TriMesh mesh_;
   int locked_;
+  Watch watch_;
   std::vector<Vec3> rim_normal_;  ///< by edge; zero where the edge is not on the rim or nothing lies across
   TargetSize target_size_;
   double coarser_ = 1;        ///< factor on all target sizes

@@ -59,6 +59,33 @@ TEST_F(AddressSpace, AFillWorksOrSaysWhatIsMissing) {
   }
 }
 
+using Bounds = test::ProgramTest;
+
+TEST_F(Bounds, LoopsThatAreNotFinishedInTimeAreLeftAndSaid) {
+  write_mesh(work / "scan.ply", cut(make_icosphere(3), [](const Vec3& p) { return std::abs(p.z()) > 0.9; }));
+  const test::Outcome none =
+      test::loopmend_program("fill " + path("scan.ply") + "-o " + path("out.ply") + "--max-time 1e-6 --report -");
+  EXPECT_EQ(none.code, 1) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("not finished in the time that --max-time allows"));
+  EXPECT_THAT(none.out, HasSubstr("\"stopped\": true"));
+  EXPECT_EQ(text_of(work / "out.ply"), text_of(work / "scan.ply"));
+  const test::Outcome all =
+      test::loopmend_program("fill " + path("scan.ply") + "-o " + path("out.ply") + "--max-time 10000 --report -");
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.out, HasSubstr("\"stopped\": false"));
+}
+
+TEST_F(Bounds, LoopsThatNeedTooMuchMemoryAreLeftAndSaid) {
+  write_mesh(work / "scan.ply", cut(make_icosphere(3), [](const Vec3& p) { return std::abs(p.z()) > 0.9; }));
+  const test::Outcome none =
+      test::loopmend_program("fill " + path("scan.ply") + "-o " + path("out.ply") + "--max-memory 1");
+  EXPECT_EQ(none.code, 1) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("MB are allowed: left open"));
+  EXPECT_EQ(text_of(work / "out.ply"), text_of(work / "scan.ply"));
+  for (const char* wrong : {"--max-memory 0", "--max-memory nan", "--max-time 0", "--max-time -1"})
+    EXPECT_EQ(test::loopmend_program("fill " + path("scan.ply") + "-o " + path("out.ply") + wrong).code, 2) << wrong;
+}
+
 TEST_F(AddressSpace, OtherCommandsThatSolveEndToo) {
   if (std::string(LOOPMEND_SANITIZERS) != "") GTEST_SKIP() << "sanitizers need terabytes of address space";
   write_mesh(work / "scan.ply", make_icosphere(3));

@@ -56,6 +56,40 @@ TEST(GroupLoops, NeighboursBelongTogether) {
   EXPECT_EQ(largest, 2u);
 }
 
+TEST(FillLoops, WhatNeedsTooMuchMemoryIsLeftWithItsReasonAndTheRestIsFilled) {
+  // A wide hole and a narrow one, far apart: some 2500 and 20 new vertices.
+  SurfaceModel model = make_surface_model(trim_rims(
+      cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.5 || (p - Vec3(0, 0, -1)).norm() < 0.1; })));
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(loops.size(), 2u);
+  FillOptions options;
+  options.most_memory_mb = 5;
+  const std::vector<HoleResult> results = fill_holes(model, loops, options, nullptr, {});
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].status, PatchStatus::failed);
+  EXPECT_NE(results[0].message.find("5 MB are allowed"), std::string::npos) << results[0].message;
+  EXPECT_TRUE(is_filled(results[1].status)) << results[1].message;
+}
+
+TEST(FillLoops, ABoundOfMemoryThatSufficesChangesNothing) {
+  SurfaceModel bounded = holey_sphere(), free = holey_sphere();
+  FillOptions options;
+  options.most_memory_mb = 40;  // less than two of the holes at once would take by the estimate, so that some wait
+  fill_holes(bounded, holes_of(bounded), options, nullptr, {});
+  fill_holes(free, holes_of(free), {}, nullptr, {});
+  ASSERT_EQ(bounded.soup.points.size(), free.soup.points.size());
+  EXPECT_GT(free.soup.points.size(), holey_sphere().soup.points.size());
+  EXPECT_EQ(bounded.soup.points, free.soup.points);
+  EXPECT_EQ(bounded.soup.triangles, free.soup.triangles);
+}
+
+TEST(FillLoops, NoMemoryAtAllIsRefused) {
+  SurfaceModel model = holey_sphere();
+  FillOptions options;
+  options.most_memory_mb = 0;
+  EXPECT_THROW(fill_holes(model, holes_of(model), options, nullptr, {}), InvalidArgument);
+}
+
 TEST(FillLoops, FillsEveryHoleAndLeavesTheRest) {
   const SurfaceModel before = holey_sphere();
   SurfaceModel model = before;
