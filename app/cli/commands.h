@@ -28,10 +28,16 @@ class LimitError : public Error {
   using Error::Error;
 };
 
+/// What is said of the loops of a mesh with very many: counts and the largest, or each.
+enum class Detail { summary, all };
+inline constexpr std::size_t most_loops_in_full = 50;  ///< of more there is a summary
+inline constexpr std::size_t largest_loops = 10;       ///< in a summary
+
 struct InfoCommand {
   std::filesystem::path input;
   std::string json;  ///< file or "-"; empty: a table for people
   CoincidentVertices coincident = CoincidentVertices::keep;
+  Detail detail = Detail::summary;
 };
 
 struct FillCommand {
@@ -54,6 +60,7 @@ struct FillCommand {
   enum class WhenStopped { discard, keep_finished } when_stopped = WhenStopped::discard;  ///< by a signal
   WriteScanOptions write;
   Verbosity verbosity = Verbosity::normal;
+  Detail detail = Detail::summary;
   std::string command_line;  ///< as typed, for the report
 };
 

@@ -44,12 +44,30 @@ std::string before_and_after(double before, double after) {
   return text;
 }
 
+/// The text with … for each number: reasons that differ by a figure are one.
+std::string without_numbers(const std::string& text) {
+  std::string plain;
+  bool in_number = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    const bool number =
+        is_digit(k) || (in_number && (text[k] == '.' || text[k] == 'e' || text[k] == '-') && is_digit(k + 1));
+    if (!number) plain += text[k];
+    if (number && !in_number) plain += "…";
+    in_number = number;
+  }
+  return plain;
+}
+
 /// Why flows were not run as asked, each reason once with its loops.
-void print_reasons(std::FILE* out, const std::vector<HoleResult>& results) {
+void print_reasons(std::FILE* out, const std::vector<HoleResult>& results, Detail detail) {
   constexpr std::size_t most_numbers = 12;
   std::map<std::string, std::vector<int>> loops_of;
-  for (const HoleResult& r : results)
-    if (!r.reason().empty()) loops_of[r.method() + ": " + r.reason()].push_back(r.loop.number);
+  for (const HoleResult& r : results) {
+    if (r.reason().empty()) continue;
+    const std::string reason = r.method() + ": " + r.reason();
+    loops_of[detail == Detail::all ? reason : without_numbers(reason)].push_back(r.loop.number);
+  }
   for (const auto& [reason, numbers] : loops_of) {
     std::string list;
     for (std::size_t k = 0; k < std::min(numbers.size(), most_numbers); ++k)
@@ -199,25 +217,23 @@ void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<B
   std::fprintf(out, "\n");
 }
 
-/// Loops that were left, many at a time: how many there are for each reason.
-void print_left(std::FILE* out, const std::vector<HoleResult>& results) {
-  std::map<std::string, int> count;
-  for (const HoleResult& result : results)
-    if (result.status == PatchStatus::skipped) ++count[result.message];
-  for (const auto& [message, loops] : count)
-    std::fprintf(out, "%s skipped: %s\n", counted(loops, "loop", "loops").c_str(), message.c_str());
+/// What became of very many loops: how many there are for each outcome, and each thing that is said of them.
+void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
+  std::map<std::pair<std::string, std::string>, int> count;
+  for (const HoleResult& result : results) ++count[{to_string(result.status), without_numbers(result.message)}];
+  for (const auto& [what, loops] : count)
+    std::fprintf(out, "%s %s%s%s\n", counted(loops, "loop", "loops").c_str(), what.first.c_str(),
+                 what.second.empty() ? "" : ": ", what.second.c_str());
 }
 
-/// One line for each loop that is worth a line: all when there are few, else only those that went wrong.
+/// One line for each loop when there are few, else for the largest.
 void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const Outcome& outcome,
                    const FillCommand& command, double seconds) {
-  const bool all = results.size() <= 40;
-  bool first = true;
-  for (const HoleResult& r : results) {
-    if (!all && (r.status == PatchStatus::skipped || (is_filled(r.status) && r.message.empty()))) continue;
-    if (std::exchange(first, false))
-      std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
-                   "method", "angle at seam, deg", "jump of H x diameter");
+  const bool all = command.detail == Detail::all || results.size() <= most_loops_in_full;
+  std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
+               "method", "angle at seam, deg", "jump of H x diameter");
+  for (std::size_t k = 0; k < (all ? results.size() : largest_loops); ++k) {
+    const HoleResult& r = results[k];
     std::fprintf(out, "%5d  %6d  %6d  %5d  %-10s", r.loop.number, r.loop.edges(), r.free_vertices, r.steps(),
                  to_string(r.status));
     if (is_filled(r.status))
@@ -227,8 +243,12 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
                        .c_str());
     std::fprintf(out, "%s%s\n", r.message.empty() ? "" : "  ", r.message.c_str());
   }
-  if (!all) print_left(out, results);
-  print_reasons(out, results);
+  if (!all) {
+    std::fprintf(out, "... and %zu smaller ones (all of them with --verbose or --report). In all:\n",
+                 results.size() - largest_loops);
+    print_counts(out, results);
+  }
+  print_reasons(out, results, all ? Detail::all : Detail::summary);
   std::fprintf(out, "%d filled, ", outcome.filled);
   if (outcome.doubtful > 0) std::fprintf(out, "%d of them doubtful, ", outcome.doubtful);
   std::fprintf(out, "%d failed, %d left as asked", outcome.failed, outcome.left);

@@ -23,23 +23,25 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
   command.add_option("--solver", words.solver, "Linear solver of the steps")
       ->check(CLI::IsMember({"auto", "direct", "gmres"}))
       ->capture_default_str();
-  command
-      .add_option(
-          "--boundary", words.boundary,
-          "Curvature around the hole, for mmcvf: auto, that of the smooth surface under relief and noise; exact, "
-          "as it is (the flow itself); robust, hardly (robust fairing in place of the flow)")
-      ->check(CLI::IsMember({"auto", "exact", "robust"}))
-      ->capture_default_str();
+  CLI::Option* boundary =
+      command
+          .add_option(
+              "--boundary", words.boundary,
+              "Curvature around the hole, for mmcvf: auto, that of the smooth surface under relief and noise; exact, "
+              "as it is (the flow itself); robust, hardly (robust fairing in place of the flow)")
+          ->check(CLI::IsMember({"auto", "exact", "robust"}))
+          ->capture_default_str();
   command
       .add_option("--rim", words.boundary)  // the name of earlier versions, which said smooth for robust
       ->check(CLI::IsMember({"auto", "exact", "smooth"}))
       ->group("");
-  command
-      .add_option(
-          "--continuity", words.continuity,
-          "What runs through the seam, for mmcvf; position and tangent are linear fairings in place of the flow")
-      ->check(CLI::IsMember({"position", "tangent", "curvature"}))
-      ->capture_default_str();
+  CLI::Option* continuity =
+      command
+          .add_option(
+              "--continuity", words.continuity,
+              "What runs through the seam, for mmcvf; position and tangent are linear fairings in place of the flow")
+          ->check(CLI::IsMember({"position", "tangent", "curvature"}))
+          ->capture_default_str();
   if (density == DensityOption::offer)
     command.add_option("--density", words.density, "Vertices along a length, relative to the mesh around")
         ->check(between(0.1, 10))
@@ -48,6 +50,13 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
       ->type_name("FILE|-");
   command.add_flag("--ascii", words.ascii, "Write PLY or STL as text");
   command.add_flag("--quiet", words.quiet, "No progress and no summary");
+  command.parse_complete_callback([&words, boundary, continuity] {
+    if (words.flow == "mmcvf" && words.mode == "steady") return;
+    for (const CLI::Option* option : {boundary, continuity})
+      if (option->count() > 0)
+        throw CLI::ValidationError(option->get_name(), "has no effect with --flow " + words.flow + " --mode " +
+                                                           words.mode + ": it is for mmcvf with --mode steady");
+  });
 }
 
 EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow) {

@@ -7,28 +7,35 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
 
 namespace loopmend {
 
 namespace {
 
-void print_count(std::size_t count, const char* words) {
-  if (count > 0) std::printf("  %zu %s\n", count, words);
+void print_count(std::size_t count, const char* one, const char* many) {
+  if (count > 0) std::printf("  %s\n", counted(count, one, many).c_str());
 }
 
 void print_import(const ImportReport& import, const ModelRepairs& repairs) {
-  print_count(import.polygons_triangulated, "polygons were triangulated");
-  print_count(import.vertices_welded, "vertices were welded");
-  print_count(import.unreferenced_vertices, "vertices belong to no face; they are kept");
-  print_count(import.coincident_vertices, "vertices lie exactly on another; they are kept apart");
-  print_count(import.degenerate_faces, "faces have no area; they are kept");
-  print_count(import.duplicate_faces, "faces are there twice; they are kept");
-  for (const NotKept& oddity : import.oddities) print_count(oddity.count, oddity.what.c_str());
-  print_count(import.missing_colors, "vertices have no colour in a file with colours; they are white");
-  print_count(repairs.non_manifold_edges, "edges have more than two faces");
-  print_count(repairs.non_manifold_vertices, "vertices join several fans of faces");
-  print_count(repairs.reoriented_faces, "faces were turned round to agree with their neighbours");
+  print_count(import.polygons_triangulated, "polygon was triangulated", "polygons were triangulated");
+  print_count(import.vertices_welded, "vertex was welded", "vertices were welded");
+  print_count(import.unreferenced_vertices, "vertex belongs to no face; it is kept",
+              "vertices belong to no face; they are kept");
+  print_count(import.coincident_vertices, "vertex lies exactly on another; it is kept apart",
+              "vertices lie exactly on another; they are kept apart");
+  print_count(import.degenerate_faces, "face has no area; it is kept", "faces have no area; they are kept");
+  print_count(import.duplicate_faces, "face is there twice; it is kept", "faces are there twice; they are kept");
+  for (const NotKept& oddity : import.oddities) print_count(oddity.count, oddity.what.c_str(), oddity.what.c_str());
+  print_count(import.missing_colors, "vertex has no colour in a file with colours; it is white",
+              "vertices have no colour in a file with colours; they are white");
+  print_count(repairs.non_manifold_edges, "edge has more than two faces", "edges have more than two faces");
+  print_count(repairs.non_manifold_vertices, "vertex joins several fans of faces",
+              "vertices join several fans of faces");
+  print_count(repairs.reoriented_faces, "face was turned round to agree with its neighbours",
+              "faces were turned round to agree with their neighbours");
 }
 
 /// What no output will hold, and what only some formats have room for.
@@ -49,8 +56,23 @@ void print_not_kept(const OpenedModel& opened) {
     std::printf("  binary STL would move vertices by up to %.3g\n", rounding);
 }
 
-void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  constexpr std::size_t most_rows = 60;
+/// How many loops there are of each kind.
+void print_kinds(const std::vector<BoundaryLoop>& loops) {
+  std::string words;
+  for (const LoopKind kind : {LoopKind::hole, LoopKind::outer_rim, LoopKind::crack, LoopKind::cut}) {
+    const auto count =
+        std::count_if(loops.begin(), loops.end(), [kind](const auto& loop) { return loop.kind == kind; });
+    if (count == 0) continue;
+    words += (words.empty() ? "" : ", ") + std::to_string(count) + " " + to_string(kind);
+    if (count > 1) words += "s";
+  }
+  std::printf("  %s\n", words.c_str());
+}
+
+void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, Detail detail) {
+  const bool all = detail == Detail::all || loops.size() <= most_loops_in_full;
+  const std::size_t most_rows = all ? loops.size() : largest_loops;
+  if (!all) print_kinds(loops);
   std::printf("\n%6s  %-9s  %6s  %12s  %12s  %9s  %9s\n", "number", "kind", "edges", "perimeter", "diameter",
               "planarity", "vertex");
   for (std::size_t k = 0; k < loops.size() && k < most_rows; ++k)
@@ -58,7 +80,7 @@ void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
                 loops[k].edges(), loops[k].perimeter, loops[k].diameter, loops[k].planarity,
                 model.soup_vertex[static_cast<std::size_t>(loops[k].vertices.front())]);
   if (loops.size() > most_rows)
-    std::printf("... and %zu smaller ones (all of them with --json)\n", loops.size() - most_rows);
+    std::printf("... and %zu smaller ones (all of them with --verbose or --json)\n", loops.size() - most_rows);
 }
 
 }  // namespace
@@ -92,7 +114,7 @@ int run_info(const InfoCommand& command) {
   }
   std::printf("%zu boundary %s\n", loops.size(), loops.size() == 1 ? "loop" : "loops");
   print_coincident(stdout, opened.import, loops);
-  print_loops(model, loops);
+  print_loops(model, loops, command.detail);
   return exit_done;
 }
 

@@ -55,11 +55,18 @@ void add_weld(CLI::App& command, CoincidentVertices& coincident) {
       "Join vertices at exactly the same place first, such as along the seams of a texture");
 }
 
+void add_verbose(CLI::App& command, Detail& detail) {
+  command.add_flag_callback(
+      "--verbose", [&detail] { detail = Detail::all; },
+      "Print every loop; of more than 50 only counts and the largest are printed");
+}
+
 void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
   info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
   add_weld(*info, command.coincident);
   info->add_option("--json", command.json, "Write JSON to FILE, or to standard output for -")->type_name("FILE|-");
+  add_verbose(*info, command.detail);
   info->footer("Example:\n  loopmend info scan.ply\n  loopmend info scan.ply --json -");
 }
 
@@ -75,6 +82,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
   fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   add_weld(*fill, command.coincident);
+  add_verbose(*fill, command.detail);
   fill->add_option("--loops", command.loops, "Loops by the numbers that 'info' prints, or 'all'")
       ->type_name("all|1,3,...")
       ->capture_default_str();

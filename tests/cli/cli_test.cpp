@@ -4,6 +4,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/join_parts.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gmock/gmock.h>
@@ -183,6 +184,58 @@ TEST_F(Cli, FailedLoopsGiveExitOneAndTheRestIsWritten) {
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.out, HasSubstr("boundary of a single triangle"));
   EXPECT_EQ(find_boundary_loops(make_surface_model(read_mesh(out).soup)).size(), 1u);
+}
+
+/// Spheres without a cap, side by side.
+TriangleSoup many_spheres(int count) {
+  std::vector<TriangleSoup> parts;
+  for (int k = 0; k < count; ++k) {
+    TriangleSoup part = cut(make_icosphere(1), [](const Vec3& p) { return p.z() > 0.8; });
+    for (Vec3& p : part.points) p = p * (1 + 0.01 * k) + Vec3(5 * k, 0, 0);
+    parts.push_back(part);
+  }
+  return joined(parts);
+}
+
+int lines_of(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+
+TEST_F(Cli, ManyLoopsAreSummedUpUnlessAskedFor) {
+  const std::filesystem::path scan = work / "many.ply";
+  const std::string words = "'" + scan.string() + "' ";
+  const std::string to = "-o '" + out.string() + "' --flow none ";
+  write_mesh(scan, many_spheres(50));
+  EXPECT_GE(lines_of(loopmend_program("info " + words).out), 50);
+  EXPECT_GE(lines_of(loopmend_program("fill " + words + to).out), 50);
+  write_mesh(scan, many_spheres(51));
+  const Outcome info = loopmend_program("info " + words);
+  EXPECT_LT(lines_of(info.out), 25);
+  EXPECT_THAT(info.out, HasSubstr("  51 holes\n"));
+  EXPECT_THAT(info.out, HasSubstr("... and 41 smaller ones"));
+  EXPECT_GE(lines_of(loopmend_program("info --verbose " + words).out), 51);
+  const Outcome fill = loopmend_program("fill " + words + to + "--max-edges 4");
+  EXPECT_LT(lines_of(fill.out), 25);
+  EXPECT_THAT(fill.out, HasSubstr("51 loops skipped: has more than … edges (--max-edges)\n"));
+  EXPECT_GE(lines_of(loopmend_program("fill --verbose " + words + to).out), 51);
+}
+
+TEST_F(Cli, OneOfSomethingIsSaidInTheSingular) {
+  TriangleSoup soup = make_icosphere(0);
+  soup.points.push_back(Vec3(0, 0, 9));
+  soup.triangles.push_back({soup.triangles[0][0], soup.triangles[0][1], static_cast<int>(soup.points.size()) - 1});
+  write_mesh(work / "fin.ply", soup);
+  EXPECT_THAT(loopmend_program("info '" + (work / "fin.ply").string() + "'").out,
+              HasSubstr("  1 edge has more than two faces\n"));
+}
+
+TEST_F(Cli, OptionsWithoutEffectAreRefused) {
+  const std::string fill = "fill '" + holes.string() + "' -o '" + out.string() + "' ";
+  for (const char* words : {"--flow wf --boundary exact", "--flow none --continuity tangent",
+                            "--mode steps --boundary auto", "--continuity position --flow mcf"}) {
+    const Outcome run = loopmend_program(fill + words);
+    EXPECT_EQ(run.code, 2) << words;
+    EXPECT_THAT(run.err, HasSubstr("has no effect with --flow")) << words;
+  }
+  EXPECT_EQ(loopmend_program(fill + "--boundary exact --continuity tangent").code, 0);
 }
 
 TEST_F(Cli, WrongUsageIsTwo) {

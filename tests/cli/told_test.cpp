@@ -107,7 +107,7 @@ TEST_F(Told, InfoWarnsOfStlOnlyFarFromTheOrigin) {
 
 TEST_F(Told, ColoursThatAreMissing) {
   std::ofstream(work / "in.obj") << "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 0 1 0\nf 1 2 3\n";
-  EXPECT_THAT(loopmend_program("info " + path("in.obj")).out, HasSubstr("1 vertices have no colour"));
+  EXPECT_THAT(loopmend_program("info " + path("in.obj")).out, HasSubstr("1 vertex has no colour"));
   const json report = json::parse(loopmend_program("info " + path("in.obj") + "--json -").out);
   EXPECT_EQ(report["input"]["import"]["missing_colors"], 1);
   EXPECT_EQ(report["input"]["import"]["skipped_elements"], 0);
