@@ -1878,10 +1878,6 @@
             <translation>Bänder gleicher Helligkeit: sie bleiben beim Näherkommen und knicken, wo Tangenten springen.</translation>
         </message>
         <message>
-            <source>How surfaces are shown (keys 1 to 5)</source>
-            <translation>Wie Flächen gezeigt werden (Tasten 1 bis 5)</translation>
-        </message>
-        <message>
             <source>Stripes</source>
             <translation>Streifen</translation>
         </message>
@@ -1952,6 +1948,18 @@
         <message>
             <source>Draw the boundaries of holes and the seams of patches (M)</source>
             <translation>Ränder der Löcher und Nähte der Flicken zeichnen (M)</translation>
+        </message>
+        <message>
+            <source>The scan's own colours or texture. Patches continue the colours smoothly; the grain of a texture is painted on export.</source>
+            <translation>Die eigenen Farben oder die Textur des Scans. Flicken setzen die Farben glatt fort; das Korn einer Textur wird beim Exportieren gemalt.</translation>
+        </message>
+        <message>
+            <source>How surfaces are shown (keys 1 to 6)</source>
+            <translation>Wie Flächen gezeigt werden (Tasten 1 bis 6)</translation>
+        </message>
+        <message>
+            <source>Scan colours</source>
+            <translation>Farben des Scans</translation>
         </message>
     </context>
     <context>
@@ -3349,6 +3357,18 @@
         <message>
             <source>Smooth, every step shown for a moment</source>
             <translation>Glätten, jeder Schritt einen Augenblick lang gezeigt</translation>
+        </message>
+        <message>
+            <source>&amp;Scan colours</source>
+            <translation>Farben des &amp;Scans</translation>
+        </message>
+        <message>
+            <source>The scan's own colours or texture</source>
+            <translation>Die eigenen Farben oder die Textur des Scans</translation>
+        </message>
+        <message>
+            <source>Colours</source>
+            <translation>Farben</translation>
         </message>
     </context>
     <context>
