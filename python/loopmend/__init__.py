@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Closes holes in scanned meshes with patches whose curvature runs through the seam.
+
+    import loopmend
+    mesh = loopmend.read("scan.ply")
+    result = loopmend.fill(mesh.vertices, mesh.faces)
+    loopmend.write("filled.ply", result.vertices, result.faces)
+
+Meshes are NumPy arrays: vertices of the shape (n, 3) in any unit of length, faces of the shape (m, 3) with vertex numbers
+from 0, counter-clockwise seen from outside. The functions call the engine of the command line `loopmend`; the same options
+give the same bits.
+
+What cannot be used raises `loopmend.Error`, or one of its subclasses, with one line that says what, where, and what to do.
+What becomes of a hole is a value in the result, never an exception. Nothing is printed. Work runs without the GIL; Ctrl-C
+raises KeyboardInterrupt at the engine's next look, mostly within a tenth of a second.
+"""
+from loopmend._api import boundary_loops, curvatures, fill, read, sample, write
+from loopmend._core import Error, InvalidArgument, ReadError, WriteError, __version__
+from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, Seam
+
+__all__ = [
+    "BoundaryLoop", "Curvatures", "Error", "FillResult", "HoleResult", "InvalidArgument", "Mesh", "ReadError", "Seam",
+    "WriteError", "__version__", "boundary_loops", "curvatures", "fill", "read", "sample", "write",
+]

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The functions of loopmend."""
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from loopmend import _core
+from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, Seam
+
+Path = Union[str, "os.PathLike[str]"]
+OnProgress = Callable[[int, int, int], Any]
+
+
+def _loop(figures: Dict[str, Any]) -> Dict[str, Any]:
+    figures["center"] = np.array(figures["center"])
+    return figures
+
+
+def _seam(figures: Optional[Dict[str, float]]) -> Optional[Seam]:
+    return None if figures is None else Seam(**figures)
+
+
+def _hole(figures: Dict[str, Any]) -> HoleResult:
+    for name in ("seam_before", "seam_after"):
+        figures[name] = _seam(figures[name])
+    return HoleResult(**_loop(figures))
+
+
+def _numbers(numbers: Union[None, int, Iterable[int]]) -> Optional[List[int]]:
+    if numbers is None:
+        return None
+    return [int(n) for n in np.atleast_1d(np.asarray(numbers))]
+
+
+def _arrays(vertices: ArrayLike, faces: ArrayLike) -> Tuple[np.ndarray, np.ndarray]:
+    return np.asarray(vertices), np.asarray(faces)
+
+
+def fill(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    *,
+    loops: Union[None, int, Sequence[int]] = None,
+    at_vertices: Union[None, int, Sequence[int]] = None,
+    max_edges: Optional[int] = None,
+    max_diameter: Optional[float] = None,
+    include_outer_rim: bool = False,
+    islands: str = "join",
+    flow: str = "mmcvf",
+    boundary: str = "auto",
+    continuity: str = "curvature",
+    density: float = 1.0,
+    mode: str = "steady",
+    steps: Optional[int] = None,
+    sigma: float = 10.0,
+    solver: str = "auto",
+    stitch: bool = False,
+    repair: bool = False,
+    bridges: Sequence[Tuple[int, int]] = (),
+    trim_boundary: int = 0,
+    threads: int = 0,
+    colors: Optional[ArrayLike] = None,
+    progress: Optional[OnProgress] = None,
+) -> FillResult:
+    """Fills the holes of a mesh with smooth patches.
+
+    Every hole is filled unless loops or vertices are named; the outer rim of an open sheet is left. The options are those of
+    `loopmend fill`, and give the same bits. The result does not depend on the number of threads.
+
+    Parameters:
+        vertices: (n, 3), real numbers, in any unit of length.
+        faces: (m, 3), whole numbers from 0 to n − 1, counter-clockwise seen from outside.
+        loops: numbers of the loops to fill, as boundary_loops() gives them; None: all holes.
+        at_vertices: vertex numbers; the loops through them are filled, beside those that `loops` names.
+        max_edges: leaves loops with more edges, 1 or more.
+        max_diameter: leaves wider loops; a length greater than 0.
+        include_outer_rim: fills the outer rims of open sheets as well.
+        islands: "join" joins pieces of surface within a hole to its patch, "cover" covers them with it.
+        flow: what makes the patch smooth: "mmcvf" (minimal variation of mean curvature), "wf" (Willmore flow), "sdf"
+            (surface diffusion), "mcf" (mean curvature flow), or "none", which leaves the initial patch.
+        boundary: curvature around the hole, for "mmcvf": "auto" that of the smooth surface under relief and noise, "exact"
+            as it is, "robust" hardly.
+        continuity: what runs through the seam, for "mmcvf": "position", "tangent" or "curvature".
+        density: vertices along a length, relative to the mesh around; 0.1 to 10.
+        mode: "steady" goes straight to the steady state, "steps" takes the flow's own steps.
+        steps: at most so many, 1 or more; None: 60.
+        sigma: size of a step in the mode "steps", no unit; 1e-6 to 1e8.
+        solver: of the steps: "auto", "direct" or "gmres".
+        stitch: joins boundaries that lie within a tenth of their edges of each other first.
+        repair: makes an oriented manifold of the mesh first.
+        bridges: pairs of boundary vertices between which a strip is laid first, to part a complex hole.
+        trim_boundary: removes up to so many rings of bad boundary faces first; 0 to 100.
+        threads: holes worked on at once, 0 to 1024; 0: one for each core.
+        colors: (n, 4) uint8, red, green, blue, alpha of each vertex: they run on over the patches.
+        progress: called as progress(loops done, loops in all, number of the loop just worked on) on the calling thread. What
+            it raises stops the work and is raised by this function.
+
+    Returns:
+        FillResult. What became of a hole stands there: a hole that cannot be filled raises nothing.
+
+    Raises:
+        InvalidArgument: an argument is of another shape, out of its range or names no such loop or vertex; no face can be
+            used.
+        KeyboardInterrupt: Ctrl-C. Of work given up nothing is left behind.
+        MemoryError: there is not enough memory.
+
+    Example:
+        >>> import loopmend
+        >>> scan = loopmend.sample()
+        >>> result = loopmend.fill(scan.vertices, scan.faces, loops=[6])
+        >>> [hole.status for hole in result.holes]
+        ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'converged']
+    """
+    options = {
+        "loops": _numbers(loops), "at_vertices": _numbers(at_vertices), "max_edges": max_edges,
+        "max_diameter": max_diameter, "include_outer_rim": include_outer_rim, "islands": islands, "flow": flow,
+        "boundary": boundary, "continuity": continuity, "density": density, "mode": mode, "steps": steps, "sigma": sigma,
+        "solver": solver, "stitch": stitch, "repair": repair, "bridges": [(int(a), int(b)) for a, b in bridges],
+        "trim_boundary": trim_boundary, "threads": threads,
+    }
+    result = _core.fill(*_arrays(vertices, faces), colors, options, progress)
+    result["holes"] = tuple(_hole(hole) for hole in result["holes"])
+    result["trimmed_faces"] = tuple(result["trimmed_faces"])
+    return FillResult(**result)
+
+
+def boundary_loops(vertices: ArrayLike, faces: ArrayLike) -> List[BoundaryLoop]:
+    """The boundary loops of a mesh, by falling perimeter. A closed mesh has none.
+
+    Parameters:
+        vertices: (n, 3), real numbers.
+        faces: (m, 3), whole numbers from 0 to n − 1.
+
+    Raises:
+        InvalidArgument: an array is of another shape, or no face can be used.
+
+    Example:
+        >>> import loopmend
+        >>> scan = loopmend.sample()
+        >>> [(loop.number, loop.kind, loop.edges) for loop in loopmend.boundary_loops(scan.vertices, scan.faces)][:2]
+        [(1, 'outer rim', 409), (2, 'hole', 81)]
+    """
+    return [BoundaryLoop(**_loop(figures)) for figures in _core.boundary_loops(*_arrays(vertices, faces))]
+
+
+def curvatures(vertices: ArrayLike, faces: ArrayLike) -> Curvatures:
+    """Mean and Gaussian curvature and the normal at each vertex, from local fits.
+
+    Parameters:
+        vertices: (n, 3), real numbers.
+        faces: (m, 3), whole numbers from 0 to n − 1. Those that disagree with their neighbours are taken as turned round.
+
+    Returns:
+        Curvatures: H (n,) in 1/length, K (n,) in 1/length², normals (n, 3). NaN where no fit is possible and at vertices
+        without a face.
+
+    Raises:
+        InvalidArgument: an array is of another shape, or no face can be used.
+    """
+    return Curvatures(**_core.curvatures(*_arrays(vertices, faces)))
+
+
+def read(path: Path, *, weld: bool = False) -> Mesh:
+    """Reads a mesh: PLY, STL, OBJ or OFF, also compressed with gzip. All of a file, or an error.
+
+    Parameters:
+        path: of the file.
+        weld: joins vertices at exactly the same place, such as along the seams of a texture. STL is always welded.
+
+    Raises:
+        ReadError: the file is missing, no mesh, malformed or damaged.
+    """
+    return Mesh(**_core.read(os.fspath(path), weld))
+
+
+def write(path: Path, vertices: ArrayLike, faces: ArrayLike, *, colors: Optional[ArrayLike] = None,
+          ascii: bool = False) -> None:
+    """Writes a mesh. The format follows the extension: .ply, .stl, .obj or .off, with .gz after it compressed.
+
+    The file appears when it is complete; what stood there before stays until then. PLY holds float64, OBJ and OFF text with
+    17 digits; binary STL rounds to float32.
+
+    Parameters:
+        path: of the file; its folder must exist.
+        vertices: (n, 3), real numbers.
+        faces: (m, 3), whole numbers from 0 to n − 1.
+        colors: (n, 4) uint8, red, green, blue, alpha; STL does not hold them.
+        ascii: writes PLY or STL as text.
+
+    Raises:
+        WriteError: an unknown extension, no such folder, no permission, a full disk.
+        InvalidArgument: an array is of another shape.
+    """
+    _core.write(os.fspath(path), *_arrays(vertices, faces), colors, ascii)
+
+
+def sample() -> Mesh:
+    """The embedded sample: a scan-like relief in millimetres with an outer rim and five holes. The same bits on every call."""
+    return Mesh(**_core.sample())

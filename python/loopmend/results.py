@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the functions of loopmend return. Lengths are in the unit of the mesh."""
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Dict, Optional, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int32]
+Bytes = NDArray[np.uint8]
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A mesh from a file.
+
+    vertices: (n, 3) float64.
+    faces: (m, 3) int32, vertex numbers from 0. Polygons come as triangles.
+    colors: (n, 4) uint8, red, green, blue, alpha; None where the file has none.
+    report: what was in the file, in numbers: format, vertices, faces, triangles, polygons_triangulated, vertices_welded,
+        unreferenced_vertices, coincident_vertices, degenerate_faces, duplicate_faces.
+    """
+
+    vertices: Floats
+    faces: Ints
+    colors: Optional[Bytes] = None
+    report: Dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False)
+class BoundaryLoop:
+    """A closed chain of edges that have a face on one side only.
+
+    number: from 1, by falling perimeter; `fill(loops=...)` takes it.
+    kind: "hole", "outer rim", "crack" or "cut".
+    edges: how many.
+    perimeter, diameter: length; the diameter is the largest distance of two vertices.
+    planarity: rms distance from the best plane, divided by the diameter; 0 is flat.
+    area: of the projection to the best plane, length².
+    center: (3,) float64, mean of the vertices.
+    vertices: (edges,) int32, vertex numbers in their order along the loop.
+    """
+
+    number: int
+    kind: str
+    edges: int
+    perimeter: float
+    diameter: float
+    planarity: float
+    area: float
+    center: Floats
+    vertices: Ints
+
+
+@dataclass(frozen=True)
+class Seam:
+    """Do tangent plane and curvature run through the boundary of a hole? One-sided fits, patch against surroundings.
+
+    g1_rms_deg, g1_max_deg: angle between the normals, degrees.
+    h_jump_rms, h_jump_max: jump of the mean curvature, 1/length.
+    h_jump_rms_times_diameter: the same times the diameter of the loop; no unit.
+
+    NaN where there are too few faces on one side to tell.
+    """
+
+    g1_rms_deg: float
+    g1_max_deg: float
+    h_jump_rms: float
+    h_jump_max: float
+    h_jump_rms_times_diameter: float
+
+
+@dataclass(frozen=True, eq=False)
+class HoleResult:
+    """What became of one boundary loop.
+
+    number, kind, edges, perimeter, diameter, planarity, area, center: as in BoundaryLoop.
+    status: "converged", "faired", "filled", "step_limit", "stalled" and "doubtful" have a patch; "failed" and "skipped"
+        have none.
+    is_filled: whether there is a patch.
+    message: what is to be known of it, or why there is none; empty when all is well. Options are named as on the command
+        line: --include-outer-rim is include_outer_rim=True.
+    method: what shaped the patch, such as "mmcvf"; empty where there is none.
+    reason: why that was not the flow that was asked for, and how to get it; empty if it was.
+    steps: accepted steps.
+    energy_before, energy_after: of the flow, at the initial patch and at the end; MMCVF 1/length², WF none, SDF and MCF
+        length².
+    seam_before, seam_after: of the initial patch and of the final one; None where there is no patch.
+    seconds: time on the wall.
+    new_vertices, new_faces: int32, ascending: what the patch of this hole consists of in the arrays of the result. A hole and
+        the islands joined to it share a patch: each names all of it.
+    """
+
+    number: int
+    kind: str
+    edges: int
+    perimeter: float
+    diameter: float
+    planarity: float
+    area: float
+    center: Floats
+    status: str
+    is_filled: bool
+    message: str
+    method: str
+    reason: str
+    steps: int
+    energy_before: float
+    energy_after: float
+    seam_before: Optional[Seam]
+    seam_after: Optional[Seam]
+    seconds: float
+    new_vertices: Ints
+    new_faces: Ints
+
+
+@dataclass(frozen=True, eq=False)
+class FillResult:
+    """A mesh with its holes filled.
+
+    vertices: (n, 3) float64. Those given come first, bit for bit.
+    faces: (m, 3) int32. Those given come first, in their order; a face that disagreed with its neighbours is turned round.
+    colors: (n, 4) uint8, continued over the patches; None where none were given.
+    holes: one HoleResult for each boundary loop, in the order of their numbers; also those that were left.
+    given_vertices, given_faces: how many stand before the new ones. With stitch, repair, bridges or trim_boundary these
+        are the vertices and faces of the mesh that was prepared so.
+    turned_faces: how many were turned round.
+    prepared: what stitch and repair did, in numbers: {"stitched": {...}, "repaired": {...}}.
+    trimmed_faces: what trim_boundary removed: {"face": number before the trimming, "fault": a word, "ring": the round}.
+    """
+
+    vertices: Floats
+    faces: Ints
+    colors: Optional[Bytes]
+    holes: Tuple[HoleResult, ...]
+    given_vertices: int
+    given_faces: int
+    turned_faces: int
+    prepared: Dict[str, Dict[str, int]]
+    trimmed_faces: Tuple[Dict[str, Any], ...]
+
+    @property
+    def new_vertices(self) -> Ints:
+        """(k,) int32: numbers of all new vertices."""
+        return np.arange(self.given_vertices, len(self.vertices), dtype=np.int32)
+
+    @property
+    def new_faces(self) -> Ints:
+        """(k,) int32: numbers of all new faces."""
+        return np.arange(self.given_faces, len(self.faces), dtype=np.int32)
+
+
+@dataclass(frozen=True, eq=False)
+class Curvatures:
+    """Curvatures and normals at the vertices of a mesh, from local fits; NaN where no fit was possible.
+
+    H: (n,) float64, mean curvature, 1/length; −1/R on a sphere of radius R with outward normals.
+    K: (n,) float64, Gaussian curvature, 1/length².
+    normals: (n, 3) float64, of length 1.
+    """
+
+    H: Floats
+    K: Floats
+    normals: Floats

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One call of loopmend.fill(), without Python: the steps of run_fill() in app/cli/fill_command.cpp, between its files.
+#pragma once
+
+#include "cli/commands.h"
+#include "pipeline/fill_holes.h"
+#include "repair/repair_surface.h"
+#include "repair/stitch_boundaries.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace loopmend {
+
+struct FillJob {
+  TriangleSoup soup;
+  FillCommand command;                       ///< without files: which loops, what to prepare, and the fill's options
+  std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid first
+};
+
+/// Where a hole's part of the patch is in the filled soup; empty where the hole was left open.
+struct NewPart {
+  std::vector<int> vertices;  ///< ascending
+  std::vector<int> faces;     ///< ascending
+};
+
+struct FilledScan {
+  TriangleSoup soup;
+  std::vector<HoleResult> holes;                    ///< one for each loop, in the order of their numbers
+  std::vector<NewPart> parts;                       ///< one for each of `holes`
+  std::size_t given_vertices = 0, given_faces = 0;  ///< of the prepared scan: they come first in `soup`
+  std::size_t turned_faces = 0;                     ///< to agree with their neighbours
+  std::optional<StitchedSurface> stitched;          ///< without its soup
+  std::optional<RepairCounts> repaired;
+  std::vector<BadRimFace> trimmed;  ///< faces of the scan as it was before trimming
+};
+
+/// @throws InvalidArgument, UsageError as the command line. @returns nothing of use when cancelled.
+FilledScan run_fill_job(FillJob job, const OnFillProgress& progress, const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// loopmend._core: what loopmend/*.py wraps. Arrays and words in, arrays and dictionaries out.
+#include "arrays.h"
+#include "fill_job.h"
+#include "interruptible.h"
+#include "problems.h"
+#include "results.h"
+#include "words.h"
+
+#include "analysis/curvature_field.h"
+#include "core/version.h"
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "samples/sample_scan.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <limits>
+
+namespace loopmend {
+
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// None, or a number greater than 0.
+template <class T>
+std::optional<T> limit(const py::dict& options, const char* name) {
+  const auto value = option<std::optional<T>>(options, name);
+  if (value && !(*value > 0))
+    throw InvalidArgument(std::string(name) + " must be greater than 0, not " + std::to_string(*value));
+  return value;
+}
+
+int whole_number(const py::dict& options, const char* name, int most) {
+  const int value = option<int>(options, name);
+  if (value < 0 || value > most)
+    throw InvalidArgument(std::string(name) + " must lie between 0 and " + std::to_string(most) + ", not " +
+                          std::to_string(value));
+  return value;
+}
+
+std::string listed(const std::vector<int>& numbers) {
+  std::string list;
+  for (const int number : numbers) {
+    if (!list.empty()) list += ",";
+    list += std::to_string(number);
+  }
+  return list;
+}
+
+FillCommand fill_command(const py::dict& options) {
+  FillCommand command;
+  static_cast<GroupOptions&>(command.fill) = group_options(options);
+  if (const auto loops = option<std::optional<std::vector<int>>>(options, "loops")) command.loops = listed(*loops);
+  if (const auto at = option<std::optional<std::vector<int>>>(options, "at_vertices"))
+    command.at_vertices = listed(*at);
+  command.max_edges = limit<int>(options, "max_edges");
+  command.max_diameter = limit<double>(options, "max_diameter");
+  if (option<bool>(options, "include_outer_rim")) command.outer_rim = FillCommand::OuterRim::include;
+  if (option<bool>(options, "stitch")) command.stitch = FillCommand::Stitch::yes;
+  if (option<bool>(options, "repair")) command.repair = FillCommand::Repair::yes;
+  command.trim_rounds = whole_number(options, "trim_boundary", 100);
+  command.fill.threads = whole_number(options, "threads", 1024);
+  command.fill.islands = worded<FillOptions::Islands>(
+      options, "islands", {{"join", FillOptions::Islands::join}, {"cover", FillOptions::Islands::cover}});
+  return command;
+}
+
+py::dict fill(const py::array& vertices, const py::array& faces, const py::object& colors, const py::dict& options,
+              const py::object& on_progress) {
+  FillJob job{soup_of(vertices, faces, colors), fill_command(options),
+              option<std::vector<std::pair<int, int>>>(options, "bridges")};
+  FilledScan done;
+  run_interruptibly(
+      [&](const CancelToken& cancel, const PostEvent& post) {
+        const auto tell = [&](const FillProgress& p) {
+          post([p] { return py::make_tuple(p.loops_done, p.loops_total, p.loop_number); });
+        };
+        done = run_fill_job(std::move(job), tell, cancel);
+      },
+      on_progress);
+  return fill_result(std::move(done));
+}
+
+py::list boundary_loops(const py::array& vertices, const py::array& faces) {
+  TriangleSoup soup = soup_of(vertices, faces, py::none());
+  SurfaceModel model;
+  std::vector<BoundaryLoop> loops;
+  run_interruptibly(
+      [&](const CancelToken&, const PostEvent&) {
+        model = make_surface_model(std::move(soup));
+        loops = find_boundary_loops(model);
+      },
+      py::none());
+  py::list result;
+  for (const BoundaryLoop& loop : loops) {
+    std::vector<int> indices;
+    for (const int v : loop.vertices) indices.push_back(model.soup_vertex[static_cast<std::size_t>(v)]);
+    py::dict entry = loop_figures(loop);
+    entry["vertices"] = array_of<int>(std::move(indices));
+    result.append(entry);
+  }
+  return result;
+}
+
+/// One value per vertex of the arrays: that of its first view vertex; NaN where no face uses it.
+py::dict curvatures(const py::array& vertices, const py::array& faces) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  TriangleSoup soup = soup_of(vertices, faces, py::none());
+  const std::size_t count = soup.points.size();
+  std::vector<double> H(count, none), K(count, none);
+  Points normals(count, Vec3::Constant(none));
+  run_interruptibly(
+      [&](const CancelToken&, const PostEvent&) {
+        const SurfaceModel model = make_surface_model(std::move(soup));
+        const CurvatureField field = curvature_field(model.mesh);
+        for (std::size_t v = model.soup_vertex.size(); v-- > 0;) {
+          const auto point = static_cast<std::size_t>(model.soup_vertex[v]);
+          H[point] = field.H[v];
+          K[point] = field.K[v];
+          normals[point] = field.normals[v];
+        }
+      },
+      py::none());
+  return py::dict("H"_a = array_of<double>(std::move(H)), "K"_a = array_of<double>(std::move(K)),
+                  "normals"_a = points_array(std::move(normals)));
+}
+
+py::dict read(const std::filesystem::path& path, bool weld) {
+  ImportedMesh mesh;
+  run_interruptibly(
+      [&](const CancelToken&, const PostEvent&) {
+        mesh = read_mesh(path, weld ? CoincidentVertices::weld : CoincidentVertices::keep);
+      },
+      py::none());
+  const ImportReport& report = mesh.report;
+  py::dict counts("format"_a = report.format, "vertices"_a = report.vertices, "faces"_a = report.faces,
+                  "triangles"_a = report.triangles, "polygons_triangulated"_a = report.polygons_triangulated,
+                  "vertices_welded"_a = report.vertices_welded,
+                  "unreferenced_vertices"_a = report.unreferenced_vertices,
+                  "coincident_vertices"_a = report.coincident_vertices, "degenerate_faces"_a = report.degenerate_faces,
+                  "duplicate_faces"_a = report.duplicate_faces);
+  return py::dict("vertices"_a = points_array(std::move(mesh.soup.points)),
+                  "faces"_a = triangles_array(std::move(mesh.soup.triangles)),
+                  "colors"_a = colors_array(std::move(mesh.soup.colors)), "report"_a = counts);
+}
+
+void write(const std::filesystem::path& path, const py::array& vertices, const py::array& faces,
+           const py::object& colors, bool ascii) {
+  const TriangleSoup soup = soup_of(vertices, faces, colors);
+  const py::gil_scoped_release others_may_run;
+  write_mesh(path, soup, ascii ? Encoding::ascii : Encoding::binary);
+}
+
+py::dict sample() {
+  TriangleSoup soup = make_sample_scan();
+  return py::dict("vertices"_a = points_array(std::move(soup.points)),
+                  "faces"_a = triangles_array(std::move(soup.triangles)));
+}
+
+/// Each error of the engine as an exception of Python with the same words. Those registered last are tried first.
+void register_errors(py::module_& m) {
+  const auto bases = [](const py::object& first, PyObject* second) {
+    return py::make_tuple(first, py::reinterpret_borrow<py::object>(second));
+  };
+  const auto& error = py::register_exception<Error>(m, "Error");
+  const py::tuple file_error = bases(error, PyExc_OSError), value_error = bases(error, PyExc_ValueError);
+  py::register_exception<ReadError>(m, "ReadError", file_error);
+  py::register_exception<WriteError>(m, "WriteError", file_error);
+  const py::object invalid = py::register_exception<InvalidArgument>(m, "InvalidArgument", value_error);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const UsageError& wrong) {
+      const py::object type = py::module_::import("loopmend._core").attr("InvalidArgument");
+      PyErr_SetString(type.ptr(), wrong.what());
+    }
+  });
+  error.attr("__doc__") = "Base of what Loopmend raises. The message says what is wrong, where, and what to do.";
+  m.attr("ReadError").attr("__doc__") = "A file cannot be read: it is missing, no mesh, malformed or damaged.";
+  m.attr("WriteError").attr("__doc__") = "A file cannot be written. What stood there before is untouched.";
+  invalid.attr("__doc__") =
+      "An argument is out of its range, of a wrong shape, or names something that does not exist.";
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "The engine of Loopmend. Use the package loopmend, which documents and types it.";
+  m.attr("__version__") = version();
+  register_errors(m);
+  m.def("fill", &fill, "vertices"_a, "faces"_a, "colors"_a, "options"_a, "progress"_a);
+  m.def("boundary_loops", &boundary_loops, "vertices"_a, "faces"_a);
+  m.def("curvatures", &curvatures, "vertices"_a, "faces"_a);
+  m.def("read", &read, "path"_a, "weld"_a);
+  m.def("write", &write, "path"_a, "vertices"_a, "faces"_a, "colors"_a, "ascii"_a);
+  m.def("sample", &sample);
+  define_problems(m);
+}
+
+}  // namespace loopmend

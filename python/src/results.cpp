@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results.h"
+
+#include "arrays.h"
+
+namespace loopmend {
+
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+py::dict seam_figures(const SeamReport& seam) {
+  return py::dict("g1_rms_deg"_a = seam.g1_rms_deg, "g1_max_deg"_a = seam.g1_max_deg, "h_jump_rms"_a = seam.h_jump_rms,
+                  "h_jump_max"_a = seam.h_jump_max, "h_jump_rms_times_diameter"_a = seam.h_jump_rms_times_diameter);
+}
+
+py::list seams_of(const std::vector<SeamReport>& seams) {
+  py::list list;
+  for (const SeamReport& seam : seams) list.append(seam_figures(seam));
+  return list;
+}
+
+py::dict hole_figures(const HoleResult& hole, NewPart part) {
+  py::dict figures = loop_figures(hole.loop);
+  figures["status"] = to_string(hole.status);
+  figures["is_filled"] = is_filled(hole.status);
+  figures["message"] = hole.message;
+  figures["method"] = hole.method();
+  figures["reason"] = hole.reason();
+  figures["steps"] = hole.steps();
+  figures["energy_before"] = hole.outcome().energy.initial;
+  figures["energy_after"] = hole.outcome().energy.final;
+  figures["seam_before"] = is_filled(hole.status) ? py::object(seam_figures(hole.seam_before())) : py::none();
+  figures["seam_after"] = is_filled(hole.status) ? py::object(seam_figures(hole.seam_after())) : py::none();
+  figures["seconds"] = hole.seconds;
+  figures["new_vertices"] = array_of<int>(std::move(part.vertices));
+  figures["new_faces"] = array_of<int>(std::move(part.faces));
+  return figures;
+}
+
+py::list faces_of(const std::vector<BadRimFace>& faces) {
+  py::list list;
+  for (const BadRimFace& bad : faces)
+    list.append(py::dict("face"_a = bad.face, "fault"_a = to_string(bad.fault), "ring"_a = bad.ring));
+  return list;
+}
+
+/// Only what was asked for: {"stitched": {...}, "repaired": {...}}.
+py::dict preparation(const FilledScan& done) {
+  py::dict counts;
+  if (done.stitched)
+    counts["stitched"] =
+        py::dict("joined_vertices"_a = done.stitched->joined_vertices, "split_faces"_a = done.stitched->split_faces,
+                 "removed_faces"_a = done.stitched->removed_faces);
+  if (done.repaired) {
+    const RepairCounts& repaired = *done.repaired;
+    counts["repaired"] =
+        py::dict("separated_edges"_a = repaired.separated_edges, "separated_vertices"_a = repaired.separated_vertices,
+                 "turned_faces"_a = repaired.turned_faces, "degenerate_faces"_a = repaired.degenerate_faces,
+                 "duplicate_faces"_a = repaired.duplicate_faces, "removed_pieces"_a = repaired.removed_pieces,
+                 "removed_faces"_a = repaired.removed_faces);
+  }
+  return counts;
+}
+
+}  // namespace
+
+py::dict loop_figures(const BoundaryLoop& loop) {
+  return py::dict("number"_a = loop.number, "kind"_a = to_string(loop.kind), "edges"_a = loop.edges(),
+                  "perimeter"_a = loop.perimeter, "diameter"_a = loop.diameter, "planarity"_a = loop.planarity,
+                  "area"_a = loop.area, "center"_a = py::make_tuple(loop.center[0], loop.center[1], loop.center[2]));
+}
+
+py::dict patch_figures(const PatchResult& result) {
+  return py::dict("status"_a = to_string(result.status), "message"_a = result.message, "method"_a = method_name(result),
+                  "reason"_a = result.reason, "steps"_a = result.steps, "energy_before"_a = result.energy.initial,
+                  "energy_after"_a = result.energy.final, "folds"_a = result.validity.folds,
+                  "self_intersections"_a = result.validity.intersections,
+                  "min_angle_deg"_a = result.validity.min_angle_deg, "seams_before"_a = seams_of(result.seams_before),
+                  "seams_after"_a = seams_of(result.seams));
+}
+
+py::dict fill_result(FilledScan done) {
+  py::list holes;
+  for (std::size_t k = 0; k < done.holes.size(); ++k)
+    holes.append(hole_figures(done.holes[k], std::move(done.parts[k])));
+  py::dict result("holes"_a = holes, "given_vertices"_a = done.given_vertices, "given_faces"_a = done.given_faces,
+                  "turned_faces"_a = done.turned_faces, "prepared"_a = preparation(done),
+                  "trimmed_faces"_a = faces_of(done.trimmed));
+  result["vertices"] = points_array(std::move(done.soup.points));
+  result["faces"] = triangles_array(std::move(done.soup.triangles));
+  result["colors"] = colors_array(std::move(done.soup.colors));
+  return result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Ctrl-C, progress and threads."""
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import loopmend
+
+
+def test_ctrl_c_ends_a_fill_soon():
+    scan = loopmend.sample()
+    struck = []
+
+    def strike():
+        struck.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    start = time.monotonic()
+    timer = threading.Timer(0.5, strike)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        loopmend.fill(scan.vertices, scan.faces, density=4, flow="wf", mode="steps", steps=1000, sigma=1e-3)
+    answered = time.monotonic()
+    timer.join()
+    assert struck and struck[0] - start >= 0.5
+    assert answered - struck[0] < 5  # a step of the flow, on a busy machine
+    assert loopmend.fill(scan.vertices, scan.faces, loops=6).holes[5].is_filled  # the next call is as good as ever
+
+
+def test_a_handler_may_raise_what_it_likes():
+    class Alarm(Exception):
+        pass
+
+    def handler(number, frame):
+        raise Alarm
+
+    scan = loopmend.sample()
+    before = signal.signal(signal.SIGALRM, handler)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        with pytest.raises(Alarm):
+            loopmend.fill(scan.vertices, scan.faces, density=4, flow="wf", mode="steps", steps=1000, sigma=1e-3)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_progress_is_told_on_the_calling_thread(two_holes):
+    told = []
+    loopmend.fill(*two_holes, progress=lambda *words: told.append((threading.get_ident(), *words)))
+    assert {thread for thread, *_ in told} == {threading.get_ident()}
+    assert [done for _, done, _, _ in told] == [1, 2]
+    assert {total for _, _, total, _ in told} == {2}
+    assert {number for *_, number in told} == {1, 2}
+
+
+def test_what_the_callback_raises_stops_the_work():
+    class Enough(Exception):
+        pass
+
+    def stop(done, total, number):
+        raise Enough(f"{done} of {total}")
+
+    scan = loopmend.sample()
+    with pytest.raises(Enough, match="1 of 5"):
+        loopmend.fill(scan.vertices, scan.faces, threads=1, progress=stop)
+
+
+def test_other_threads_run_meanwhile():
+    """Python code of this thread's siblings goes on: the GIL is released."""
+    scan = loopmend.sample()
+    longest, last, ended = [0.0], [time.monotonic()], threading.Event()
+
+    def tick():
+        while not ended.is_set():
+            now = time.monotonic()
+            longest[0] = max(longest[0], now - last[0])
+            last[0] = now
+            time.sleep(0.001)
+
+    ticking = threading.Thread(target=tick)
+    ticking.start()
+    start = time.monotonic()
+    loopmend.fill(scan.vertices, scan.faces)
+    took = time.monotonic() - start
+    ended.set()
+    ticking.join()
+    assert longest[0] < max(0.5 * took, 0.05)
+
+
+def test_fills_on_several_threads_give_the_same_bits(sphere, two_holes):
+    wanted = [loopmend.fill(*mesh).vertices.tobytes() for mesh in (sphere, two_holes)]
+    got = {}
+
+    def work(k):
+        got[k] = loopmend.fill(*(sphere, two_holes)[k % 2]).vertices.tobytes()
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert [got[k] for k in range(4)] == wanted * 2
+    assert np.array_equal(sorted(got), range(4))

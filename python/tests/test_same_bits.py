@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The same options give the same bits as the command line does."""
+import json
+import math
+
+import numpy as np
+import pytest
+
+import loopmend
+from conftest import icosphere, without
+
+FILLS = [
+    (["--loops", "all"], {}),
+    (["--loops", "2,5"], {"loops": [2, 5]}),
+    (["--flow", "wf", "--mode", "steps", "--steps", "3", "--sigma", "1"],
+     {"flow": "wf", "mode": "steps", "steps": 3, "sigma": 1}),
+    (["--flow", "none", "--density", "1.5", "--include-outer-rim"],
+     {"flow": "none", "density": 1.5, "include_outer_rim": True}),
+    (["--boundary", "exact", "--max-edges", "60"], {"boundary": "exact", "max_edges": 60}),
+    (["--boundary", "robust", "--threads", "1"], {"boundary": "robust", "threads": 1}),
+    (["--continuity", "tangent"], {"continuity": "tangent"}),
+    (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
+    (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
+    (["--at-vertex", "13,96", "--solver", "gmres", "--mode", "steps", "--steps", "2"],
+     {"at_vertices": [13, 96], "solver": "gmres", "mode": "steps", "steps": 2}),
+]
+
+
+def ply_arrays(path):
+    """Vertices and faces of a binary PLY by NumPy alone: double x, y, z and lists of three int."""
+    data = path.read_bytes()
+    header, end = data[:data.index(b"end_header\n")].decode().splitlines(), data.index(b"end_header\n") + 11
+    count = {line.split()[1]: int(line.split()[2]) for line in header if line.startswith("element")}
+    assert [line for line in header if line.startswith("property")] == [
+        "property double x", "property double y", "property double z", "property list uchar int vertex_indices"]
+    vertices = np.frombuffer(data, "<f8", 3 * count["vertex"], end).reshape(-1, 3)
+    rows = np.dtype([("n", "u1"), ("v", "<i4", 3)])
+    faces = np.frombuffer(data, rows, count["face"], end + vertices.nbytes)
+    assert (faces["n"] == 3).all()
+    return vertices, faces["v"]
+
+
+def same(figure, reported):
+    return math.isnan(figure) if reported is None else figure == reported
+
+
+def check_same(program, folder, scan, words, options):
+    filled, report = folder / "filled.ply", folder / "report.json"
+    program("fill", scan, "-o", filled, "--report", report, "--quiet", *words)
+    mesh = loopmend.read(scan)
+    result = loopmend.fill(mesh.vertices, mesh.faces, **options)
+    vertices, faces = ply_arrays(filled)
+    assert result.vertices.tobytes() == vertices.tobytes()
+    assert result.faces.tobytes() == faces.tobytes()
+    loops = json.loads(report.read_text())["loops"]
+    assert len(loops) == len(result.holes)
+    for loop, hole in zip(loops, result.holes):
+        for name in ("number", "kind", "edges", "perimeter", "diameter", "status", "message", "method", "reason", "steps"):
+            assert getattr(hole, name) == loop[name], name
+        assert same(hole.energy_before, loop["energy"]["initial"]) and same(hole.energy_after, loop["energy"]["final"])
+        assert len(hole.new_vertices) == (loop["free_vertices"] if hole.is_filled else 0)
+        for seam, reported in ((hole.seam_before, loop["seam_before"]), (hole.seam_after, loop["seam_after"])):
+            assert seam is None or all(same(getattr(seam, name), value) for name, value in reported.items())
+    return result
+
+
+@pytest.mark.parametrize("words, options", FILLS, ids=[" ".join(words) for words, _ in FILLS])
+def test_the_sample(program, tmp_path, words, options):
+    scan = tmp_path / "scan.ply"
+    program("sample", "-o", scan)
+    result = check_same(program, tmp_path, scan, words, options)
+    assert any(hole.is_filled for hole in result.holes)
+
+
+def test_the_sample_itself(program, tmp_path):
+    program("sample", "-o", tmp_path / "scan.ply")
+    vertices, faces = ply_arrays(tmp_path / "scan.ply")
+    sample = loopmend.sample()
+    assert sample.vertices.tobytes() == vertices.tobytes() and sample.faces.tobytes() == faces.tobytes()
+
+
+@pytest.mark.parametrize("islands", ["join", "cover"])
+def test_a_hole_with_an_island(program, tmp_path, islands):
+    ring = lambda v: (v[:, 2] > np.cos(np.radians(40))) & (v[:, 2] < np.cos(np.radians(20)))
+    loopmend.write(tmp_path / "island.ply", *without(*icosphere(4), ring))
+    result = check_same(program, tmp_path, tmp_path / "island.ply", ["--islands", islands], {"islands": islands})
+    assert result.holes[0].is_filled
