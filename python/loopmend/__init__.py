@@ -14,11 +14,12 @@ What cannot be used raises `loopmend.Error`, or one of its subclasses, with one 
 What becomes of a hole is a value in the result, never an exception. Nothing is printed. Work runs without the GIL; Ctrl-C
 raises KeyboardInterrupt at the engine's next look, mostly within a tenth of a second.
 """
-from loopmend._api import boundary_loops, curvatures, fill, read, sample, write
+from loopmend._api import blend, boundary_loops, curvatures, evolve, fill, interpolate, read, sample, write
 from loopmend._core import Error, InvalidArgument, ReadError, WriteError, __version__
-from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, Seam
+from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, PatchResult, Seam
 
 __all__ = [
-    "BoundaryLoop", "Curvatures", "Error", "FillResult", "HoleResult", "InvalidArgument", "Mesh", "ReadError", "Seam",
-    "WriteError", "__version__", "boundary_loops", "curvatures", "fill", "read", "sample", "write",
+    "BoundaryLoop", "Curvatures", "Error", "FillResult", "HoleResult", "InvalidArgument", "Mesh", "PatchResult", "ReadError",
+    "Seam", "WriteError", "__version__", "blend", "boundary_loops", "curvatures", "evolve", "fill", "interpolate", "read",
+    "sample", "write",
 ]

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from loopmend import _core
-from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, Seam
+from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, PatchResult, Seam
 
 Path = Union[str, "os.PathLike[str]"]
 OnProgress = Callable[[int, int, int], Any]
+OnStep = Callable[[int, float], Any]
 
 
 def _loop(figures: Dict[str, Any]) -> Dict[str, Any]:
@@ -33,11 +34,20 @@ def _hole(figures: Dict[str, Any]) -> HoleResult:
 def _numbers(numbers: Union[None, int, Iterable[int]]) -> Optional[List[int]]:
     if numbers is None:
         return None
-    return [int(n) for n in np.atleast_1d(np.asarray(numbers))]
+    array = np.atleast_1d(np.asarray(numbers))
+    if array.size and array.dtype.kind not in "iu":
+        raise TypeError(f"whole numbers are needed, not {numbers!r}")
+    return [int(n) for n in array.ravel()]
 
 
 def _arrays(vertices: ArrayLike, faces: ArrayLike) -> Tuple[np.ndarray, np.ndarray]:
     return np.asarray(vertices), np.asarray(faces)
+
+
+def _flow(flow: str, boundary: str, continuity: str, density: float, mode: str, steps: Optional[int], sigma: float,
+          solver: str) -> Dict[str, Any]:
+    return {"flow": flow, "boundary": boundary, "continuity": continuity, "density": density, "mode": mode, "steps": steps,
+            "sigma": sigma, "solver": solver}
 
 
 def fill(
@@ -116,11 +126,10 @@ def fill(
         ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'converged']
     """
     options = {
-        "loops": _numbers(loops), "at_vertices": _numbers(at_vertices), "max_edges": max_edges,
-        "max_diameter": max_diameter, "include_outer_rim": include_outer_rim, "islands": islands, "flow": flow,
-        "boundary": boundary, "continuity": continuity, "density": density, "mode": mode, "steps": steps, "sigma": sigma,
-        "solver": solver, "stitch": stitch, "repair": repair, "bridges": [(int(a), int(b)) for a, b in bridges],
-        "trim_boundary": trim_boundary, "threads": threads,
+        **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver), "loops": _numbers(loops),
+        "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
+        "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
+        "bridges": [(int(a), int(b)) for a, b in bridges], "trim_boundary": trim_boundary, "threads": threads,
     }
     result = _core.fill(*_arrays(vertices, faces), colors, options, progress)
     result["holes"] = tuple(_hole(hole) for hole in result["holes"])
@@ -201,3 +210,124 @@ def write(path: Path, vertices: ArrayLike, faces: ArrayLike, *, colors: Optional
 def sample() -> Mesh:
     """The embedded sample: a scan-like relief in millimetres with an outer rim and five holes. The same bits on every call."""
     return Mesh(**_core.sample())
+
+
+def _patch(figures: Dict[str, Any]) -> PatchResult:
+    for name in ("seams_before", "seams_after"):
+        figures[name] = tuple(Seam(**seam) for seam in figures[name])
+    return PatchResult(**figures)
+
+
+def blend(
+    parts: Sequence[Tuple[ArrayLike, ArrayLike]],
+    *,
+    loops: Optional[Sequence[Tuple[int, int]]] = None,
+    flow: str = "mmcvf",
+    boundary: str = "auto",
+    continuity: str = "curvature",
+    density: float = 1.0,
+    mode: str = "steady",
+    steps: Optional[int] = None,
+    sigma: float = 10.0,
+    solver: str = "auto",
+    progress: Optional[OnStep] = None,
+) -> PatchResult:
+    """Joins boundary loops of one or several meshes by one smooth patch, as `loopmend blend` does.
+
+    Parameters:
+        parts: for each mesh its vertices (n, 3) and faces (m, 3). Their vertices and faces come first in the result, part
+            after part.
+        loops: (part, loop) for each loop to join, both from 1; loops as boundary_loops() numbers them. None: of each part the
+            loop that faces the others most; of a single part its two loops.
+        flow, boundary, continuity, density, mode, steps, sigma, solver: as in fill().
+        progress: called as progress(step, energy) after each accepted step; what it raises stops the work.
+
+    Raises:
+        InvalidArgument: no such loop, parts that cut each other, pieces that no two-sided surface joins, arrays or options as
+            in fill().
+        KeyboardInterrupt: Ctrl-C.
+    """
+    words = "" if loops is None else ",".join(f"{int(part)}:{int(loop)}" for part, loop in loops)
+    options = _flow(flow, boundary, continuity, density, mode, steps, sigma, solver)
+    return _patch(_core.blend([_arrays(*part) for part in parts], words, options, progress))
+
+
+def interpolate(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    *,
+    fixed: Optional[Sequence[int]] = None,
+    subdivide: int = 3,
+    open: bool = False,
+    flow: str = "mmcvf",
+    boundary: str = "auto",
+    continuity: str = "curvature",
+    mode: str = "steady",
+    steps: Optional[int] = None,
+    sigma: float = 10.0,
+    solver: str = "auto",
+    progress: Optional[OnStep] = None,
+) -> PatchResult:
+    """Finds a smooth surface through the vertices of a polyhedron, as `loopmend interpolate` does.
+
+    The vertices that it goes through come first in the result, in their order, bit for bit.
+
+    Parameters:
+        vertices: (n, 3), of the polyhedron.
+        faces: (m, 3).
+        fixed: vertex numbers: the surface goes through these alone, at least 4; None: through all.
+        subdivide: k, 1 to 8: each face into 4^k.
+        open: takes a polyhedron with boundary; its loops become smooth curves through their vertices.
+        flow, boundary, continuity, mode, steps, sigma, solver: as in fill().
+        progress: called as progress(step, energy) after each accepted step; what it raises stops the work.
+
+    Raises:
+        InvalidArgument: a polyhedron that is open, no manifold, or flat; arrays or options out of range.
+        KeyboardInterrupt: Ctrl-C.
+    """
+    options = _flow(flow, boundary, continuity, 1.0, mode, steps, sigma, solver)
+    if fixed is not None and len(fixed) == 0:
+        raise _core.InvalidArgument("fixed names no vertex; None means all")
+    return _patch(_core.interpolate(*_arrays(vertices, faces), _numbers(fixed) or [], subdivide,
+                                    "smooth" if open else "refuse", options, progress))
+
+
+def evolve(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    region: ArrayLike,
+    *,
+    flow: str = "mmcvf",
+    boundary: str = "auto",
+    continuity: str = "curvature",
+    mode: str = "steady",
+    steps: Optional[int] = None,
+    sigma: float = 10.0,
+    solver: str = "auto",
+    progress: Optional[OnStep] = None,
+) -> PatchResult:
+    """Evolves a region of a mesh with its surroundings fixed, as `loopmend evolve` does.
+
+    Vertices and faces keep their numbers, and all outside the region are bit-identical. Where the region had to be remeshed
+    (`remeshed`), its new vertices come last. A result that is refused is the mesh as it was.
+
+    Parameters:
+        vertices: (n, 3).
+        faces: (m, 3).
+        region: vertex numbers, or (n,) bool, True in the region.
+        flow, boundary, continuity, mode, steps, sigma, solver: as in fill(); "none" is no flow here.
+        progress: called as progress(step, energy) after each accepted step; what it raises stops the work.
+
+    Raises:
+        InvalidArgument: no vertex that could move, a whole piece of the surface, arrays or options out of range.
+        KeyboardInterrupt: Ctrl-C.
+    """
+    chosen = np.asarray(region)
+    points, triangles = _arrays(vertices, faces)
+    if chosen.dtype == bool:
+        if chosen.shape != (len(points),):
+            raise _core.InvalidArgument(f"region must have one bool for each of the {len(points)} vertices, not the shape "
+                                        f"{chosen.shape}")
+        chosen = np.flatnonzero(chosen)
+    options = _flow(flow, boundary, continuity, 1.0, mode, steps, sigma, solver)
+    return _patch(_core.evolve(points, triangles, _numbers(chosen) or [], options, progress))

@@ -165,3 +165,39 @@ class Curvatures:
     H: Floats
     K: Floats
     normals: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class PatchResult:
+    """A surface with one patch that blend, interpolate or evolve made.
+
+    vertices: (n, 3) float64.
+    faces: (m, 3) int32.
+    refusal: why the surface should not be used; empty where it may. The command line writes nothing then.
+    status, message, method, reason, steps, energy_before, energy_after: as in HoleResult.
+    folds, self_intersections: edges of the patch that fold by more than 90 degrees, faces that cut each other.
+    min_angle_deg: smallest angle of a face of the patch, degrees.
+    seams_before, seams_after: one Seam for each loop of the patch, before and after; empty where nothing lies beyond.
+    given_vertices: so many of the first vertices are given, bit for bit. evolve: 0, see there.
+    turned_faces: blend: how many faces were turned round, since their inside faced the gap.
+    remeshed: evolve: the region has other vertices than it had; then its new ones come last.
+    """
+
+    vertices: Floats
+    faces: Ints
+    refusal: str
+    status: str
+    message: str
+    method: str
+    reason: str
+    steps: int
+    energy_before: float
+    energy_after: float
+    folds: int
+    self_intersections: int
+    min_angle_deg: float
+    seams_before: Tuple[Seam, ...]
+    seams_after: Tuple[Seam, ...]
+    given_vertices: int
+    turned_faces: int
+    remeshed: bool
