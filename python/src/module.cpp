@@ -187,9 +187,20 @@ void register_errors(py::module_& m) {
       "An argument is out of its range, of a wrong shape, or names something that does not exist.";
 }
 
+/// @throws ImportError where this pybind11 reads arrays as the NumPy at hand no longer lays them out.
+void check_numpy() {
+#if PYBIND11_VERSION_HEX < 0x020C0000
+  const auto numpy = py::module_::import("numpy").attr("__version__").cast<std::string>();
+  if (numpy.rfind("1.", 0) != 0)
+    throw py::import_error("loopmend was built with pybind11 older than 2.12, which does not know NumPy " + numpy +
+                           ". Build the wheel with a newer pybind11, or use NumPy 1.");
+#endif
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, m) {
+  check_numpy();
   m.doc() = "The engine of Loopmend. Use the package loopmend, which documents and types it.";
   m.attr("__version__") = version();
   register_errors(m);

@@ -10,7 +10,7 @@ python=$1 folder=$2
 rm -rf "$folder"
 mkdir -p "$folder"
 "$python" -m venv "$folder/builder" || { echo "skipped: no virtual environment can be made" >&2; exit 77; }
-if ! "$folder/builder/bin/pip" install --quiet --disable-pip-version-check "scikit-build-core>=0.10" "pybind11>=2.10" \
+if ! "$folder/builder/bin/pip" install --quiet --disable-pip-version-check "scikit-build-core>=0.10" "pybind11>=2.12" \
   >"$folder/log" 2>&1; then
   echo "skipped: scikit-build-core and pybind11 are not to be had: $(tail -1 "$folder/log")" >&2
   exit 77

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Who may know whom: checks every #include under ROOT/engine and ROOT/app, and names each line that breaks a rule.
+# Who may know whom: checks every #include under ROOT/engine, ROOT/app and ROOT/python, and names each line that breaks a rule.
 # Usage: check_includes.sh ROOT
 # Exit code: 0 all well, 1 rules broken, 2 nothing to check there.
 set -euo pipefail
 
 cd "${1:?Usage: check_includes.sh ROOT}"
-mapfile -t files < <(find engine app -type f \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null | LC_ALL=C sort)
+mapfile -t files < <(find engine app python -type f \( -name '*.h' -o -name '*.cpp' \) 2>/dev/null | LC_ALL=C sort)
 if ((${#files[@]} == 0)); then
-  echo "include rules: no sources under $PWD/engine or $PWD/app" >&2
+  echo "include rules: no sources under $PWD/engine, $PWD/app or $PWD/python" >&2
   exit 2
 fi
 
@@ -59,7 +59,9 @@ exec awk '
     sub(/^[<"]/, "", text)
     sub(/[>"].*$/, "", text)
     first = text ~ /\// ? substr(text, 1, index(text, "/") - 1) : ""
-    if (house == "engine") check_engine()
+    if (house != "python" && first == "pybind11") broken("only python/src includes pybind11")
+    else if (house == "engine") check_engine()
+    else if (house == "python") check_python()
     else check_app()
   }
 
@@ -81,6 +83,12 @@ exec awk '
     } else if (text ~ /^(\.\.|app)\// || (quoted && first != "")) {
       broken("the engine includes its own folders only, by \"folder/file.h\"")
     }
+  }
+
+  function check_python() {
+    if (text ~ vtk || text ~ qt || text ~ heavy) broken("python/src knows no Qt, VTK, CGAL or SuiteSparse")
+    else if (quoted && first != "" && !(first in may) && first !~ /^(cli|problems)$/)
+      broken("python/src includes the engine, and of the app cli and problems alone")
   }
 
   function is_widget(name) {

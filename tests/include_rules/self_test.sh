@@ -6,7 +6,7 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 status=0
 report=$(bash "$here/check_includes.sh" "$here/fixture") || status=$?
-expected=$(cd "$here/fixture" && grep -rn '// broken' engine app | cut -d: -f1,2 | LC_ALL=C sort)
+expected=$(cd "$here/fixture" && grep -rn '// broken' engine app python | cut -d: -f1,2 | LC_ALL=C sort)
 named=$(grep ': includes ' <<<"$report" | cut -d: -f1,2 | LC_ALL=C sort)
 if ! diff <(echo "$expected") <(echo "$named"); then
   echo "Above: '<' was broken but not named, '>' was named but is allowed." >&2

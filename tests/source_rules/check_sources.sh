@@ -8,8 +8,8 @@
 set -euo pipefail
 
 cd "${1:?Usage: check_sources.sh ROOT}"
-mapfile -t files < <(find ./*.md CMakeLists.txt app docs engine packaging resources tests -type f \
-  \( -name '*.h' -o -name '*.cpp' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' -o -name CMakeLists.txt -o -name '*.md' \) \
+mapfile -t files < <(find ./*.md CMakeLists.txt app docs engine packaging python resources tests -type f \
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.sh' -o -name '*.py' -o -name '*.pyi' -o -name '*.cmake' -o -name CMakeLists.txt -o -name '*.md' \) \
   2>/dev/null | LC_ALL=C sort)
 if ((${#files[@]} == 0)); then
   echo "source rules: no sources under $PWD" >&2
