@@ -5,6 +5,7 @@ The blocks share their names, from top to bottom, in a folder of their own. A bl
 installed is skipped. A block after <!-- file: NAME --> is that file.
 """
 import contextlib
+import doctest
 import importlib.util
 import io
 import os
@@ -13,6 +14,8 @@ import sys
 from pathlib import Path
 
 import pytest
+
+import loopmend._api
 
 PAGE = Path(__file__).resolve().parents[2] / "docs/user/python.md"
 BLOCK = re.compile(r"^(?:<!-- file: (?P<file>\S+) -->\n)?```python\n(?P<code>.*?)^```$(?:\n\n```text\n(?P<text>.*?)^```$)?",
@@ -53,3 +56,8 @@ def test_example(shared, line, code, text):
         exec(compile("\n" * line + code, str(PAGE), "exec"), shared)
     if text is not None:
         assert said.getvalue() == text
+
+
+def test_the_examples_of_the_docstrings():
+    failed, ran = doctest.testmod(loopmend._api, verbose=False)
+    assert ran > 5 and failed == 0

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs the tests of arrays and the examples of the user's page with the wheel, the newest NumPy, and the packages of the examples.
+# Runs the tests of arrays and the examples of the user's pages with the wheel, the newest NumPy, and the packages of the examples;
+# checks the type hints with mypy.
 # Usage: with_packages.sh PYTHON WHEEL_FOLDER FOLDER   (WHEEL_FOLDER is build_wheel.sh's; the environment in FOLDER is kept)
 # Exit code: 0 all well, 1 something is not, 77 there is no wheel, or PyPI cannot be reached.
 set -euo pipefail
@@ -10,16 +11,19 @@ python=$1 wheels=$2 folder=$3
 wheel=$(find "$wheels" -maxdepth 1 -name 'loopmend-*.whl' 2>/dev/null | head -1)
 [[ -n $wheel ]] || { echo "skipped: there is no wheel in $wheels, which the test python.wheel makes" >&2; exit 77; }
 [[ -x $folder/bin/python ]] || "$python" -m venv "$folder"
-if ! "$folder/bin/pip" install --quiet --disable-pip-version-check numpy pytest trimesh meshio pyvista distributed \
+if ! "$folder/bin/pip" install --quiet --disable-pip-version-check numpy pytest mypy \
+  trimesh meshio pyvista distributed snakemake \
   >"$folder/log" 2>&1; then
   echo "skipped: the packages are not to be had: $(tail -1 "$folder/log")" >&2
   exit 77
 fi
 "$folder/bin/pip" install --quiet --disable-pip-version-check --no-deps --force-reinstall "$wheel"
 unset PYTHONPATH
-"$folder/bin/python" "$here/run.py" "$here/test_user_page.py" "$here/test_fill.py" "$here/test_files_and_curvatures.py" |
-  tee "$folder/log"
-if grep -q '^SKIPPED.*is not installed' "$folder/log"; then
+cd "$folder"
+bin/mypy --strict --cache-dir=mypy_cache -p loopmend
+PATH="$folder/bin:$PATH" bin/python "$here/run.py" "$here/test_user_page.py" "$here/test_workflows.py" "$here/test_fill.py" \
+  "$here/test_files_and_curvatures.py" | tee log
+if grep -q '^SKIPPED.*is not installed' log; then
   echo "an example was skipped, though its package should be there" >&2
   exit 1
 fi
