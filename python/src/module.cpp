@@ -18,6 +18,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <limits>
+#include <utility>
 
 namespace loopmend {
 
@@ -174,7 +175,7 @@ void register_errors(py::module_& m) {
   const py::object invalid = py::register_exception<InvalidArgument>(m, "InvalidArgument", value_error);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const UsageError& wrong) {
       const py::object type = py::module_::import("loopmend._core").attr("InvalidArgument");
       PyErr_SetString(type.ptr(), wrong.what());

@@ -59,12 +59,14 @@ py::dict solved(const Solve& solve, const py::object& on_step) {
 py::dict blend(const std::vector<std::pair<py::array, py::array>>& parts, const std::string& loops,
                const py::dict& options, const py::object& on_step) {
   std::vector<TriangleSoup> soups;
+  soups.reserve(parts.size());
   for (const auto& [vertices, faces] : parts) soups.push_back(soup_of(vertices, faces, py::none()));
   if (soups.empty()) throw InvalidArgument("a blend needs one part at least");
   const GroupOptions group = group_options(options);
   return solved(
       [&](const Evolution::OnStep& tell, const CancelToken& cancel) {
         std::vector<TriangleSoup> oriented;
+        oriented.reserve(soups.size());
         for (TriangleSoup& soup : soups) oriented.push_back(make_surface_model(std::move(soup)).soup);
         const JoinedParts joined = join_parts(oriented);
         std::vector<BoundaryLoop> chosen;

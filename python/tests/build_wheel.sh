@@ -33,7 +33,7 @@ print(*(hole.status for hole in result.holes))')
 echo "the sample: $filled"
 [[ $filled == "skipped converged converged converged converged converged" ]]
 files=$(user/bin/python -m zipfile -l "$folder"/loopmend-*.whl | awk '{ print $1 }')
-for file in loopmend/__init__.py loopmend/_core.pyi loopmend/py.typed; do
+for file in loopmend/__init__.py loopmend/_core.pyi loopmend/py.typed loopmend/LICENSE; do
   grep -qx "$file" <<<"$files" || { echo "$file is not in the wheel" >&2; exit 1; }
 done
 if grep -qE '\.(h|a|cmake)$|^(bin|include|lib|share)/' <<<"$files"; then
