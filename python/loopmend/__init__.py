@@ -12,7 +12,7 @@ give the same bits.
 
 What cannot be used raises `loopmend.Error`, or one of its subclasses, with one line that says what, where, and what to do.
 What becomes of a hole is a value in the result, never an exception. Nothing is printed. Work runs without the GIL; Ctrl-C
-raises KeyboardInterrupt at the engine's next look, mostly within a tenth of a second; what only reads or looks at a mesh ends
+raises KeyboardInterrupt at the engine's next look, mostly within some tenths of a second; what only reads or looks at a mesh ends
 first.
 """
 from loopmend._api import blend, boundary_loops, curvatures, evolve, fill, interpolate, read, sample, write
