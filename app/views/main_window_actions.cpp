@@ -30,6 +30,9 @@
 namespace loopmend {
 namespace {
 
+constexpr std::pair<const char*, NamedView> sides[] = {
+    {"lookFront", NamedView::front}, {"lookBack", NamedView::back}, {"lookLeft", NamedView::left},
+    {"lookRight", NamedView::right}, {"lookTop", NamedView::top},   {"lookBottom", NamedView::bottom}};
 constexpr std::pair<const char*, Shading> shadings[] = {
     {"scanColors", Shading::scan}, {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
     {"plain", Shading::plain},     {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes}};
@@ -74,6 +77,10 @@ void MainWindow::connect_view_actions() {
   a.on("wireframe", this, [this](bool on) { look_->set_edges(on ? Edges::shown : Edges::hidden); });
   a.on("seams", this, [this](bool on) { look_->set_seams(on ? Seams::shown : Seams::hidden); });
   a.on("frame", view_, &MeshView::frame);
+  a.on("orthographic", this, [this](bool on) {
+    view_->set_projection(on ? MeshView::Projection::orthographic : MeshView::Projection::perspective);
+  });
+  for (const auto& [name, side] : sides) a.on(name, this, [this, from = side] { view_->look_from(from); });
   a.on("probe", view_, &MeshView::probe_middle);
   a.on("undo", this, [this] { undo_.undo(); });
   a.on("redo", this, [this] { undo_.redo(); });
@@ -131,6 +138,8 @@ void MainWindow::update_actions() {
                            "nextHole", "previousHole", "curvature", "gaussian", "plain", "zebra", "isophotes"})
     a[name]->setEnabled(scan);
   a["scanColors"]->setEnabled(has_scan_colors_);
+  a["orthographic"]->setEnabled(scan);
+  for (const auto& [name, side] : sides) a[name]->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));
   };

@@ -75,6 +75,7 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
     QElapsedTimer clock;
     clock.start();
     const bool moving = impl_->scene.update();
+    match_parallel_scale(impl_->camera());
     impl_->scene.fit_depths();
     impl_->window->Render();
     impl_->pause_ms = wait_after_picture(clock.elapsed());

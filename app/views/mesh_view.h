@@ -5,6 +5,7 @@
 #include "scene/look.h"
 #include "scene/shape_glide.h"
 #include "scene/trial_picture.h"
+#include "scene/view_direction.h"
 #include "tools/view_tool.h"
 
 #include <QImage>
@@ -58,6 +59,10 @@ class MeshView : public QWidget {
   ViewSpace space();
   void place_scan(int scan, const Eigen::Matrix4d& placement);
 
+  enum class Projection { perspective, orthographic };
+  void set_projection(Projection projection);
+  /// Everything, from this side.
+  void look_from(NamedView side);
   /// Everything, from where the eye is.
   void frame();
   /// Turns and moves until the loop is seen from above.

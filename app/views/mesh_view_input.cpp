@@ -223,6 +223,22 @@ void MeshView::face_front() {
   frame();
 }
 
+void MeshView::set_projection(Projection projection) {
+  impl_->camera()->SetParallelProjection(projection == Projection::orthographic);
+  redraw();
+}
+
+void MeshView::look_from(NamedView side) {
+  impl_->flight->stop();
+  const auto b = impl_->scene.bounds();
+  const Vec3 up = guessed_up(Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]));
+  CameraPose pose;
+  pose.position = direction_of(side, up);
+  pose.up = view_up(pose.position, up);
+  apply(pose, impl_->camera());
+  frame();
+}
+
 void MeshView::frame() {
   impl_->flight->stop();
   const auto b = impl_->scene.bounds();

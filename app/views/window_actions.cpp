@@ -78,6 +78,21 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw boundaries and seams as lines"), "M", "seams", toggle},
     {"frame", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Frame everything"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the whole scene"), "F", "frame"},
+    {"orthographic", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Orthographic"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Without perspective: what is parallel stays so"), "O", nullptr,
+     toggle},
+    {"lookFront", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Front"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the front"), "Ctrl+1", nullptr},
+    {"lookBack", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Back"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the back"), "Ctrl+2", nullptr},
+    {"lookLeft", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Left"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the left"), "Ctrl+3", nullptr},
+    {"lookRight", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Right"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the right"), "Ctrl+4", nullptr},
+    {"lookTop", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Top"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from above"), "Ctrl+5", nullptr},
+    {"lookBottom", QT_TRANSLATE_NOOP("loopmend::WindowActions", "B&ottom"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from below"), "Ctrl+6", nullptr},
     {"probe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Values in the middle"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show the values at the middle of the picture"), "P", nullptr},
     {"fillAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Fill and smooth"),
@@ -171,8 +186,10 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   file->insertMenu((*this)["sample"], recent_);
   file->insertMenu((*this)["quit"], close_);
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
-  QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors", "-",
-                                       "wireframe", "seams", "-", "frame", "probe", "-"});
+  QMenu* view = add_menu(tr("&View"),
+                         {"curvature", "gaussian", "plain",      "zebra",        "isophotes", "scanColors", "-",
+                          "wireframe", "seams",    "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
+                          "lookRight", "lookTop",  "lookBottom", "orthographic", "-",         "probe",      "-"});
   view->addActions(docks);
   add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "runAction", "stepAction", "-", "compare", "-",
                           "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});

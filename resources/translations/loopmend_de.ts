@@ -3370,6 +3370,62 @@
             <source>Colours</source>
             <translation>Farben</translation>
         </message>
+        <message>
+            <source>&amp;Orthographic</source>
+            <translation>&amp;Orthografisch</translation>
+        </message>
+        <message>
+            <source>Without perspective: what is parallel stays so</source>
+            <translation>Ohne Perspektive: was parallel ist, bleibt es</translation>
+        </message>
+        <message>
+            <source>&amp;Front</source>
+            <translation>&amp;Vorn</translation>
+        </message>
+        <message>
+            <source>See everything from the front</source>
+            <translation>Alles von vorn sehen</translation>
+        </message>
+        <message>
+            <source>&amp;Back</source>
+            <translation>&amp;Hinten</translation>
+        </message>
+        <message>
+            <source>See everything from the back</source>
+            <translation>Alles von hinten sehen</translation>
+        </message>
+        <message>
+            <source>&amp;Left</source>
+            <translation>&amp;Links</translation>
+        </message>
+        <message>
+            <source>See everything from the left</source>
+            <translation>Alles von links sehen</translation>
+        </message>
+        <message>
+            <source>&amp;Right</source>
+            <translation>&amp;Rechts</translation>
+        </message>
+        <message>
+            <source>See everything from the right</source>
+            <translation>Alles von rechts sehen</translation>
+        </message>
+        <message>
+            <source>&amp;Top</source>
+            <translation>&amp;Oben</translation>
+        </message>
+        <message>
+            <source>See everything from above</source>
+            <translation>Alles von oben sehen</translation>
+        </message>
+        <message>
+            <source>B&amp;ottom</source>
+            <translation>&amp;Unten</translation>
+        </message>
+        <message>
+            <source>See everything from below</source>
+            <translation>Alles von unten sehen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::labels</name>

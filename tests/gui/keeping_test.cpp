@@ -30,6 +30,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +98,7 @@ class KeepingTest : public QObject {
   void help_is_there_in_german();
   void everything_can_be_reached_by_keys();
   void the_picture_is_moved_and_asked_by_keys();
+  void sides_projection_and_zoom_to_the_cursor();
   void what_will_not_be_saved_is_told_on_opening();
 
  private:
@@ -546,6 +548,51 @@ void KeepingTest::the_picture_is_moved_and_asked_by_keys() {
   key(window, Qt::Key_P);
   const QString words = part<QLabel>(window, "statusFigures")->text();
   QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
+}
+
+void KeepingTest::sides_projection_and_zoom_to_the_cursor() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const auto direction = [&] {
+    const Viewpoint from = window.view().viewpoint();
+    return Vec3((from.eye - from.focus).normalized());
+  };
+  trigger(window, "lookRight");
+  const Vec3 right = direction();
+  trigger(window, "lookLeft");
+  QVERIFY((right + direction()).norm() < 1e-9);
+  trigger(window, "lookTop");
+  QVERIFY(std::abs(right.dot(direction())) < 1e-9);
+
+  trigger(window, "lookFront");
+  settle(400);
+  const QImage perspective = window.view().picture();
+  trigger(window, "orthographic");
+  QVERIFY(picture_changes(window, perspective, 0.001));
+  trigger(window, "orthographic");
+  QVERIFY(picture_returns(window, perspective));
+
+  // What lies under the cursor stays there: only exactly so in the focal plane, which runs through the middle of the scan.
+  for (const bool orthographic : {false, true}) {
+    if (orthographic) trigger(window, "orthographic");
+    trigger(window, "lookFront");
+    settle(300);
+    QWidget* canvas = window.view().canvas();
+    const QPoint at(canvas->width() / 4, canvas->height() / 3);
+    const Viewpoint before = window.view().viewpoint();
+    QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(canvas, &wheel);
+    settle(300);
+    const Viewpoint after = window.view().viewpoint();
+    const double closer = (before.eye - before.focus).norm() / (after.eye - after.focus).norm();
+    QVERIFY2(closer > 1.05, qPrintable(QString::number(closer)));
+    // The focus moves towards the cursor: up and to the left of the picture.
+    const Vec3 side = (before.focus - before.eye).cross(before.up).normalized();
+    const Vec3 way = after.focus - before.focus;
+    QVERIFY(way.dot(side) < 0 && way.dot(before.up) > 0);
+    const double aspect = static_cast<double>(canvas->width()) / canvas->height();
+    QVERIFY(std::abs(way.dot(side) / way.dot(before.up) + 0.5 * aspect / (1.0 / 3)) < 0.05);
+  }
 }
 
 void KeepingTest::what_will_not_be_saved_is_told_on_opening() {
