@@ -195,7 +195,7 @@ void InspectPanel::update_seam() {
   if (loops.empty()) {
     sentence_->setText(!document_.has_scan() ? tr("Open a scan, fill a hole, and its seam is measured here.")
                        : selection_.selected().empty()
-                           ? tr("No hole is filled yet. Press Fill, and the seam is measured here.")
+                           ? tr("No hole is filled yet. Press Fill and smooth, and the seam is measured here.")
                            : tr("The selection is not filled yet."));
     return;
   }

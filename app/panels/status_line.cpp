@@ -15,36 +15,61 @@ StatusLine::StatusLine(const Document& document, const FillController& controlle
       document_(document),
       stage_(new QLabel(tr("Ready"))),
       figures_(new QLabel),
+      closed_(new QLabel),
       scan_(new QLabel) {
   setObjectName(QStringLiteral("statusLine"));
   stage_->setObjectName(QStringLiteral("statusStage"));
   figures_->setObjectName(QStringLiteral("statusFigures"));
   scan_->setObjectName(QStringLiteral("statusScan"));
+  closed_->setObjectName(QStringLiteral("statusWatertight"));
+  closed_->setToolTip(
+      tr("Whether every boundary loop is closed and every edge has two faces. Self-intersections are not looked for"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 0, 8, 0);
   layout->setSpacing(24);
   layout->addWidget(stage_);
   layout->addWidget(figures_, 1);
+  layout->addWidget(closed_);
   layout->addWidget(scan_);
   connect(&controller, &FillController::stage_changed, this,
           [this](const QString& words) { stage_->setText(words.isEmpty() ? tr("Ready") : words); });
+  connect(&controller, &FillController::activity_changed, this, [this, &controller] {
+    if (!controller.busy()) count();  // flows add and remove vertices
+  });
   connect(&document, &Document::patch_moved, this, &StatusLine::show_figures);
-  connect(&document, &Document::patches_changed, figures_, &QLabel::clear);
+  connect(&document, &Document::patches_changed, this, &StatusLine::update_scan);
   connect(&document, &Document::opened, this, &StatusLine::update_scan);
   connect(&document, &Document::scans_changed, this, &StatusLine::update_scan);
 }
 
 void StatusLine::update_scan() {
   figures_->clear();
-  std::size_t triangles = 0, vertices = 0;
+  count();
+}
+
+void StatusLine::count() {
+  std::size_t triangles = 0, vertices = 0, edges = 0;
   for (int index : document_.scans()) {
     const auto scan = document_.scan(index);
     triangles += scan->model->soup.triangles.size();
     vertices += scan->model->soup.points.size();
+    edges += scan->model->repairs.non_manifold_edges;
   }
+  for (const OpenPatch& patch : document_.patches()) {
+    triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
+    vertices += static_cast<std::size_t>(patch.state->patch.free_count);
+  }
+  int open = 0;
+  for (int loop = 0; loop < document_.loop_count(); ++loop)
+    open += document_.present(loop) && !document_.patch_of(loop);
   scan_->setText(triangles == 0
                      ? QString()
                      : tr("%1 triangles \u00b7 %2 vertices").arg(labels::count(triangles), labels::count(vertices)));
+  closed_->setText(triangles == 0 ? QString()
+                   : open > 0     ? tr("Not watertight: %n open boundary loop(s)", nullptr, open)
+                   : edges > 0
+                       ? tr("Not watertight: %n edge(s) of more than two faces", nullptr, static_cast<int>(edges))
+                       : tr("Watertight"));
 }
 
 void StatusLine::say(const QString& words) { figures_->setText(words); }

@@ -23,10 +23,11 @@ class StatusLine : public QWidget {
 
  private:
   void update_scan();
+  void count();
   void show_figures(int patch_id);
 
   const Document& document_;
-  QLabel *stage_, *figures_, *scan_;
+  QLabel *stage_, *figures_, *closed_, *scan_;
 };
 
 }  // namespace loopmend

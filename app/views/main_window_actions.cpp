@@ -97,7 +97,10 @@ void MainWindow::connect_patch_actions() {
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
   a.on("runAction", &patch_->flow_box(), &FlowBox::run_or_pause);
   a.on("acceptAction", &patch_->decision_box(), &DecisionBox::accept_or_reopen);
-  a.on("rejectAction", &patch_->decision_box(), &DecisionBox::reject);
+  a.on("rejectAction", this, [this] {
+    // A key alone does not throw everything away; the button says what it is about.
+    if (!selection_.selected().empty()) patch_->decision_box().reject();
+  });
   a.on("copyAction", &patch_->decision_box(), &DecisionBox::copy_command);
   for (const auto& [name, tool] : {std::pair{"toolRegionAction", Tool::region},
                                    {"toolPointsAction", Tool::points},

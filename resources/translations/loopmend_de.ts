@@ -1760,10 +1760,6 @@
             <translation>Einen Scan öffnen, ein Loch füllen: hier steht dann seine Naht.</translation>
         </message>
         <message>
-            <source>No hole is filled yet. Press Fill, and the seam is measured here.</source>
-            <translation>Noch ist kein Loch gefüllt. Nach dem Füllen steht hier die Naht.</translation>
-        </message>
-        <message>
             <source>The selection is not filled yet.</source>
             <translation>Die Auswahl ist noch nicht gefüllt.</translation>
         </message>
@@ -1790,6 +1786,10 @@
         <message>
             <source>H jump · size</source>
             <translation>H-Spr. · Größe</translation>
+        </message>
+        <message>
+            <source>No hole is filled yet. Press Fill and smooth, and the seam is measured here.</source>
+            <translation>Noch ist kein Loch gefüllt. Nach dem Füllen steht hier die Naht.</translation>
         </message>
     </context>
     <context>
@@ -2865,6 +2865,28 @@
         <message>
             <source>step %1 · J %2</source>
             <translation>Schritt %1 · J %2</translation>
+        </message>
+        <message>
+            <source>Whether every boundary loop is closed and every edge has two faces. Self-intersections are not looked for</source>
+            <translation>Ob jeder Rand geschlossen ist und jede Kante zwei Dreiecke hat. Nach Selbstdurchdringungen wird nicht gesucht</translation>
+        </message>
+        <message numerus="yes">
+            <source>Not watertight: %n open boundary loop(s)</source>
+            <translation>
+                <numerusform>Nicht wasserdicht: %n offener Rand</numerusform>
+                <numerusform>Nicht wasserdicht: %n offene Ränder</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Not watertight: %n edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>Nicht wasserdicht: %n Kante mit mehr als zwei Dreiecken</numerusform>
+                <numerusform>Nicht wasserdicht: %n Kanten mit mehr als zwei Dreiecken</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Watertight</source>
+            <translation>Wasserdicht</translation>
         </message>
     </context>
     <context>

@@ -41,4 +41,21 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>loopmend::StatusLine</name>
+        <message numerus="yes">
+            <source>Not watertight: %n open boundary loop(s)</source>
+            <translation>
+                <numerusform>Not watertight: %n open boundary loop</numerusform>
+                <numerusform>Not watertight: %n open boundary loops</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Not watertight: %n edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>Not watertight: %n edge of more than two faces</numerusform>
+                <numerusform>Not watertight: %n edges of more than two faces</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -248,6 +248,19 @@ void KeepingTest::export_offers_to_smooth_initial_patches() {
   files->export_to(path);
   QVERIFY(wait_until([&] { return QFile::exists(path); }, 60));
   QVERIFY(wait_idle(window));
+  // The status bar counts what is written, and says what is still open: four holes and the outline.
+  const TriangleSoup written = read_mesh(path.toStdString()).soup;
+  QCOMPARE(part<QLabel>(window, "statusScan")->text(),
+           QStringLiteral("%1 triangles \u00b7 %2 vertices")
+               .arg(labels::count(written.triangles.size()), labels::count(written.points.size())));
+  QCOMPARE(part<QLabel>(window, "statusWatertight")->text(), QStringLiteral("Not watertight: 5 open boundary loops"));
+  // Delete is for what is selected.
+  window.selection().select({});
+  key(window, Qt::Key_Delete);
+  QCOMPARE(window.document().patches().size(), std::size_t(1));
+  window.selection().select({first_hole(window.document())});
+  key(window, Qt::Key_Delete);
+  QVERIFY(window.document().patches().empty());
 }
 
 void KeepingTest::run_ends_where_fill_and_smooth_ends_data() {
