@@ -148,8 +148,10 @@ void HolesPanel::build_table() {
   connect(header, &QHeaderView::customContextMenuRequested, this,
           [this, header](const QPoint& at) { show_column_menu(header->mapToGlobal(at)); });
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(table_, &QTableView::customContextMenuRequested, this,
-          [this](const QPoint& at) { show_column_menu(table_->viewport()->mapToGlobal(at)); });
+  connect(table_, &QTableView::customContextMenuRequested, this, [this](const QPoint& at) {
+    const QPoint place = table_->viewport()->mapToGlobal(at);
+    table_->indexAt(at).isValid() ? Q_EMIT hole_menu_wanted(place) : show_column_menu(place);
+  });
   for (int column : {HoleTable::perimeter, HoleTable::area, HoleTable::planarity, HoleTable::scan})
     table_->setColumnHidden(column, true);
   fit_columns();

@@ -38,6 +38,8 @@ class HolesPanel : public QWidget {
  Q_SIGNALS:
   void fly_to(int loop);
   void fill_wanted(const std::set<int>& loops);
+  /// A right click on a row, which is selected now. @param at  of the screen
+  void hole_menu_wanted(const QPoint& at);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -197,6 +197,8 @@ void MainWindow::connect_panels() {
     look_->know_range(view_->range());
     update_actions();
   });
+  connect(view_, &MeshView::hole_menu_wanted, actions_, &WindowActions::show_hole_menu);
+  connect(holes_, &HolesPanel::hole_menu_wanted, actions_, &WindowActions::show_hole_menu);
   connect(view_, &MeshView::probed, status_, &StatusLine::say);
   connect(&patch_->flow_box(), &FlowBox::compare_wanted, (*actions_)["compare"], &QAction::trigger);
   connect(compare_, &CompareController::failed, banner_, &Banner::show_problem);

@@ -94,6 +94,9 @@ void MainWindow::connect_patch_actions() {
   const WindowActions& a = *actions_;
   a.on("fillAction", &patch_->fill_box(), [box = &patch_->fill_box()] { box->fill_and_smooth(); });
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
+  for (const auto& [name, what] :
+       {std::pair{"trimAction", Mending::trim}, {"stitchAction", Mending::stitch}, {"repairAction", Mending::repair}})
+    a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
   a.on("runAction", &patch_->flow_box(), &FlowBox::run_or_pause);
   a.on("acceptAction", &patch_->decision_box(), &DecisionBox::accept_or_reopen);
@@ -148,6 +151,9 @@ void MainWindow::update_actions() {
   };
   follow("fillAction", "fillAndSmooth");
   follow("initialAction", "fill");
+  follow("trimAction", "trim");
+  follow("stitchAction", "stitch");
+  follow("repairAction", "repair");
   follow("stepAction", "step");
   follow("runAction", "run");
   follow("acceptAction", "accept");

@@ -83,6 +83,8 @@ class MeshView : public QWidget {
 
  Q_SIGNALS:
   void probed(const QString& words);
+  /// A right click on a boundary, which is selected now. @param at  of the screen
+  void hole_menu_wanted(const QPoint& at);
   /// A click beside everything.
   void clicked_nothing();
   /// A picture is on the screen.
@@ -109,6 +111,7 @@ class MeshView : public QWidget {
   void update_highlight();
   void update_palette();
   void hover(const QPoint& at);
+  void ask_for_menu(const QPoint& at);
   void click(const QPoint& at, Qt::KeyboardModifiers modifiers);
   void probe_at(const QPoint& at);
   void update_probe();

@@ -39,6 +39,7 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       const bool still = (mouse->pos() - impl_->pressed_at).manhattanLength() <= click_slack;
       if (still && mouse->button() == Qt::LeftButton) click(mouse->pos(), mouse->modifiers());
+      if (still && mouse->button() == Qt::RightButton) ask_for_menu(mouse->pos());
       break;
     }
     case QEvent::MouseButtonDblClick: {
@@ -56,6 +57,13 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
     default: break;
   }
   return QWidget::eventFilter(watched, event);
+}
+
+void MeshView::ask_for_menu(const QPoint& at) {
+  const int loop = loop_at(at);
+  if (loop == no_loop) return;
+  if (!impl_->selection.selected().contains(loop)) impl_->selection.select({loop});
+  Q_EMIT hole_menu_wanted(impl_->canvas->mapToGlobal(at));
 }
 
 bool MeshView::tool_takes(QEvent* event) {

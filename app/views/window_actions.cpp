@@ -101,6 +101,14 @@ const Spec specs[] = {
     {"initialAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Initial &patch only"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all; no flow runs yet"), "Ctrl+Shift+F",
      nullptr},
+    {"trimAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Tri&m the boundary"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Remove bad triangles at the boundaries of the selected holes, or of all"),
+     "", nullptr},
+    {"stitchAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Stitc&h cracks"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Zip boundaries that nearly coincide"), "", nullptr},
+    {"repairAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Repai&r"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Make an oriented manifold of the scan"), "", nullptr},
     {"stepAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Step"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take one time step"), "S", nullptr},
     {"runAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Run or pause"),
@@ -163,6 +171,20 @@ QAction* WindowActions::operator[](const char* name) const {
   return window_->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
 }
 
+void WindowActions::show_hole_menu(const QPoint& at) {
+  auto* menu = new QMenu(window_);
+  menu->setObjectName(QStringLiteral("holeMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const char* name : {"fillAction", "initialAction", "runAction", "-", "trimAction", "stitchAction",
+                           "toolBridgeAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
+    if (*name == '-')
+      menu->addSeparator();
+    else
+      menu->addAction((*this)[name]);
+  }
+  menu->popup(at);
+}
+
 QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const char*> names) {
   QMenu* menu = window_->menuBar()->addMenu(title);
   Group group{QString(title).remove(QLatin1Char('&')), {}};
@@ -191,8 +213,9 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                           "wireframe", "seams",    "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
                           "lookRight", "lookTop",  "lookBottom", "orthographic", "-",         "probe",      "-"});
   view->addActions(docks);
-  add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "runAction", "stepAction", "-", "compare", "-",
-                          "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Patch"),
+           {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "repairAction", "-", "runAction",
+            "stepAction", "-", "compare", "-", "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
   add_menu(tr("&Tools"),
            {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});

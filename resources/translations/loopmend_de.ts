@@ -3448,6 +3448,30 @@
             <source>See everything from below</source>
             <translation>Alles von unten sehen</translation>
         </message>
+        <message>
+            <source>Tri&amp;m the boundary</source>
+            <translation>Rand beschnei&amp;den</translation>
+        </message>
+        <message>
+            <source>Remove bad triangles at the boundaries of the selected holes, or of all</source>
+            <translation>Schlechte Dreiecke an den Rändern der gewählten oder aller Löcher entfernen</translation>
+        </message>
+        <message>
+            <source>Stitc&amp;h cracks</source>
+            <translation>Risse &amp;vernähen</translation>
+        </message>
+        <message>
+            <source>Zip boundaries that nearly coincide</source>
+            <translation>Ränder schließen, die fast zusammenfallen</translation>
+        </message>
+        <message>
+            <source>Repai&amp;r</source>
+            <translation>&amp;Reparieren</translation>
+        </message>
+        <message>
+            <source>Make an oriented manifold of the scan</source>
+            <translation>Den Scan zu einer orientierten Mannigfaltigkeit machen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::labels</name>

@@ -98,6 +98,7 @@ class KeepingTest : public QObject {
   void help_is_there_in_german();
   void everything_can_be_reached_by_keys();
   void the_picture_is_moved_and_asked_by_keys();
+  void a_right_click_on_a_hole_offers_what_applies();
   void sides_projection_and_zoom_to_the_cursor();
   void what_will_not_be_saved_is_told_on_opening();
 
@@ -561,6 +562,38 @@ void KeepingTest::the_picture_is_moved_and_asked_by_keys() {
   key(window, Qt::Key_P);
   const QString words = part<QLabel>(window, "statusFigures")->text();
   QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
+}
+
+void KeepingTest::a_right_click_on_a_hole_offers_what_applies() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const int hole = first_hole(window.document());
+  window.view().fly_to(hole);
+  settle(900);
+  const QPoint at = visible_point(window, hole);
+  QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, at);
+  settle(100);
+  QCOMPARE(window.selection().selected(), std::set<int>{hole});
+  auto* menu = window.findChild<QMenu*>(QStringLiteral("holeMenu"));
+  QVERIFY(menu && menu->isVisible());
+  const QList<QAction*> offered = menu->actions();
+  const auto is_offered = [&](const char* name) {
+    const auto* action = part<QAction>(window, name);
+    return offered.contains(const_cast<QAction*>(action)) && action->isEnabled();
+  };
+  QVERIFY(is_offered("fillAction") && is_offered("trimAction"));
+  QVERIFY(!is_offered("acceptAction"));
+  menu->close();
+  trigger(window, "initialAction");
+  QVERIFY(wait_idle(window));
+  QVERIFY(part<QAction>(window, "acceptAction")->isEnabled());
+  // The same menu in the table; the header keeps the columns.
+  auto* table = part<QTableView>(window, "holesTable");
+  Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
+  settle(100);
+  menu = window.findChild<QMenu*>(QStringLiteral("holeMenu"));
+  QVERIFY(menu && menu->isVisible());
+  menu->close();
 }
 
 void KeepingTest::sides_projection_and_zoom_to_the_cursor() {
