@@ -112,11 +112,13 @@ int main(int argc, char** argv) {
   loopmend::install_language(loopmend::load_preferences().language);
 
   loopmend::MainWindow window;
+  window.restore_layout();
   window.show();
   QStringList files = QApplication::arguments().mid(1);
   files.removeAll(QStringLiteral("--"));
   files.isEmpty() ? window.offer_recovery() : window.open(files);
   const int code = QApplication::exec();
+  window.keep_layout();
   if (!window.shut_down(std::chrono::seconds(5))) {
     // A worker is deep inside one factorisation. Nothing half-written may stay behind.
     loopmend::remove_unfinished_files();

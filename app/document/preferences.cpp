@@ -64,4 +64,16 @@ void clear_recent_files() {
   stored.remove(recent_key);
 }
 
+WindowLayout load_window_layout() {
+  const QSettings stored = settings();
+  return {stored.value(QStringLiteral("window/geometry")).toByteArray(),
+          stored.value(QStringLiteral("window/docks")).toByteArray()};
+}
+
+void save_window_layout(const WindowLayout& layout) {
+  QSettings stored = settings();
+  stored.setValue(QStringLiteral("window/geometry"), layout.geometry);
+  stored.setValue(QStringLiteral("window/docks"), layout.docks);
+}
+
 }  // namespace loopmend

@@ -2,6 +2,7 @@
 // What a person has chosen once and for all. Kept in the user's configuration.
 #pragma once
 
+#include <QByteArray>
 #include <QString>
 #include <QStringList>
 
@@ -25,5 +26,12 @@ void save_preferences(const Preferences& preferences);
 QStringList recent_files();
 void add_recent_file(const QString& path);
 void clear_recent_files();
+
+/// Where the window was and how its docks lay, as Qt writes it.
+struct WindowLayout {
+  QByteArray geometry, docks;  ///< empty: not known yet
+};
+WindowLayout load_window_layout();
+void save_window_layout(const WindowLayout& layout);
 
 }  // namespace loopmend

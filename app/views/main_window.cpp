@@ -24,8 +24,10 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMimeData>
+#include <QScreen>
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QTimer>
@@ -44,7 +46,8 @@ MainWindow::MainWindow(QWidget* parent)
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
   setAcceptDrops(true);
-  resize(1360, 860);
+  const QSize frame(20, 50);
+  resize(QSize(1360, 860).boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
   build_centre();
   files_ = new FileDesk(document_, undo_, controller_, *banner_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
@@ -264,6 +267,14 @@ void MainWindow::update_title() {
 void MainWindow::open(const QStringList& paths, OpenMode mode) { files_->open(paths, mode); }
 
 void MainWindow::open_sample() { files_->open_sample(); }
+
+void MainWindow::restore_layout() {
+  const WindowLayout layout = load_window_layout();
+  restoreGeometry(layout.geometry);
+  restoreState(layout.docks);
+}
+
+void MainWindow::keep_layout() const { save_window_layout({saveGeometry(), saveState()}); }
 
 void MainWindow::offer_recovery() { files_->offer_recovery(); }
 

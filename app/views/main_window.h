@@ -40,6 +40,9 @@ class MainWindow : public QMainWindow {
   void open(const QString& path) { open(QStringList(path)); }
   void open_sample();
   /// Tells of work that another run left behind; for the start of the program.
+  /// As it was when the program ended last; what no longer fits the screens is moved onto them.
+  void restore_layout();
+  void keep_layout() const;
   void offer_recovery();
   /// Once the window is closed: @returns whether every worker has ended.
   bool shut_down(std::chrono::milliseconds at_most);

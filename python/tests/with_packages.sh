@@ -8,7 +8,7 @@ set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 python=$1 wheels=$2 folder=$3
-wheel=$(find "$wheels" -maxdepth 1 -name 'loopmend-*.whl' 2>/dev/null | head -1)
+wheel=$(find "$wheels" -maxdepth 1 -name 'loopmend-*.whl' 2>/dev/null | head -1 || true)
 [[ -n $wheel ]] || { echo "skipped: there is no wheel in $wheels, which the test python.wheel makes" >&2; exit 77; }
 [[ -x $folder/bin/python ]] || "$python" -m venv "$folder"
 if ! "$folder/bin/pip" install --quiet --disable-pip-version-check numpy pytest mypy \

@@ -19,6 +19,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
@@ -99,6 +100,7 @@ class KeepingTest : public QObject {
   void everything_can_be_reached_by_keys();
   void the_picture_is_moved_and_asked_by_keys();
   void a_right_click_on_a_hole_offers_what_applies();
+  void the_layout_is_kept_and_fits_a_small_screen();
   void sides_projection_and_zoom_to_the_cursor();
   void what_will_not_be_saved_is_told_on_opening();
 
@@ -594,6 +596,25 @@ void KeepingTest::a_right_click_on_a_hole_offers_what_applies() {
   menu = window.findChild<QMenu*>(QStringLiteral("holeMenu"));
   QVERIFY(menu && menu->isVisible());
   menu->close();
+}
+
+void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
+  {
+    Shown shown({sample_file(folder_)});
+    const QSize least = shown.window.minimumSizeHint();
+    QVERIFY2(least.width() <= 1260 && least.height() <= 670,
+             qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
+    shown.window.resize(1200, 700);
+    part<QDockWidget>(shown.window, "inspectDock")->hide();
+    settle(200);
+    shown.window.keep_layout();
+  }
+  MainWindow next;
+  next.restore_layout();
+  next.show();
+  settle(200);
+  QCOMPARE(next.size(), QSize(1200, 700));
+  QVERIFY(part<QDockWidget>(next, "inspectDock")->isHidden());
 }
 
 void KeepingTest::sides_projection_and_zoom_to_the_cursor() {
