@@ -36,7 +36,12 @@ double control_group_has_mb() {
   std::ifstream limit("/sys/fs/cgroup/memory.max"), used("/sys/fs/cgroup/memory.current");
   double most = 0, taken = 0;
   if (!(limit >> most) || !(used >> taken)) return unbounded;  // "max", or no such file
-  return (most - taken) / 1048576;
+  // What the system keeps of files that were read counts as taken, but is given back at once.
+  std::ifstream parts("/sys/fs/cgroup/memory.stat");
+  std::string name;
+  for (double bytes = 0; parts >> name >> bytes;)
+    if (name == "inactive_file" || name == "active_file" || name == "slab_reclaimable") taken -= bytes;
+  return (most - std::max(0.0, taken)) / 1048576;
 }
 
 }  // namespace

@@ -71,13 +71,19 @@ Facing facing_of(const SurfaceShape& shape) {
   return facing;
 }
 
+/// The scan's own colours tell nothing of flows.
+Look comparable(Look look) {
+  if (look.shading == Shading::scan) look.shading = Shading::curvature;
+  return look;
+}
+
 }  // namespace
 
 CompareWindow::CompareWindow(ComparisonController& race, CompareTask task, const Look& look, QWidget* parent)
     : QWidget(parent, Qt::Window),
       race_(race),
       task_(std::move(task)),
-      look_(look),
+      look_(comparable(look)),
       clock_(new PictureClock(this)) {
   setObjectName(QStringLiteral("compareWindow"));
   setWindowTitle(tr("Compare flows: %1").arg(race_.title()));

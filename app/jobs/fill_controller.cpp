@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/fill_controller.h"
 
+#include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/timeline.h"
@@ -325,9 +326,11 @@ void FillController::start_flow(const std::set<int>& patch_ids, EvolutionOptions
   recorder_ = std::make_shared<RunRecorder>([this, job] { job->post([this] { take_records(); }); });
   tasks_.run(
       job, [job, task = std::move(task), recorder = recorder_] { return evolve_patches(task, *recorder, *job); },
-      [this](const EvolveResult& result) { on_evolved(result); },
+      [this](const EvolveResult& result) {
+        on_evolved(result, result.failures.empty() ? RunEnd::complete : RunEnd::stopped);
+      },
       [this](const QString& text) {
-        on_evolved({});
+        on_evolved({}, RunEnd::stopped);
         report_failure(text);
       });
 }
@@ -344,11 +347,11 @@ void FillController::take_records() {
   document_.set_states(newest);
 }
 
-void FillController::on_evolved(const EvolveResult& result) {
+void FillController::on_evolved(const EvolveResult& result, RunEnd how) {
   take_records();
   sessions_ = result.sessions;
   record_run(result);
-  const RunEnd how = job_ && job_->asked_to_pause() ? RunEnd::stopped : RunEnd::complete;
+  if (job_ && job_->asked_to_pause()) how = RunEnd::stopped;
   end();
   Q_EMIT flow_ended(how);
   for (const auto& [id, words] : result.failures) report_failure(QString::fromStdString(words));
@@ -400,7 +403,13 @@ void FillController::adopt(OpenPatch patch) {
   if (busy() || !document_.scan(patch.scan)) return;
   const JobPtr job = begin(Activity::filling, tr("Taking over %1").arg(labels::holes(document_, loops_of(patch))));
   tasks_.run(
-      job, [patch, site = site_of(patch.scan)] { return judged(patch.state, &patch.timeline->front()->patch, *site); },
+      job,
+      [patch, site = site_of(patch.scan), origin = document_.origin()] {
+        auto state = std::make_shared<PatchState>(*patch.state);
+        state->shape = std::make_shared<SurfaceShape>(
+            shape_of(state->patch, curvature_field(state->patch), origin, site->colors()));
+        return judged(std::move(state), &patch.timeline->front()->patch, *site);
+      },
       [this, patch](const PatchStatePtr& state) { on_judged(patch, state); },
       [this](const QString& text) { give_up(text); });
 }

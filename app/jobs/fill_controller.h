@@ -23,7 +23,7 @@ namespace loopmend {
 
 enum class Activity { idle, opening, filling, stepping, running, solving, pausing, writing };
 
-/// How a run of a flow ended.
+/// How a run of a flow ended: `stopped` by a person, or by a fault at one patch or more.
 enum class RunEnd { complete, stopped };
 
 enum class OpenMode {
@@ -150,7 +150,7 @@ class FillController : public QObject {
   void on_filled(FillResult result, const std::set<int>& wanted, const std::optional<Smoothing>& then);
   void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
   void take_records();
-  void on_evolved(const EvolveResult& result);
+  void on_evolved(const EvolveResult& result, RunEnd how);
   void record_run(const EvolveResult& result);
   QString run_words(const OpenPatch& before, const OpenPatch& now) const;
   ScanSitePtr site_of(int scan);

@@ -130,6 +130,12 @@ FillController::Restored FillController::restore(const QString& path, const JobP
       patch.loops.push_back(static_cast<int>(found - loops.begin()));
     }
     auto state = std::make_shared<PatchState>(*saved.state);
+    const auto vertices =
+        static_cast<int>(restored.scans[static_cast<std::size_t>(saved.scan)]->model->soup_vertex.size());
+    for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
+      if (const int own = state->patch.view_vertex[static_cast<std::size_t>(v)]; own < 0 || own >= vertices)
+        throw ReadError(path.toStdString(), "a patch names a vertex that its scan does not have", "",
+                        "Open the scan itself instead; the session file is damaged.");
     state->shape =
         std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), *origin,
                                                 restored.scans[static_cast<std::size_t>(saved.scan)]->colors));
@@ -174,6 +180,7 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
       index.push_back(document_.add_scan(scan));
     }
     mode = OpenMode::add;
+    for (const std::string& problem : scan->color_problems) Q_EMIT logged(QString::fromStdString(problem));
   }
   for (OpenPatch& patch : restored.patches) {
     patch.scan = index[static_cast<std::size_t>(patch.scan)];

@@ -42,6 +42,8 @@ std::shared_ptr<const SurfaceShape> without_triangles(const SurfaceShape& shape,
       rest->points.push_back(shape.points[at + k]);
       rest->normals.push_back(shape.normals[at + k]);
     }
+    if (!shape.colors.empty())
+      for (std::size_t k = 0; k < 3; ++k) rest->colors.push_back(shape.colors[at + k]);
     if (!shape.H.empty()) rest->H.push_back(shape.H[static_cast<std::size_t>(v)]);
     if (!shape.K.empty()) rest->K.push_back(shape.K[static_cast<std::size_t>(v)]);
     return n;

@@ -20,7 +20,11 @@ std::shared_ptr<const SurfaceShape> joined(const PatchBatch::Shapes& shapes) {
     all->normals.insert(all->normals.end(), shape->normals.begin(), shape->normals.end());
     all->H.insert(all->H.end(), shape->H.begin(), shape->H.end());
     all->K.insert(all->K.end(), shape->K.begin(), shape->K.end());
-    all->colors.insert(all->colors.end(), shape->colors.begin(), shape->colors.end());
+    if (shape->colors.empty())  // beside those of a scan with colours
+      for (std::size_t v = 0; v < shape->points.size() / 3; ++v)
+        for (const double channel : patch_color) all->colors.push_back(static_cast<unsigned char>(255 * channel));
+    else
+      all->colors.insert(all->colors.end(), shape->colors.begin(), shape->colors.end());
     append_triangles(all->triangles, *shape, 0, static_cast<std::size_t>(shape->own_triangles), shifts.back());
   }
   all->own_triangles = static_cast<int>(all->triangles.size() / 3);

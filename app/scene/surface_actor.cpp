@@ -26,7 +26,6 @@ namespace loopmend {
 namespace {
 
 constexpr Rgb scan_color{0.80, 0.785, 0.755};
-constexpr Rgb patch_color{0.50, 0.74, 0.70};
 constexpr Rgb edge_color{0.22, 0.25, 0.30};
 constexpr float edge_width = 0.5F;
 constexpr int default_stripes = 9;

@@ -20,6 +20,9 @@ class vtkPolyDataMapper;
 
 namespace loopmend {
 
+/// Of a patch where nothing else colours it.
+inline constexpr Rgb patch_color{0.50, 0.74, 0.70};
+
 class SurfaceActor {
  public:
   enum class Role { scan, patch };

@@ -121,6 +121,7 @@ void FileDesk::export_to(const QString& path) {
                 [this, path, initial] {
                   if (controller_.busy()) return;
                   Q_EMIT smoothing_wanted(initial);
+                  if (!controller_.busy()) return;  // these patches are gone or accepted by now
                   const auto done = std::make_shared<QMetaObject::Connection>();
                   *done = connect(&controller_, &FillController::flow_ended, this, [this, path, done](RunEnd end) {
                     disconnect(*done);

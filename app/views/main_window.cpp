@@ -152,7 +152,9 @@ void MainWindow::connect_controller() {
   controller_.set_view_source(view);
   autosave_.set_view_source(view);
   connect(&controller_, &FillController::view_restored, this, [this](const SessionView& seen) {
-    look_->set_look(seen.look);
+    Look look = seen.look;
+    if (look.shading == Shading::scan && !has_scan_colors_) look.shading = Shading::curvature;
+    look_->set_look(look);
     view_->set_viewpoint(seen.from);
   });
   connect(&controller_, &FillController::session_saved, this, &MainWindow::update_title);
@@ -173,6 +175,8 @@ void MainWindow::connect_leisure() {
 
 void MainWindow::connect_document() {
   connect(&document_, &Document::opened, this, [this] {
+    has_scan_colors_ = false;
+    if (look_->look().shading == Shading::scan) look_->set_shading(Shading::curvature);
     selection_.clear();
     banner_->hide();
   });

@@ -22,31 +22,46 @@ namespace {
 
 constexpr Color without_color{204, 200, 193, 255};
 
-/// Red, green and blue of the faces of a PLY or OFF file.
+unsigned char channel(double value) { return static_cast<unsigned char>(std::lround(std::clamp(value, 0.0, 255.0))); }
+
+/// A colour's channel, 0..255. @param value  in the column's type: fractions of 1, or integers up to 255, of 16 bits up to 65535
+double full_channel(const AttributeColumn& column, double value) {
+  if (!is_integer(column.type())) return 255 * value;
+  return column.type() == ScalarType::uint16 ? value * 255 / 65535 : value;
+}
+
+/// Of the faces of a PLY file (red, green, blue) or an OFF file (a list of three or four numbers).
 class FaceColors {
  public:
-  explicit FaceColors(const ScanAttributes* scan) : scan_(scan) {
+  explicit FaceColors(const ScanAttributes* scan) {
     if (!scan) return;
     constexpr std::array<const char*, 3> names{"red", "green", "blue"};
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      columns_[k] = find_column(scan->faces, names[k]);
-      if (!columns_[k] || columns_[k]->is_list()) scan_ = nullptr;
-    }
+    for (std::size_t k = 0; k < names.size(); ++k) columns_[k] = find_column(scan->faces, names[k]);
+    is_ply_ = std::all_of(columns_.begin(), columns_.end(),
+                          [](const AttributeColumn* column) { return column && !column->is_list(); });
+    list_ = scan->format == "OFF" ? find_column(scan->faces, "color") : nullptr;
+    if (list_ && !list_->is_list()) list_ = nullptr;
   }
 
   std::optional<Color> of(std::size_t face) const {
-    if (!scan_) return {};
-    Color color{0, 0, 0, 255};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double full = is_integer(columns_[k]->type()) ? 1 : 255;
-      color[k] = static_cast<unsigned char>(std::lround(std::clamp(full * columns_[k]->value(face), 0.0, 255.0)));
+    Vec3 rgb = Vec3::Zero();
+    if (is_ply_) {
+      for (std::size_t k = 0; k < 3; ++k)
+        rgb[static_cast<int>(k)] = full_channel(*columns_[k], columns_[k]->value(face));
+    } else if (list_ && list_->items(face) >= 3) {
+      for (std::size_t k = 0; k < 3; ++k) rgb[static_cast<int>(k)] = list_->value(face, k);
+      if (rgb.maxCoeff() <= 1) rgb *= 255;  // fractions
+    } else {
+      return {};
     }
-    return color;
+    if (!rgb.allFinite()) return {};
+    return Color{channel(rgb.x()), channel(rgb.y()), channel(rgb.z()), 255};
   }
 
  private:
-  const ScanAttributes* scan_;
   std::array<const AttributeColumn*, 3> columns_{};
+  const AttributeColumn* list_ = nullptr;
+  bool is_ply_ = false;
 };
 
 class Colorer {
@@ -169,9 +184,12 @@ class Colorer {
 
   /// The vertex of the part, made if there is none.
   int vertex(ColoredPart& part, int view, const Look& look) {
+    constexpr int most_steps = 64;
+    int steps = 0;
     int& first = first_[static_cast<std::size_t>(view)];
-    for (int at = first; at >= 0; at = known_[static_cast<std::size_t>(at)].next)
+    for (int at = first; at >= 0 && steps < most_steps; ++steps, at = known_[static_cast<std::size_t>(at)].next)
       if (known_[static_cast<std::size_t>(at)].look == look) return known_[static_cast<std::size_t>(at)].vertex;
+    // A double of a vertex does no harm, where thousands of faces in a fan would take for ever.
     const int made = static_cast<int>(part.view_vertex.size());
     part.view_vertex.push_back(view);
     known_.push_back({look, made, std::exchange(first, static_cast<int>(known_.size()))});
@@ -203,15 +221,13 @@ class Colorer {
   ScanColors result_;
 };
 
-unsigned char channel(double value) { return static_cast<unsigned char>(std::lround(std::clamp(value, 0.0, 255.0))); }
-
 }  // namespace
 
 ScanColors scan_colors(const SurfaceModel& model, const CancelToken& cancel) {
   const TriangleSoup& soup = model.soup;
-  const bool has_more =
-      soup.attributes && (soup.attributes->texture.count() > 0 || !soup.attributes->material_libraries.empty() ||
-                          find_column(soup.attributes->faces, "red"));
+  const ScanAttributes* more = soup.attributes.get();
+  const bool has_more = more && (more->texture.count() > 0 || !more->material_libraries.empty() ||
+                                 find_column(more->faces, "red") || find_column(more->faces, "color"));
   if (has_more) return Colorer(model, cancel).result();
   ScanColors colors;  // the common case at once
   if (soup.colors.empty()) return colors;

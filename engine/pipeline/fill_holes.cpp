@@ -89,7 +89,7 @@ std::string why_too_large(double vertices, double needed_mb, double most_memory_
 
 /// Before there is a patch.
 std::string why_too_large(const SurfaceModel& model, const BoundaryLoop& loop, const FillOptions& options) {
-  if (std::isinf(options.most_memory_mb)) return "";
+  if (!options.evolution || std::isinf(options.most_memory_mb)) return "";
   const double vertices = expected_new_vertices(model, loop, options.initial.density);
   return why_too_large(vertices, expected_memory_mb(vertices), options.most_memory_mb);
 }
@@ -222,7 +222,7 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
 /// Tasks that could not share the memory with as many others as there are threads come first, to be worked on one by one; a
 /// group that is too large together comes apart. @returns how many these are.
 int large_first(const SurfaceModel& model, const FillOptions& options, std::vector<Task>& tasks) {
-  if (std::isinf(options.most_memory_mb)) return 0;
+  if (!options.evolution || std::isinf(options.most_memory_mb)) return 0;
   const auto memory_of = [&](const Task& task) {
     double vertices = 0;
     for (const BoundaryLoop& loop : task.loops) vertices += expected_new_vertices(model, loop, options.initial.density);
@@ -247,7 +247,8 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
                              const OnFillProgress& progress, const CancelToken& cancel) {
   FillOptions options = asked;
   if (options.evolution)  // what could not be solved is not made
-    options.initial.most_vertices = std::min(options.initial.most_vertices, options.most_memory_mb / expected_memory_mb(1));
+    options.initial.most_vertices =
+        std::min(options.initial.most_vertices, options.most_memory_mb / expected_memory_mb(1));
   const ScanIndex scan(model);
   std::vector<GroupResult> solved;
   std::vector<BoundaryLoop> possible;

@@ -73,6 +73,23 @@ TEST(ScanColors, of_faces_part_the_vertices_between_them) {
   EXPECT_EQ(colors.at_vertices[1], (Color{200, 0, 0, 255}));
 }
 
+TEST(ScanColors, of_faces_in_every_type_that_files_have) {
+  const TemporaryFolder folder;
+  const auto first_of = [&](const char* name, const std::string& text) {
+    return scan_colors(model_of(folder, name, text)).at_vertices.at(1);
+  };
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  EXPECT_EQ(first_of("s.ply", header("", "property ushort red\nproperty ushort green\nproperty ushort blue\n") +
+                                  points + "3 0 1 2 65535 0 257\n3 0 2 3 0 0 0\n"),
+            (Color{255, 0, 1, 255}));
+  EXPECT_EQ(first_of("f.ply", header("", "property float red\nproperty float green\nproperty float blue\n") + points +
+                                  "3 0 1 2 1 0 0.2\n3 0 2 3 nan 0 0\n"),
+            (Color{255, 0, 51, 255}));
+  EXPECT_EQ(first_of("b.off", "OFF\n4 2 0\n" + points + "3 0 1 2 255 0 51\n3 0 2 3 0 0 0\n"), (Color{255, 0, 51, 255}));
+  EXPECT_EQ(first_of("r.off", "OFF\n4 2 0\n" + points + "3 0 1 2 1.0 0.0 0.2\n3 0 2 3 0 0 0\n"),
+            (Color{255, 0, 51, 255}));
+}
+
 constexpr const char* textured = R"(mtllib m.mtl
 v 0 0 0
 v 1 0 0
