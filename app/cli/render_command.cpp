@@ -55,7 +55,7 @@ int run_render(const RenderCommand& command) {
   std::vector<const SurfaceModel*> all;
   for (const SurfaceModel& model : models) all.push_back(&model);
   options.shading = shading_of(command.color, all);
-  if (options.shading == Shading::scan)
+  if (options.shading == Shading::scan || command.color == "auto")
     for (const SurfaceModel* model : all)
       for (const std::string& problem : scan_colors(*model).problems) std::fprintf(stderr, "%s\n", problem.c_str());
   const std::string png =
