@@ -46,7 +46,7 @@ MainWindow::MainWindow(QWidget* parent)
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
   setAcceptDrops(true);
-  const QSize frame(20, 50);
+  const QSize frame(20, 40);
   resize(QSize(1360, 860).boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
   build_centre();
   files_ = new FileDesk(document_, undo_, controller_, *banner_, this);
