@@ -574,10 +574,15 @@ void KeepingTest::a_right_click_on_a_hole_offers_what_applies() {
   settle(900);
   const QPoint at = visible_point(window, hole);
   QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, at);
-  settle(100);
+  // One that was closed is deleted a little later.
+  const auto open_menu = [&]() -> QMenu* {
+    for (QMenu* menu : window.findChildren<QMenu*>(QStringLiteral("holeMenu")))
+      if (menu->isVisible()) return menu;
+    return nullptr;
+  };
+  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
   QCOMPARE(window.selection().selected(), std::set<int>{hole});
-  auto* menu = window.findChild<QMenu*>(QStringLiteral("holeMenu"));
-  QVERIFY(menu && menu->isVisible());
+  QMenu* menu = open_menu();
   const QList<QAction*> offered = menu->actions();
   const auto is_offered = [&](const char* name) {
     const auto* action = part<QAction>(window, name);
@@ -592,10 +597,8 @@ void KeepingTest::a_right_click_on_a_hole_offers_what_applies() {
   // The same menu in the table; the header keeps the columns.
   auto* table = part<QTableView>(window, "holesTable");
   Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
-  settle(100);
-  menu = window.findChild<QMenu*>(QStringLiteral("holeMenu"));
-  QVERIFY(menu && menu->isVisible());
-  menu->close();
+  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
+  open_menu()->close();
 }
 
 void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
