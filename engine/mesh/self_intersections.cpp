@@ -22,19 +22,6 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// One number for all points in the same place: along a crack the two sides touch without sharing a vertex.
-std::vector<int> merged_by_place(const Points& points) {
-  std::vector<int> order(points.size()), merged(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto less = [&](int a, int b) {
-    return std::lexicographical_compare(points[a].data(), points[a].data() + 3, points[b].data(), points[b].data() + 3);
-  };
-  std::sort(order.begin(), order.end(), less);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    merged[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? merged[order[k - 1]] : order[k];
-  return merged;
-}
-
 /// Relative to the sizes at hand: far beyond rounding, far below what matters.
 constexpr double clearly = 1e-10;
 
@@ -198,7 +185,21 @@ void search_trees(const Boxes& boxes, const std::array<int, 3>& axis, int count,
 
 }  // namespace
 
-std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count) {
+// Along a crack the two sides touch without sharing a vertex.
+std::vector<int> merged_by_place(const Points& points) {
+  std::vector<int> order(points.size()), merged(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto less = [&](int a, int b) {
+    return std::lexicographical_compare(points[a].data(), points[a].data() + 3, points[b].data(), points[b].data() + 3);
+  };
+  std::sort(order.begin(), order.end(), less);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    merged[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? merged[order[k - 1]] : order[k];
+  return merged;
+}
+
+std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count,
+                                                    const CancelToken& cancel) {
   Eigen::AlignedBox3d extent;
   for (const Vec3& p : points) extent.extend(p);
   std::array<int, 3> axis{0, 1, 2};
@@ -209,7 +210,7 @@ std::vector<std::pair<int, int>> self_intersections(const Points& points, const 
   std::vector<std::pair<int, int>> pairs;
   const PairTest test(points, triangles);
   const auto look = [&](int f, int g) {
-    if (test.cut(f, g)) pairs.emplace_back(f, g);
+    if (!cancel.cancelled() && test.cut(f, g)) pairs.emplace_back(f, g);
   };
   // On a nearly flat patch the trees have the least to search over the long axes, and a sweep along the longest.
   if (triangles.size() <= most_for_sweep)

@@ -2,6 +2,7 @@
 // Which triangles cut each other (exact predicates, through CGAL).
 #pragma once
 
+#include "core/cancel.h"
 #include "core/types.h"
 
 #include <memory>
@@ -12,7 +13,12 @@ namespace loopmend {
 
 /// Pairs (a, b), a < b, of triangles that meet in more than their common vertices or edge, where a is among the first
 /// `count`. Vertices in exactly the same place count as one. Triangles without area count as cutting nothing.
-std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count);
+/// @returns ascending; only those found so far when cancelled.
+std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count,
+                                                    const CancelToken& cancel = {});
+
+/// For each point one of those in exactly the same place, the same for all of them.
+std::vector<int> merged_by_place(const Points& points);
 
 /// Finds the triangles near a box fast. Keeps its own copy of the triangles' boxes.
 class TriangleIndex {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/watertight.h"
+
+#include "mesh/self_intersections.h"
+
+#include <Eigen/Geometry>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+namespace loopmend {
+namespace {
+
+/// Sets of vertices that hang together.
+class VertexSets {
+ public:
+  explicit VertexSets(std::size_t count) : rank_(count, 0), parent_(count), sets_(rank_.data(), parent_.data()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  void join(int a, int b) { sets_.union_set(a, b); }
+  /// Of those that hold one of these vertices.
+  std::size_t count(std::vector<int> vertices) {
+    for (int& v : vertices) v = sets_.find_set(v);
+    std::sort(vertices.begin(), vertices.end());
+    return static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+  }
+
+ private:
+  std::vector<unsigned char> rank_;
+  std::vector<int> parent_;
+  boost::disjoint_sets<unsigned char*, int*> sets_;
+};
+
+struct Edge {
+  int low, high;
+  bool forward;  ///< whether its triangle runs from low to high
+  bool operator<(const Edge& other) const { return low != other.low ? low < other.low : high < other.high; }
+};
+
+std::vector<Edge> sorted_edges(const Triangles& triangles) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), a < b});
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+void count_edges(const Triangles& triangles, std::size_t vertex_count, Watertightness& result) {
+  const std::vector<Edge> edges = sorted_edges(triangles);
+  VertexSets boundaries(vertex_count);
+  std::vector<int> on_boundary;
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::upper_bound(first, edges.end(), *first);
+    if (const std::span same(first, last); same.size() == 1) {
+      ++result.open_edges;
+      boundaries.join(first->low, first->high);
+      on_boundary.push_back(first->low);
+    } else if (same.size() > 2) {
+      ++result.non_manifold_edges;
+    } else if (same[0].forward == same[1].forward) {
+      ++result.reversed_edges;
+    }
+    first = last;
+  }
+  result.open_boundaries = boundaries.count(std::move(on_boundary));
+}
+
+/// The triangles over the first point in each place, without those that are left with two corners or fewer.
+Triangles welded_by_place(const TriangleSoup& soup) {
+  const std::vector<int> merged = merged_by_place(soup.points);
+  Triangles triangles;
+  triangles.reserve(soup.triangles.size());
+  for (const Triangle& t : soup.triangles) {
+    const Triangle welded{merged[t[0]], merged[t[1]], merged[t[2]]};
+    if (welded[0] != welded[1] && welded[1] != welded[2] && welded[2] != welded[0]) triangles.push_back(welded);
+  }
+  return triangles;
+}
+
+std::size_t count_pieces(const Triangles& triangles, std::size_t vertex_count) {
+  VertexSets pieces(vertex_count);
+  std::vector<int> used;
+  used.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    pieces.join(t[0], t[1]);
+    pieces.join(t[0], t[2]);
+    used.push_back(t[0]);
+  }
+  return pieces.count(std::move(used));
+}
+
+/// By the divergence theorem, about a point of the surface so that one far from the origin loses no digits.
+double enclosed_volume(const Points& points, const Triangles& triangles) {
+  double six_times = 0;
+  for (const Triangle& t : triangles) {
+    const Vec3& origin = points[triangles.front()[0]];
+    six_times += (points[t[0]] - origin).dot((points[t[1]] - origin).cross(points[t[2]] - origin));
+  }
+  return six_times / 6;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+Watertightness watertightness(const TriangleSoup& soup, const CancelToken& cancel) {
+  Watertightness result;
+  const Triangles triangles = welded_by_place(soup);
+  if (cancel.cancelled()) return result;
+  count_edges(triangles, soup.points.size(), result);
+  if (cancel.cancelled()) return result;
+  result.pieces = count_pieces(triangles, soup.points.size());
+  result.volume = enclosed_volume(soup.points, triangles);
+  result.intersections = self_intersections(soup.points, triangles, static_cast<int>(triangles.size()), cancel).size();
+  return result;
+}
+
+std::vector<std::string> faults(const Watertightness& surface) {
+  std::vector<std::string> result;
+  const auto add = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) result.push_back(counted(count, one, many));
+  };
+  add(surface.open_boundaries, "open boundary", "open boundaries");
+  add(surface.non_manifold_edges, "edge of more than two triangles", "edges of more than two triangles");
+  add(surface.reversed_edges, "edge whose triangles face opposite sides", "edges whose triangles face opposite sides");
+  add(surface.intersections, "pair of triangles that intersect", "pairs of triangles that intersect");
+  if (surface.encloses() && !(surface.volume > 0)) result.push_back("inside out");
+  return result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/watertight.h"
+
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace loopmend {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TriangleSoup moved(TriangleSoup soup, const Vec3& by) {
+  for (Vec3& p : soup.points) p += by;
+  return soup;
+}
+
+TEST(Watertight, SphereIsPrintableAndItsVolumeIsKnown) {
+  const TriangleSoup sphere = make_icosphere(4);
+  const Watertightness found = watertightness(sphere);
+  EXPECT_TRUE(found.printable());
+  EXPECT_EQ(faults(found), Words());
+  EXPECT_EQ(found.pieces, 1u);
+  EXPECT_NEAR(found.volume, 4 * std::numbers::pi / 3, 0.02);
+  EXPECT_NEAR(watertightness(moved(sphere, Vec3(1e6, 0, 0))).volume, found.volume, 1e-6);
+}
+
+TEST(Watertight, EveryTriangleWithItsOwnCornersIsTheSameSurface) {
+  const TriangleSoup sphere = make_icosphere(2);
+  TriangleSoup apart;
+  for (const Triangle& t : sphere.triangles) {
+    const int first = static_cast<int>(apart.points.size());
+    for (int v : t) apart.points.push_back(sphere.points[static_cast<std::size_t>(v)]);
+    apart.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_TRUE(watertightness(apart).printable());
+  EXPECT_EQ(watertightness(apart).pieces, 1u);
+}
+
+TEST(Watertight, HolesAreCountedByBoundaries) {
+  TriangleSoup sphere = make_icosphere(3);
+  sphere = cut(sphere, [](const Vec3& p) { return std::abs(p.z()) > 0.9; });
+  const Watertightness found = watertightness(sphere);
+  EXPECT_FALSE(found.encloses());
+  EXPECT_EQ(found.open_boundaries, 2u);
+  EXPECT_EQ(faults(found), Words{"2 open boundaries"});
+}
+
+TEST(Watertight, TriangleTurnedRoundIsFound) {
+  TriangleSoup sphere = make_icosphere(2);
+  std::swap(sphere.triangles[7][0], sphere.triangles[7][1]);
+  const Watertightness found = watertightness(sphere);
+  EXPECT_EQ(found.reversed_edges, 3u);
+  EXPECT_FALSE(found.printable());
+}
+
+TEST(Watertight, SurfaceTurnedInsideOutIsFound) {
+  TriangleSoup sphere = make_icosphere(2);
+  for (Triangle& t : sphere.triangles) std::swap(t[0], t[1]);
+  EXPECT_TRUE(watertightness(sphere).encloses());
+  EXPECT_EQ(faults(watertightness(sphere)), Words{"inside out"});
+}
+
+TEST(Watertight, FinOnAnEdgeIsNonManifold) {
+  TriangleSoup sphere = make_icosphere(2);
+  const Triangle t = sphere.triangles.front();
+  sphere.points.emplace_back(0, 0, 3);
+  sphere.triangles.push_back({t[0], t[1], static_cast<int>(sphere.points.size()) - 1});
+  const Watertightness found = watertightness(sphere);
+  EXPECT_EQ(found.non_manifold_edges, 1u);
+  EXPECT_EQ(found.open_edges, 2u);
+  EXPECT_EQ(found.open_boundaries, 1u);
+}
+
+TEST(Watertight, TwoSpheresThatCutEachOtherIntersect) {
+  const TriangleSoup sphere = make_icosphere(2);
+  const Watertightness apart = watertightness(joined({sphere, moved(sphere, Vec3(3, 0, 0))}));
+  EXPECT_TRUE(apart.printable());
+  EXPECT_EQ(apart.pieces, 2u);
+  const Watertightness both = watertightness(joined({sphere, moved(sphere, Vec3(1, 0.01, 0.02))}));
+  EXPECT_TRUE(both.encloses());
+  EXPECT_GT(both.intersections, 20u);
+  EXPECT_FALSE(both.printable());
+}
+
+TEST(Watertight, TrianglesWithoutThreeCornersAreNotLookedAt) {
+  TriangleSoup sphere = make_icosphere(1);
+  sphere.triangles.push_back({0, 0, 1});
+  EXPECT_TRUE(watertightness(sphere).printable());
+}
+
+TEST(Watertight, NothingIsNotPrintable) { EXPECT_FALSE(watertightness({}).printable()); }
+
+}  // namespace
+}  // namespace loopmend
