@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace loopmend {
 
@@ -190,7 +191,8 @@ std::vector<int> merged_by_place(const Points& points) {
   std::vector<int> order(points.size()), merged(points.size());
   std::iota(order.begin(), order.end(), 0);
   const auto less = [&](int a, int b) {
-    return std::lexicographical_compare(points[a].data(), points[a].data() + 3, points[b].data(), points[b].data() + 3);
+    const Vec3 &p = points[a], &q = points[b];
+    return std::tie(p.x(), p.y(), p.z(), a) < std::tie(q.x(), q.y(), q.z(), b);
   };
   std::sort(order.begin(), order.end(), less);
   for (std::size_t k = 0; k < order.size(); ++k)

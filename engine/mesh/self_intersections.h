@@ -17,7 +17,7 @@ namespace loopmend {
 std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count,
                                                     const CancelToken& cancel = {});
 
-/// For each point one of those in exactly the same place, the same for all of them.
+/// For each point the first in exactly the same place.
 std::vector<int> merged_by_place(const Points& points);
 
 /// Finds the triangles near a box fast. Keeps its own copy of the triangles' boxes.

@@ -62,10 +62,13 @@ void count_edges(const Triangles& triangles, std::size_t vertex_count, Watertigh
       ++result.open_edges;
       boundaries.join(first->low, first->high);
       on_boundary.push_back(first->low);
-    } else if (same.size() > 2) {
-      ++result.non_manifold_edges;
-    } else if (same[0].forward == same[1].forward) {
-      ++result.reversed_edges;
+    } else {
+      const auto forward = std::count_if(same.begin(), same.end(), [](const Edge& edge) { return edge.forward; });
+      const bool in_pairs = 2 * static_cast<std::size_t>(forward) == same.size();
+      if (same.size() == 2)
+        result.reversed_edges += !in_pairs;
+      else
+        (in_pairs ? result.touching_edges : result.non_manifold_edges) += 1;
     }
     first = last;
   }

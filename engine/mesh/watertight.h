@@ -16,12 +16,14 @@ namespace loopmend {
 struct Watertightness {
   std::size_t pieces = 0;              ///< parts of the surface that share no vertex
   std::size_t open_boundaries = 0;     ///< sets of open edges that hang together
-  std::size_t open_edges = 0;          ///< edges of one triangle
-  std::size_t non_manifold_edges = 0;  ///< edges of more than two
-  std::size_t reversed_edges = 0;      ///< edges whose two triangles do not agree which side is outside
+  std::size_t open_edges = 0;          ///< of one triangle
+  std::size_t touching_edges = 0;      ///< of more than two, in pairs that agree: where a body touches another, or itself
+  std::size_t non_manifold_edges = 0;  ///< of more than two that are not in such pairs
+  std::size_t reversed_edges = 0;      ///< whose two triangles do not agree which side is outside
   std::size_t intersections = 0;       ///< pairs of triangles that cut each other
   double volume = 0;  ///< cubic mesh units; negative: inside out. Tells nothing where the surface is open
 
+  /// Whether inside and outside are told apart everywhere: a body that touches itself along an edge is still a body.
   bool encloses() const { return open_edges + non_manifold_edges + reversed_edges == 0; }
   bool printable() const { return encloses() && intersections == 0 && volume > 0; }
 };

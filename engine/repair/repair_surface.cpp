@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/repair_surface.h"
 
+#include "mesh/directed_edges.h"
 #include "mesh/pieces.h"
+#include "mesh/self_intersections.h"
 #include "mesh/surface_model.h"
 
 #include <Eigen/Geometry>
@@ -39,19 +41,106 @@ std::vector<char> in_crumbs(const TriMesh& mesh, std::size_t& pieces) {
   return result;
 }
 
-}  // namespace
+/// The soup without the triangles for which `gone` is 1, and all points.
+TriangleSoup without(const TriangleSoup& soup, const std::vector<char>& gone) {
+  TriangleSoup result;
+  result.points = soup.points;
+  result.colors = soup.colors;
+  std::vector<int> points(soup.points.size()), faces;
+  std::iota(points.begin(), points.end(), 0);
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    if (gone[f]) continue;
+    result.triangles.push_back(soup.triangles[f]);
+    faces.push_back(static_cast<int>(f));
+  }
+  copy_rows(soup, points, faces, result);
+  return result;
+}
 
-RepairedSurface repair_surface(const TriangleSoup& soup) {
+std::size_t remove(TriangleSoup& soup, const std::vector<char>& gone) {
+  const auto count = static_cast<std::size_t>(std::count(gone.begin(), gone.end(), 1));
+  if (count > 0) soup = without(soup, gone);
+  return count;
+}
+
+/// @returns how many points lost their faces to an earlier one in the same place.
+std::size_t join_coincident(TriangleSoup& soup) {
+  const std::vector<int> merged = merged_by_place(soup.points);
+  std::vector<char> given_up(soup.points.size(), 0);
+  for (Triangle& t : soup.triangles)
+    for (int& v : t) {
+      given_up[v] |= merged[v] != v;
+      v = merged[v];
+    }
+  return static_cast<std::size_t>(std::count(given_up.begin(), given_up.end(), 1));
+}
+
+std::vector<char> degenerate(const Triangles& triangles) {
+  std::vector<char> result(triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const Triangle& t = triangles[f];
+    result[f] = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  }
+  return result;
+}
+
+/// Triangles over the same three vertices: one stays. But where as many face one side as the other, and the triangles at
+/// each of their edges do as well, the surface is folded flat onto itself there: none stays, and nothing opens.
+std::vector<char> duplicates(const Triangles& triangles) {
+  struct Entry {
+    Triangle sorted;
+    int face;
+    int side;  ///< 1 or -1
+  };
+  std::vector<Entry> entries;
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    Triangle t = triangles[f];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    const int side = t[1] < t[2] ? 1 : -1;
+    entries.push_back({side > 0 ? t : Triangle{t[0], t[2], t[1]}, static_cast<int>(f), side});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.sorted != b.sorted ? a.sorted < b.sorted : a.face < b.face;
+  });
+  const DirectedEdges directed(triangles, static_cast<int>(triangles.size()));
+  const auto balanced = [&directed](int a, int b) {
+    const auto count = [&](const DirectedEdges::Edge& edge) {
+      const auto [first, last] = std::equal_range(directed.all().begin(), directed.all().end(), edge);
+      return last - first;
+    };
+    return count({a, b}) == count({b, a});
+  };
+  std::vector<char> gone(triangles.size(), 0);
+  for (auto first = entries.begin(); first != entries.end();) {
+    const auto last = std::find_if(first, entries.end(), [&](const Entry& e) { return e.sorted != first->sorted; });
+    int side = 0;
+    for (auto e = first; e != last; ++e) side += e->side;
+    const Triangle& t = first->sorted;
+    const bool cancel_out = side == 0 && balanced(t[0], t[1]) && balanced(t[1], t[2]) && balanced(t[2], t[0]);
+    const auto kept = std::find_if(first, last, [&](const Entry& e) { return side * e.side >= 0; });
+    for (auto e = first; e != last; ++e) gone[e->face] = cancel_out || e != kept;
+    first = last;
+  }
+  return gone;
+}
+
+std::vector<char> intersecting(const TriangleSoup& soup, const CancelToken& cancel) {
+  std::vector<char> result(soup.triangles.size(), 0);
+  const auto count = static_cast<int>(soup.triangles.size());
+  for (const auto& [f, g] : self_intersections(soup.points, soup.triangles, count, cancel)) result[f] = result[g] = 1;
+  return result;
+}
+
+/// The oriented view of the soup becomes the soup.
+void separate(TriangleSoup& soup, RepairCounts& counts) {
   const SurfaceModel model = make_surface_model(soup);
-  RepairedSurface result;
-  RepairCounts& counts = result.counts;
-  counts.degenerate_faces = model.repairs.degenerate_faces;
-  counts.duplicate_faces = model.repairs.duplicate_faces;
+  counts.degenerate_faces += model.repairs.degenerate_faces;
+  counts.duplicate_faces += model.repairs.duplicate_faces;
   counts.separated_edges = model.repairs.non_manifold_edges;
   counts.turned_faces = model.repairs.reoriented_faces;
-  const std::vector<char> crumb = in_crumbs(model.mesh, counts.removed_pieces);
-  result.soup.points = soup.points;
-  result.soup.colors = soup.colors;
+  TriangleSoup result;
+  result.points = soup.points;
+  result.colors = soup.colors;
   // The first view vertex of a point keeps its number; the others are new points.
   std::vector<char> used(soup.points.size(), 0);
   std::vector<int> number(model.soup_vertex.size());
@@ -61,10 +150,10 @@ RepairedSurface repair_surface(const TriangleSoup& soup) {
     const int point = model.soup_vertex[v];
     number[v] = point;
     if (used[point]) {
-      number[v] = static_cast<int>(result.soup.points.size());
-      result.soup.points.push_back(Vec3(soup.points[point]));
+      number[v] = static_cast<int>(result.points.size());
+      result.points.push_back(Vec3(soup.points[point]));
       points.push_back(point);
-      if (!soup.colors.empty()) result.soup.colors.push_back(soup.colors[point]);
+      if (!soup.colors.empty()) result.colors.push_back(soup.colors[point]);
       counts.separated_vertices += used[point] == 1;
       used[point] = 2;
     } else {
@@ -72,20 +161,49 @@ RepairedSurface repair_surface(const TriangleSoup& soup) {
     }
   }
   for (const auto face : model.mesh.faces()) {
-    if (crumb[face.idx()]) {
-      ++counts.removed_faces;
-      continue;
-    }
     // As it begins in the file.
     const Triangle& given = model.soup.triangles[model.soup_face[face.idx()]];
     std::array<int, 3> corner;
     int k = 0;
     for (const auto v : model.mesh.fv_range(face)) corner[k++] = v.idx();
     while (model.soup_vertex[corner[0]] != given[0]) std::rotate(corner.begin(), corner.begin() + 1, corner.end());
-    result.soup.triangles.push_back({number[corner[0]], number[corner[1]], number[corner[2]]});
+    result.triangles.push_back({number[corner[0]], number[corner[1]], number[corner[2]]});
     faces.push_back(model.soup_face[face.idx()]);
   }
-  copy_rows(soup, points, faces, result.soup);
+  copy_rows(soup, points, faces, result);
+  soup = std::move(result);
+}
+
+void remove_crumbs(TriangleSoup& soup, RepairCounts& counts) {
+  const SurfaceModel model = make_surface_model(soup);
+  const std::vector<char> crumb = in_crumbs(model.mesh, counts.removed_pieces);
+  std::vector<char> gone(soup.triangles.size(), 0);
+  for (std::size_t f = 0; f < crumb.size(); ++f) gone[model.soup_face[f]] = crumb[f];
+  counts.removed_faces = remove(soup, gone);
+}
+
+}  // namespace
+
+RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects, const CancelToken& cancel) {
+  RepairedSurface result{soup, {}};
+  RepairCounts& counts = result.counts;
+  for (const Defect defect : defects) {
+    if (cancel.cancelled()) break;
+    switch (defect) {
+      case Defect::coincident_points: counts.joined_points = join_coincident(result.soup); break;
+      case Defect::degenerate_faces:
+        counts.degenerate_faces = remove(result.soup, degenerate(result.soup.triangles));
+        break;
+      case Defect::duplicate_faces:
+        counts.duplicate_faces = remove(result.soup, duplicates(result.soup.triangles));
+        break;
+      case Defect::intersections:
+        counts.intersecting_faces = remove(result.soup, intersecting(result.soup, cancel));
+        break;
+      case Defect::non_manifold: separate(result.soup, counts); break;
+      case Defect::crumbs: remove_crumbs(result.soup, counts); break;
+    }
+  }
   return result;
 }
 

@@ -2,17 +2,34 @@
 // From a soup of triangles to an oriented manifold, at the price of some vertices that become two.
 #pragma once
 
+#include "core/cancel.h"
 #include "mesh/triangle_soup.h"
 
 #include <cstddef>
+#include <set>
 
 namespace loopmend {
 
+enum class Defect {
+  coincident_points,  ///< several at exactly the same place: joined
+  degenerate_faces,   ///< with a vertex twice: removed
+  duplicate_faces,    ///< over the vertices of an earlier one: removed; the earlier one too where they cancel out
+  intersections,      ///< faces that cut another: removed, which leaves holes to be filled
+  non_manifold,  ///< edges of more than two faces, fans that meet at a vertex: separated; faces are turned to agree
+  crumbs,        ///< tiny pieces of surface: removed
+};
+
+/// What makes a manifold without removing anything that a person would miss.
+inline const std::set<Defect> harmless_repairs{Defect::degenerate_faces, Defect::duplicate_faces, Defect::non_manifold,
+                                               Defect::crumbs};
+
 /// What was done. All 0 for a sound mesh.
 struct RepairCounts {
-  std::size_t degenerate_faces = 0;  ///< with a vertex twice: removed
-  std::size_t duplicate_faces = 0;   ///< over the vertices of an earlier one: removed
-  std::size_t separated_edges = 0;   ///< had more than two faces; each now has two or one
+  std::size_t joined_points = 0;
+  std::size_t degenerate_faces = 0;    ///< removed
+  std::size_t duplicate_faces = 0;     ///< removed
+  std::size_t intersecting_faces = 0;  ///< removed
+  std::size_t separated_edges = 0;     ///< had more than two faces; each now has two or one
   /// Fans that lie side by side, as where two holes touch, keep their vertex in common.
   std::size_t separated_vertices = 0;  ///< became several at one place: ends of such edges, and where sheets touch
   std::size_t turned_faces = 0;        ///< to agree with their neighbors
@@ -20,7 +37,8 @@ struct RepairCounts {
   std::size_t removed_faces = 0;       ///< of these pieces
 
   bool any() const {
-    return degenerate_faces + duplicate_faces + separated_edges + separated_vertices + turned_faces + removed_pieces >
+    return joined_points + degenerate_faces + duplicate_faces + intersecting_faces + separated_edges +
+               separated_vertices + turned_faces + removed_pieces >
            0;
   }
 };
@@ -30,7 +48,10 @@ struct RepairedSurface {
   RepairCounts counts;
 };
 
-/// Faces keep their order. No point moves. @throws InvalidArgument if no usable face is left.
-RepairedSurface repair_surface(const TriangleSoup& soup);
+/// Mends the defects named, in the order of the enumeration. Faces keep their order. No point moves. Points that no face
+/// needs any more stay. `non_manifold` takes degenerate and duplicate faces along.
+/// @throws InvalidArgument if no usable face is left.
+RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects = harmless_repairs,
+                               const CancelToken& cancel = {});
 
 }  // namespace loopmend

@@ -75,6 +75,17 @@ TEST(Watertight, FinOnAnEdgeIsNonManifold) {
   EXPECT_EQ(found.open_boundaries, 1u);
 }
 
+TEST(Watertight, BodiesThatTouchAlongAnEdgeAreStillBodies) {
+  TriangleSoup both;
+  both.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  both.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 1, 4}, {0, 4, 5}, {0, 5, 1}, {1, 5, 4}};
+  const Watertightness found = watertightness(both);
+  EXPECT_EQ(found.touching_edges, 1u);
+  EXPECT_EQ(found.non_manifold_edges, 0u);
+  EXPECT_TRUE(found.encloses());
+  EXPECT_EQ(found.intersections, 0u);
+}
+
 TEST(Watertight, TwoSpheresThatCutEachOtherIntersect) {
   const TriangleSoup sphere = make_icosphere(2);
   const Watertightness apart = watertightness(joined({sphere, moved(sphere, Vec3(3, 0, 0))}));

@@ -3,6 +3,7 @@
 
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
+#include "mesh/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -53,6 +54,64 @@ TEST(RepairSurface, TurnsFacesAndRemovesCrumbs) {
   EXPECT_EQ(repaired.counts.removed_faces, 1u);
   EXPECT_EQ(repaired.soup.triangles.size(), 1280u);
   EXPECT_TRUE(find_boundary_loops(make_surface_model(repaired.soup)).empty());
+}
+
+TEST(RepairSurface, FlatFoldGoesAndNothingOpens) {
+  TriangleSoup soup = make_icosphere(2);
+  const Triangle t = soup.triangles[5];
+  const int tip = static_cast<int>(soup.points.size());
+  // A flap of no thickness over an edge of the sphere: it adds no volume, and its two sides lie on each other.
+  soup.points.push_back(2 * soup.points[static_cast<std::size_t>(t[0])]);
+  soup.triangles.push_back({t[0], t[1], tip});
+  soup.triangles.push_back({t[1], t[0], tip});
+  ASSERT_TRUE(watertightness(soup).encloses());
+  ASSERT_GT(watertightness(soup).intersections, 0u);
+  const RepairedSurface repaired = repair_surface(soup, {Defect::duplicate_faces});
+  EXPECT_EQ(repaired.counts.duplicate_faces, 2u);
+  EXPECT_TRUE(watertightness(repaired.soup).printable());
+  EXPECT_FALSE(repair_surface(repaired.soup).counts.any());
+}
+
+TEST(RepairSurface, DuplicateThatFacesTheOtherWayGoesAlone) {
+  TriangleSoup soup = make_icosphere(2);
+  const Triangle t = soup.triangles[5];
+  soup.triangles.push_back({t[1], t[0], t[2]});
+  const RepairedSurface repaired = repair_surface(soup, {Defect::duplicate_faces});
+  EXPECT_EQ(repaired.counts.duplicate_faces, 1u);
+  EXPECT_EQ(repaired.soup.triangles, make_icosphere(2).triangles);
+}
+
+TEST(RepairSurface, IntersectingFacesAreCutOutAndLeaveHoles) {
+  const TriangleSoup sphere = make_icosphere(3);
+  TriangleSoup soup = sphere;
+  soup.points[100] *= 0.2;  // a spike through the other side
+  soup.points[100] *= -6;
+  const std::size_t before = watertightness(soup).intersections;
+  ASSERT_GT(before, 0u);
+  const RepairedSurface repaired = repair_surface(soup, {Defect::intersections});
+  EXPECT_GT(repaired.counts.intersecting_faces, 5u);
+  const Watertightness left = watertightness(repaired.soup);
+  EXPECT_EQ(left.intersections, 0u);
+  EXPECT_GT(left.open_boundaries, 0u);
+  EXPECT_EQ(repaired.soup.points, soup.points);
+}
+
+TEST(RepairSurface, OnlyWhatIsNamedIsMended) {
+  TriangleSoup soup = make_icosphere(3);
+  soup.triangles.push_back({3, 3, 4});
+  soup.triangles.push_back(soup.triangles.front());
+  EXPECT_EQ(repair_surface(soup, {Defect::degenerate_faces}).soup.triangles.size(), soup.triangles.size() - 1);
+  EXPECT_EQ(repair_surface(soup, {Defect::duplicate_faces}).soup.triangles.size(), soup.triangles.size() - 1);
+  EXPECT_EQ(repair_surface(soup, {}).soup.triangles, soup.triangles);
+  EXPECT_FALSE(repair_surface(soup, {Defect::crumbs}).counts.any());
+}
+
+TEST(RepairSurface, PointsInTheSamePlaceAreJoined) {
+  TriangleSoup soup = joined({make_icosphere(1), make_icosphere(1)});
+  const RepairedSurface repaired = repair_surface(soup, {Defect::coincident_points});
+  EXPECT_EQ(repaired.counts.joined_points, soup.points.size() / 2);
+  const std::size_t half = soup.triangles.size() / 2;
+  for (std::size_t f = 0; f < half; ++f) EXPECT_EQ(repaired.soup.triangles[f + half], soup.triangles[f]);
 }
 
 }  // namespace
