@@ -249,4 +249,40 @@ QString not_kept(const std::vector<NotKept>& list) {
   return words.join(QStringLiteral(", "));
 }
 
+namespace {
+
+QStringList faults_in_words(const Watertightness& surface) {
+  QStringList words;
+  const auto add = [&words](std::size_t n, const char* one_or_more) {
+    if (n > 0) words << tr(one_or_more, static_cast<int>(n));
+  };
+  add(surface.open_boundaries, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n open boundary loop(s)"));
+  add(surface.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n edge(s) of more than two faces"));
+  add(surface.reversed_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n edge(s) whose faces look to opposite sides"));
+  add(surface.intersections, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n pair(s) of faces that intersect"));
+  if (surface.encloses() && !(surface.volume > 0)) words << tr("the surface is inside out");
+  return words;
+}
+
+}  // namespace
+
+QString verdict(const Watertightness& surface) {
+  if (surface.printable()) return tr("Watertight, ready to print");
+  const QStringList words = faults_in_words(surface);
+  const QString first = words.value(0);
+  if (surface.encloses()) return tr("Watertight, not ready to print: %1").arg(first);
+  return words.size() > 1 ? tr("Not watertight: %1 and more").arg(first) : tr("Not watertight: %1").arg(first);
+}
+
+QString verdict_help(const Watertightness& surface) {
+  QStringList lines = faults_in_words(surface);
+  lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%n piece(s) of surface"), static_cast<int>(surface.pieces));
+  if (surface.encloses()) lines << tr("volume %1, in cubic units of the scan").arg(number(surface.volume));
+  if (surface.touching_edges > 0)
+    lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%n edge(s) along which it touches itself"),
+                static_cast<int>(surface.touching_edges));
+  for (QString& line : lines) line = sentence(line);
+  return lines.join(QLatin1Char('\n'));
+}
+
 }  // namespace loopmend::labels

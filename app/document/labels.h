@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "mesh/watertight.h"
 
 #include <QString>
 
@@ -44,6 +45,11 @@ QString holes(const Document& document, const std::set<int>& loops);
 
 /// What the reader met and mended, in one or two sentences; the first gives the counts.
 QString import_summary(const OpenedScan& scan);
+
+/// "Watertight, ready to print", or what stands against it, most important first.
+QString verdict(const Watertightness& surface);
+/// All that stands against it, pieces and volume, in lines.
+QString verdict_help(const Watertightness& surface);
 
 /// "normals (9,992), materials (3)".
 QString not_kept(const std::vector<NotKept>& list);

@@ -11,12 +11,16 @@ void leave_open(const OpenPatch& patch, ExportResult& result) {
   result.left_open.insert(patch.loops.begin(), patch.loops.end());
 }
 
+bool is_left_out(const OpenPatch& patch) {
+  return patch.state->status == PatchStatus::invalid && patch.acceptance != Acceptance::accepted;
+}
+
 TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result) {
   SurfaceModel model = *part.model;
   std::vector<const OpenPatch*> wanted;
   std::vector<const Patch*> patches;
   for (const OpenPatch& patch : part.patches) {
-    if (patch.state->status == PatchStatus::invalid && patch.acceptance != Acceptance::accepted) {
+    if (is_left_out(patch)) {
       leave_open(patch, result);
       continue;
     }
@@ -29,11 +33,39 @@ TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result) {
   return model.soup;
 }
 
+/// The patch's own vertices and triangles, sewn to the points of the scan.
+void sew_on(TriangleSoup& soup, const SurfaceModel& model, const Patch& patch) {
+  const auto first = static_cast<int>(soup.points.size());
+  const auto point = [&](int v) {
+    if (v < patch.free_count) return first + v;
+    return model.soup_vertex[static_cast<std::size_t>(patch.view_vertex[static_cast<std::size_t>(v)])];
+  };
+  for (int v = 0; v < patch.free_count; ++v)
+    soup.points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    const Triangle& t = patch.triangles[static_cast<std::size_t>(f)];
+    soup.triangles.push_back({point(t[0]), point(t[1]), point(t[2])});
+  }
+}
+
 }  // namespace
 
-ExportTask export_task(const Document& document, const std::string& path) {
+TriangleSoup plain_surface(const ExportTask& task) {
+  std::vector<TriangleSoup> soups;
+  for (const ExportTask::Part& part : task.parts) {
+    TriangleSoup& soup = soups.emplace_back();
+    soup.points = part.model->soup.points;
+    soup.triangles = part.model->soup.triangles;
+    for (const OpenPatch& patch : part.patches)
+      if (!is_left_out(patch)) sew_on(soup, *part.model, patch.state->patch);
+  }
+  return joined(std::move(soups));
+}
+
+ExportTask export_task(const Document& document, const std::string& path, ExportContent content) {
   ExportTask task;
   task.path = path;
+  task.content = content;
   for (int index : document.scans()) {
     ExportTask::Part part{document.scan(index)->model, {}};
     for (const NotKept& entry : document.scan(index)->import.not_kept)
@@ -48,9 +80,14 @@ ExportTask export_task(const Document& document, const std::string& path) {
 ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
   ExportResult result;
   std::vector<TriangleSoup> soups;
+  WriteScanOptions options;
   for (const ExportTask::Part& part : task.parts) {
     if (cancel.cancelled()) return result;
     soups.push_back(pasted(part, result));
+    if (task.content == ExportContent::scene) continue;
+    options.written.resize(options.written.size() + part.model->soup.triangles.size(), 0);
+    const std::size_t added = soups.back().triangles.size() - part.model->soup.triangles.size();
+    options.written.resize(options.written.size() + added, 1);
   }
   result.not_kept = task.not_read;
   if (soups.size() > 1)
@@ -59,7 +96,7 @@ ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
   TriangleSoup all = joined(std::move(soups));
   if (cancel.cancelled()) return result;
   OutputTransaction outputs;
-  result.remarks = write_scan(outputs, task.path, all, {}, cancel).remarks;
+  result.remarks = write_scan(outputs, task.path, all, options, cancel).remarks;
   if (cancel.cancelled()) return result;
   outputs.commit();
   result.triangles = all.triangles.size();

@@ -11,6 +11,8 @@
 
 namespace loopmend {
 
+enum class ExportContent { scene, patches };
+
 struct ExportTask {
   struct Part {
     std::shared_ptr<const SurfaceModel> model;
@@ -19,6 +21,7 @@ struct ExportTask {
   std::vector<Part> parts;
   std::vector<NotKept> not_read;  ///< what reading left out already
   std::string path;
+  ExportContent content = ExportContent::scene;
 };
 
 struct ExportResult {
@@ -31,7 +34,11 @@ struct ExportResult {
 
 /// The scene as it is. Patches that are `invalid` come along only where a person has accepted them; one that intersects
 /// another patch is left out in any case.
-ExportTask export_task(const Document& document, const std::string& path);
+ExportTask export_task(const Document& document, const std::string& path, ExportContent content = ExportContent::scene);
+
+/// The scans with these patches, as they would be written, without their attributes. Patches are not tested against each
+/// other.
+TriangleSoup plain_surface(const ExportTask& task);
 
 /// @throws WriteError. @returns without a file when cancelled.
 ExportResult export_scene(const ExportTask& task, const CancelToken& cancel);

@@ -189,6 +189,13 @@ void FillController::mend(Mending what, const std::set<int>& loops) {
   run_mending(what, std::move(tasks));
 }
 
+void FillController::repair(const std::set<Defect>& defects) {
+  if (busy()) return;
+  std::vector<MendingTask> tasks;
+  for (int scan : document_.scans()) tasks.push_back({scan, document_.scan(scan), {}, {-1, -1}, 0, defects});
+  if (!tasks.empty()) run_mending(Mending::repair, std::move(tasks));
+}
+
 void FillController::bridge(int scan, int soup_a, int soup_b) {
   if (busy() || !document_.scan(scan)) return;
   run_mending(Mending::bridge, {{scan, document_.scan(scan), {}, {soup_a, soup_b}, 0}});

@@ -11,6 +11,7 @@
 #include "jobs/load_scan.h"
 #include "jobs/run_recorder.h"
 #include "jobs/task_runner.h"
+#include "repair/repair_surface.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -69,7 +70,7 @@ class FillController : public QObject {
   void open_session(const QString& path, const QString& shown_as = {});
   void save_session(const QString& path);
   /// All scans and patches as one mesh; the format follows the extension. Patches that cut are left out unless accepted.
-  void export_to(const QString& path);
+  void export_to(const QString& path, ExportContent content = ExportContent::scene);
 
   /// Loops that have a patch already are passed over.
   void fill(const std::set<int>& loops, const FillChoice& choice);
@@ -79,6 +80,8 @@ class FillController : public QObject {
   /// Each scan that has one of these loops, or all scans where there are none, is replaced by a mended one without patches; can
   /// be undone. Where there is nothing to mend, that is told.
   void mend(Mending what, const std::set<int>& loops);
+  /// Mending::repair of these defects, in all scans.
+  void repair(const std::set<Defect>& defects);
   /// A strip between the boundary edges that begin at these soup points of a scan; as with_bridge() of the engine.
   void bridge(int scan, int soup_a, int soup_b);
   void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
@@ -146,7 +149,7 @@ class FillController : public QObject {
   void on_restored(Restored restored, const QString& path, const QString& shown_as);
   std::vector<FillTask> fill_tasks(const std::set<int>& loops, const FillChoice& choice);
   void on_judged(OpenPatch patch, PatchStatePtr state);
-  void on_exported(const ExportResult& result, const QString& path);
+  void on_exported(const ExportResult& result, const QString& path, ExportContent content);
   void on_filled(FillResult result, const std::set<int>& wanted, const std::optional<Smoothing>& then);
   void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
   void take_records();

@@ -235,18 +235,19 @@ void FillController::save_session(const QString& path) {
       [this](const QString& text) { give_up(text); });
 }
 
-void FillController::export_to(const QString& path) {
+void FillController::export_to(const QString& path, ExportContent content) {
   if (busy() || !document_.has_scan()) return;
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
   tasks_.run(
-      job, [job, task = export_task(document_, path.toStdString())] { return export_scene(task, job->token()); },
-      [this, path](const ExportResult& result) { on_exported(result, path); },
+      job,
+      [job, task = export_task(document_, path.toStdString(), content)] { return export_scene(task, job->token()); },
+      [this, path, content](const ExportResult& result) { on_exported(result, path, content); },
       [this](const QString& text) { give_up(text); });
 }
 
-void FillController::on_exported(const ExportResult& result, const QString& path) {
+void FillController::on_exported(const ExportResult& result, const QString& path, ExportContent content) {
   end();
-  undo_.mark_saved();
+  if (content == ExportContent::scene) undo_.mark_saved();
   QString text = tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), labels::count(result.triangles));
   if (!result.not_kept.empty()) text += tr(" Not in it: %1.").arg(labels::not_kept(result.not_kept));
   if (result.largest_rounding > 0 && path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive))

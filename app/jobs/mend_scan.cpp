@@ -39,20 +39,25 @@ std::optional<MendedScan> stitched(const MendingTask& task) {
 
 std::optional<MendedScan> repaired(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
-  RepairedSurface result = repair_surface(old.model->soup);
+  RepairedSurface result = repair_surface(old.model->soup, task.defects);
   const RepairCounts& counts = result.counts;
   if (!counts.any()) return std::nullopt;
+  QStringList done;
+  const auto add = [&done](std::size_t count, const QString& text) {
+    if (count > 0) done << text;
+  };
+  const auto n = [](std::size_t count) { return static_cast<int>(count); };
+  add(counts.joined_points, FillController::tr("%n vertices joined", nullptr, n(counts.joined_points)));
+  add(counts.degenerate_faces, FillController::tr("%n degenerate faces removed", nullptr, n(counts.degenerate_faces)));
+  add(counts.duplicate_faces, FillController::tr("%n duplicate faces removed", nullptr, n(counts.duplicate_faces)));
+  add(counts.intersecting_faces,
+      FillController::tr("%n intersecting faces cut out", nullptr, n(counts.intersecting_faces)));
+  add(counts.separated_edges, FillController::tr("%n edges separated", nullptr, n(counts.separated_edges)));
+  add(counts.separated_vertices, FillController::tr("%n vertices separated", nullptr, n(counts.separated_vertices)));
+  add(counts.turned_faces, FillController::tr("%n faces turned", nullptr, n(counts.turned_faces)));
+  add(counts.removed_pieces, FillController::tr("%n loose crumbs removed", nullptr, n(counts.removed_pieces)));
   const QString words =
-      FillController::tr(
-          "%1: %2 edges and %3 vertices were separated, %4 faces turned, %5 degenerate and %6 duplicate faces and "
-          "%7 crumbs removed; Ctrl+Z takes it back.")
-          .arg(old.name)
-          .arg(counts.separated_edges)
-          .arg(counts.separated_vertices)
-          .arg(counts.turned_faces)
-          .arg(counts.degenerate_faces)
-          .arg(counts.duplicate_faces)
-          .arg(counts.removed_pieces);
+      FillController::tr("%1: %2. Ctrl+Z takes it back.").arg(old.name, done.join(QStringLiteral(", ")));
   return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
                     FillController::tr("Repair %1").arg(old.name), words};
 }

@@ -5,12 +5,14 @@
 #include "document/opened_scan.h"
 #include "jobs/load_scan.h"
 #include "mesh/boundary_loops.h"
+#include "repair/repair_surface.h"
 
 #include <QString>
 
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace loopmend {
@@ -22,8 +24,9 @@ struct MendingTask {
   int scan = 0;
   std::shared_ptr<const OpenedScan> opened;
   std::vector<BoundaryLoop> loops;
-  std::array<int, 2> bridge_ends{-1, -1};  ///< soup points
-  int patches = 0;                         ///< of the scan, which the mended one will not have
+  std::array<int, 2> bridge_ends{-1, -1};       ///< soup points
+  int patches = 0;                              ///< of the scan, which the mended one will not have
+  std::set<Defect> defects = harmless_repairs;  ///< to be repaired
 };
 
 struct MendedScan {

@@ -36,7 +36,7 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
   connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
   connect(trim_, &QPushButton::clicked, this, [this] { mend(Mending::trim); });
   connect(stitch_, &QPushButton::clicked, this, [this] { mend(Mending::stitch); });
-  connect(repair_, &QPushButton::clicked, this, [this] { mend(Mending::repair); });
+  connect(repair_, &QPushButton::clicked, this, &FillBox::repair_wanted);
   connect(preview_, &QCheckBox::toggled, this, &FillBox::preview_now);
   connect(islands_, &QCheckBox::toggled, this, &FillBox::preview_soon);
   connect(density_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
@@ -80,9 +80,9 @@ void FillBox::build() {
       tr("Zip boundaries that lie within a tenth of their edges of each other, such as cracks and the seams "
          "between tiles; Ctrl+Z takes it back"));
   repair_ = make_button(
-      "repair", tr("&Repair"),
-      tr("Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove "
-         "degenerate and duplicate faces and crumbs; Ctrl+Z takes it back"));
+      "repair", tr("&Repair\u2026"),
+      tr("What is wrong with the scan, each with its count and a button: vertices to be joined, degenerate, duplicate "
+         "and intersecting faces, non-manifold edges, crumbs"));
   whole_ = make_button("fillAndSmooth", tr("&Fill and smooth"),
                        tr("Close the selected holes, or all holes when none is selected, and let the flow run to its "
                           "steady state (Ctrl+F)"));

@@ -35,6 +35,7 @@ class FillBox : public QGroupBox {
   void update_state();
 
  Q_SIGNALS:
+  void repair_wanted();
   /// The flow is chosen in another box.
   void wanted(const std::set<int>& loops, const std::set<int>& patch_ids, const FillChoice& choice);
 

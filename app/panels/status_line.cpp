@@ -4,15 +4,18 @@
 #include "document/document.h"
 #include "document/labels.h"
 #include "jobs/fill_controller.h"
+#include "jobs/print_check.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 
 namespace loopmend {
 
-StatusLine::StatusLine(const Document& document, const FillController& controller, QWidget* parent)
+StatusLine::StatusLine(const Document& document, const FillController& controller, const PrintCheck& check,
+                       QWidget* parent)
     : QWidget(parent),
       document_(document),
+      check_(check),
       stage_(new QLabel(tr("Ready"))),
       figures_(new QLabel),
       closed_(new QLabel),
@@ -22,8 +25,6 @@ StatusLine::StatusLine(const Document& document, const FillController& controlle
   figures_->setObjectName(QStringLiteral("statusFigures"));
   scan_->setObjectName(QStringLiteral("statusScan"));
   closed_->setObjectName(QStringLiteral("statusWatertight"));
-  closed_->setToolTip(
-      tr("Whether every boundary loop is closed and every edge has two faces. Self-intersections are not looked for"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 0, 8, 0);
   layout->setSpacing(24);
@@ -36,6 +37,7 @@ StatusLine::StatusLine(const Document& document, const FillController& controlle
   connect(&controller, &FillController::activity_changed, this, [this, &controller] {
     if (!controller.busy()) count();  // flows add and remove vertices
   });
+  connect(&check, &PrintCheck::changed, this, &StatusLine::count);
   connect(&document, &Document::patch_moved, this, &StatusLine::show_figures);
   connect(&document, &Document::patches_changed, this, &StatusLine::update_scan);
   connect(&document, &Document::opened, this, &StatusLine::update_scan);
@@ -48,12 +50,11 @@ void StatusLine::update_scan() {
 }
 
 void StatusLine::count() {
-  std::size_t triangles = 0, vertices = 0, edges = 0;
+  std::size_t triangles = 0, vertices = 0;
   for (int index : document_.scans()) {
     const auto scan = document_.scan(index);
     triangles += scan->model->soup.triangles.size();
     vertices += scan->model->soup.points.size();
-    edges += scan->model->repairs.non_manifold_edges;
   }
   for (const OpenPatch& patch : document_.patches()) {
     triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
@@ -65,11 +66,15 @@ void StatusLine::count() {
   scan_->setText(triangles == 0
                      ? QString()
                      : tr("%1 triangles \u00b7 %2 vertices").arg(labels::count(triangles), labels::count(vertices)));
+  if (const auto& checked = check_.result(); checked && triangles > 0) {
+    closed_->setText(labels::verdict(*checked));
+    closed_->setToolTip(labels::verdict_help(*checked));
+    return;
+  }
+  closed_->setToolTip(tr("Intersections have not been looked for yet"));
   closed_->setText(triangles == 0 ? QString()
                    : open > 0     ? tr("Not watertight: %n open boundary loop(s)", nullptr, open)
-                   : edges > 0
-                       ? tr("Not watertight: %n edge(s) of more than two faces", nullptr, static_cast<int>(edges))
-                       : tr("Watertight"));
+                                  : tr("No open boundary loops"));
 }
 
 void StatusLine::say(const QString& words) { figures_->setText(words); }

@@ -10,12 +10,14 @@ namespace loopmend {
 
 class Document;
 class FillController;
+class PrintCheck;
 
 class StatusLine : public QWidget {
   Q_OBJECT
 
  public:
-  StatusLine(const Document& document, const FillController& controller, QWidget* parent = nullptr);
+  StatusLine(const Document& document, const FillController& controller, const PrintCheck& check,
+             QWidget* parent = nullptr);
 
  public Q_SLOTS:
   /// Until the next figures.
@@ -27,6 +29,7 @@ class StatusLine : public QWidget {
   void show_figures(int patch_id);
 
   const Document& document_;
+  const PrintCheck& check_;
   QLabel *stage_, *figures_, *closed_, *scan_;
 };
 

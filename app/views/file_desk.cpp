@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/file_desk.h"
 
+#include "dialogs/export_dialog.h"
 #include "document/preferences.h"
 #include "panels/banner.h"
 
@@ -14,11 +15,13 @@
 
 namespace loopmend {
 
-FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& controller, Banner& banner, QWidget* window)
+FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& controller, PrintCheck& check, Banner& banner,
+                   QWidget* window)
     : QObject(window),
       document_(document),
       undo_(undo),
       controller_(controller),
+      check_(check),
       banner_(banner),
       window_(window) {
   connect(&controller_, &FillController::file_opened, this, [this](const QString& path) {
@@ -96,40 +99,38 @@ void FileDesk::ask_export() {
   const int format = std::max(0, static_cast<int>(QStringList{QStringLiteral("PLY"), QStringLiteral("STL"),
                                                               QStringLiteral("OBJ"), QStringLiteral("OFF")}
                                                       .indexOf(QString::fromStdString(own))));
-  QString chosen = filters.value(format);
+  const QString chosen = filters.value(format);
   const QString ending = chosen.section(QStringLiteral("*"), 1).chopped(1);
-  QString path = QFileDialog::getSaveFileName(window_, tr("Export"), proposal(QStringLiteral("-filled") + ending),
-                                              filters.join(QStringLiteral(";;")), &chosen);
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += chosen.section(QStringLiteral("*"), 1).chopped(1);
-  export_to(path);
+  ExportDialog dialog(check_, proposal(QStringLiteral("-filled") + ending), filters, chosen, window_);
+  if (dialog.exec() == QDialog::Accepted && !dialog.path().isEmpty()) export_to(dialog.path(), dialog.content());
 }
 
-void FileDesk::export_to(const QString& path) {
+void FileDesk::export_to(const QString& path, ExportContent content) {
   std::set<int> initial;
   for (const OpenPatch& patch : document_.patches()) {
     const bool movable = patch.acceptance == Acceptance::pending && patch.state->patch.free_count > 0;
     if (movable && patch.state->recipe.runs.empty()) initial.insert(patch.id);
   }
   if (initial.empty()) {
-    controller_.export_to(path);
+    controller_.export_to(path, content);
     return;
   }
-  banner_.ask(tr("%n of the patches are initial patches: no flow has smoothed them yet.", nullptr,
-                 static_cast<int>(initial.size())),
-              {{tr("&Smooth, then export"), "answerSmooth",
-                [this, path, initial] {
-                  if (controller_.busy()) return;
-                  Q_EMIT smoothing_wanted(initial);
-                  if (!controller_.busy()) return;  // these patches are gone or accepted by now
-                  const auto done = std::make_shared<QMetaObject::Connection>();
-                  *done = connect(&controller_, &FillController::flow_ended, this, [this, path, done](RunEnd end) {
-                    disconnect(*done);
-                    if (end == RunEnd::complete) controller_.export_to(path);
-                  });
-                }},
-               {tr("&Export as they are"), "answerExport", [this, path] { controller_.export_to(path); }},
-               {tr("&Cancel"), "answerCancel", [] {}}});
+  banner_.ask(
+      tr("%n of the patches are initial patches: no flow has smoothed them yet.", nullptr,
+         static_cast<int>(initial.size())),
+      {{tr("&Smooth, then export"), "answerSmooth",
+        [this, path, content, initial] {
+          if (controller_.busy()) return;
+          Q_EMIT smoothing_wanted(initial);
+          if (!controller_.busy()) return;  // these patches are gone or accepted by now
+          const auto done = std::make_shared<QMetaObject::Connection>();
+          *done = connect(&controller_, &FillController::flow_ended, this, [this, path, content, done](RunEnd end) {
+            disconnect(*done);
+            if (end == RunEnd::complete) controller_.export_to(path, content);
+          });
+        }},
+       {tr("&Export as they are"), "answerExport", [this, path, content] { controller_.export_to(path, content); }},
+       {tr("&Cancel"), "answerCancel", [] {}}});
 }
 
 void FileDesk::close_scan(int scan) {

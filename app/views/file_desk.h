@@ -5,6 +5,7 @@
 
 #include "jobs/autosave.h"
 #include "jobs/fill_controller.h"
+#include "jobs/print_check.h"
 
 #include <QObject>
 #include <QStringList>
@@ -21,7 +22,8 @@ class FileDesk : public QObject {
   Q_OBJECT
 
  public:
-  FileDesk(Document& document, UndoHistory& undo, FillController& controller, Banner& banner, QWidget* window);
+  FileDesk(Document& document, UndoHistory& undo, FillController& controller, PrintCheck& check, Banner& banner,
+           QWidget* window);
 
   /// Scans, or one session. Asks first when patches would be lost.
   void open(const QStringList& paths, OpenMode mode);
@@ -31,7 +33,7 @@ class FileDesk : public QObject {
   void ask_open(OpenMode mode);
   void ask_export();
   /// Asks first where some patches are initial patches still.
-  void export_to(const QString& path);
+  void export_to(const QString& path, ExportContent content = ExportContent::scene);
   /// Asks first where patches of this scan would be lost.
   void close_scan(int scan);
   void save_session();
@@ -60,6 +62,7 @@ class FileDesk : public QObject {
   Document& document_;
   UndoHistory& undo_;
   FillController& controller_;
+  PrintCheck& check_;
   Banner& banner_;
   QWidget* window_;
   QString session_path_;

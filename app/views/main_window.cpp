@@ -42,6 +42,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       controller_(document_, undo_),
       autosave_(document_, undo_),
+      check_(document_, controller_),
       actions_(new WindowActions(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
@@ -49,13 +50,13 @@ MainWindow::MainWindow(QWidget* parent)
   const QSize frame(20, 40);
   resize(QSize(1360, 860).boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
   build_centre();
-  files_ = new FileDesk(document_, undo_, controller_, *banner_, this);
+  files_ = new FileDesk(document_, undo_, controller_, check_, *banner_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
   examples_ = new ExampleController({document_, selection_, controller_, *tools_, *compare_, *view_, *banner_}, this);
   actions_->build_menus(dock_toggles_);
   actions_->build_toolbar();
-  status_ = new StatusLine(document_, controller_);
+  status_ = new StatusLine(document_, controller_, check_);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(status_, 1);
   connect_controller();
@@ -284,7 +285,8 @@ void MainWindow::offer_recovery() { files_->offer_recovery(); }
 
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
   const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
-  return controller_.shut_down(at_most) && compared && tried;
+  const bool checked = check_.shut_down(at_most);
+  return controller_.shut_down(at_most) && compared && tried && checked;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -8,6 +8,7 @@
 #include "document/undo_history.h"
 #include "jobs/autosave.h"
 #include "jobs/fill_controller.h"
+#include "jobs/print_check.h"
 
 #include <QMainWindow>
 
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   FillController& controller() { return controller_; }
   UndoHistory& undo() { return undo_; }
   Autosave& autosave() { return autosave_; }
+  PrintCheck& print_check() { return check_; }
   MeshView& view() { return *view_; }
   CompareController& comparisons() { return *compare_; }
   ToolController& tools() { return *tools_; }
@@ -77,6 +79,7 @@ class MainWindow : public QMainWindow {
 
   void apply(const Preferences& preferences);
   void ask_preferences();
+  void show_repair_dialog();
   void show_picture_dialog();
   void step_back();
   void update_actions();
@@ -90,6 +93,7 @@ class MainWindow : public QMainWindow {
   UndoHistory undo_;
   FillController controller_;
   Autosave autosave_;
+  PrintCheck check_;
   WindowActions* actions_;
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;

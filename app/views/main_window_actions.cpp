@@ -7,6 +7,7 @@
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
 #include "dialogs/preferences_dialog.h"
+#include "dialogs/repair_dialog.h"
 #include "dialogs/shortcut_sheet.h"
 #include "document/targets.h"
 #include "panels/banner.h"
@@ -94,9 +95,10 @@ void MainWindow::connect_patch_actions() {
   const WindowActions& a = *actions_;
   a.on("fillAction", &patch_->fill_box(), [box = &patch_->fill_box()] { box->fill_and_smooth(); });
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
-  for (const auto& [name, what] :
-       {std::pair{"trimAction", Mending::trim}, {"stitchAction", Mending::stitch}, {"repairAction", Mending::repair}})
+  for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim}, {"stitchAction", Mending::stitch}})
     a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
+  a.on("repairAction", this, &MainWindow::show_repair_dialog);
+  connect(&patch_->fill_box(), &FillBox::repair_wanted, this, &MainWindow::show_repair_dialog);
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
   a.on("runAction", &patch_->flow_box(), &FlowBox::run_or_pause);
   a.on("acceptAction", &patch_->decision_box(), &DecisionBox::accept_or_reopen);
@@ -182,6 +184,13 @@ void MainWindow::ask_preferences() {
     save_preferences(preferences);
     apply(preferences);
   });
+}
+
+void MainWindow::show_repair_dialog() {
+  if (auto* open = findChild<RepairDialog*>())
+    open->raise();
+  else
+    show_beside<RepairDialog>(this, document_, controller_);
 }
 
 void MainWindow::show_picture_dialog() {

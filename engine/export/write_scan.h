@@ -28,6 +28,8 @@ struct WriteScanOptions {
   Encoding encoding = Encoding::binary;
   std::optional<TextureFill> texture = TextureFill::grain;  ///< nothing: patches are not painted
   MaterialFiles materials = MaterialFiles::copy;
+  /// For each triangle whether it is written; those of all patches, or of none. Empty: all are written.
+  std::vector<char> written{};
 };
 
 /// What was written beside the mesh, or could not be.
@@ -37,7 +39,7 @@ struct WrittenScan {
   std::vector<std::string> remarks;           ///< sentences: what is missing
 };
 
-/// Makes the soup's new rows (continue_attributes), paints its patches where the scan has a texture and the output is of the same
+/// Makes the soup what is to be written. Makes its new rows (continue_attributes), paints its patches where the scan has a texture and the output is of the same
 /// format (OBJ with materials, PLY with corner texture coordinates), and adds all files to the transaction.
 /// @throws WriteError, InvalidArgument as write_mesh; WriteError where a material file would replace another one.
 WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,

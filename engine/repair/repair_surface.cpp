@@ -207,4 +207,19 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
   return result;
 }
 
+RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel) {
+  const auto alone = [&](Defect defect) {
+    return cancel.cancelled() ? RepairCounts{} : repair_surface(soup, {defect}, cancel).counts;
+  };
+  RepairCounts counts = alone(Defect::non_manifold);
+  const RepairCounts crumbs = alone(Defect::crumbs);
+  counts.removed_pieces = crumbs.removed_pieces;
+  counts.removed_faces = crumbs.removed_faces;
+  counts.joined_points = alone(Defect::coincident_points).joined_points;
+  counts.degenerate_faces = alone(Defect::degenerate_faces).degenerate_faces;
+  counts.duplicate_faces = alone(Defect::duplicate_faces).duplicate_faces;
+  counts.intersecting_faces = alone(Defect::intersections).intersecting_faces;
+  return counts;
+}
+
 }  // namespace loopmend

@@ -786,6 +786,49 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ExportDialog</name>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>Scan and patches</source>
+            <translation>Scan und Flicken</translation>
+        </message>
+        <message>
+            <source>Patches only</source>
+            <translation>Nur die Flicken</translation>
+        </message>
+        <message>
+            <source>What is written</source>
+            <translation>Was geschrieben wird</translation>
+        </message>
+        <message>
+            <source>The scan with its holes closed, or the patches by themselves</source>
+            <translation>Der Scan mit geschlossenen Löchern oder die Flicken allein</translation>
+        </message>
+        <message>
+            <source>&amp;Write:</source>
+            <translation>&amp;Inhalt:</translation>
+        </message>
+        <message>
+            <source>Printing:</source>
+            <translation>Drucken:</translation>
+        </message>
+        <message>
+            <source>Patches by themselves are open surfaces.</source>
+            <translation>Flicken allein sind offene Flächen.</translation>
+        </message>
+        <message>
+            <source>. Lengths are in the units of the scan.</source>
+            <translation>. Längen sind in den Einheiten des Scans.</translation>
+        </message>
+        <message>
+            <source>Looking for open edges and intersections…</source>
+            <translation>Offene Kanten und Überschneidungen werden gesucht…</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::FileDesk</name>
         <message>
             <source>&amp;Save session</source>
@@ -806,10 +849,6 @@
         <message>
             <source>Open</source>
             <translation>Öffnen</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>Export</translation>
         </message>
         <message>
             <source>Save session</source>
@@ -978,14 +1017,6 @@
             <translation>Ränder schließen, die nicht weiter als ein Zehntel ihrer Kanten auseinander liegen, etwa Risse und die Nähte zwischen Kacheln; Strg+Z macht es rückgängig</translation>
         </message>
         <message>
-            <source>&amp;Repair</source>
-            <translation>&amp;Reparieren</translation>
-        </message>
-        <message>
-            <source>Make an oriented manifold of the scan: separate edges with more than two faces, turn faces, remove degenerate and duplicate faces and crumbs; Ctrl+Z takes it back</source>
-            <translation>Den Scan zu einer orientierten Mannigfaltigkeit machen: Kanten mit mehr als zwei Dreiecken trennen, Dreiecke wenden, entartete und doppelte Dreiecke und Krümel entfernen; Strg+Z macht es rückgängig</translation>
-        </message>
-        <message>
             <source>1  Fill and smooth</source>
             <translation>1  Füllen und glätten</translation>
         </message>
@@ -1008,6 +1039,14 @@
         <message>
             <source>S&amp;mooth</source>
             <translation>&amp;Glätten</translation>
+        </message>
+        <message>
+            <source>&amp;Repair…</source>
+            <translation>&amp;Reparieren…</translation>
+        </message>
+        <message>
+            <source>What is wrong with the scan, each with its count and a button: vertices to be joined, degenerate, duplicate and intersecting faces, non-manifold edges, crumbs</source>
+            <translation>Was am Scan nicht stimmt, jeweils mit Anzahl und Knopf: Ecken zum Verbinden, entartete, doppelte und sich schneidende Flächen, nicht-mannigfaltige Kanten, Krümel</translation>
         </message>
     </context>
     <context>
@@ -1169,10 +1208,6 @@
             <translation>%1 vernähen</translation>
         </message>
         <message>
-            <source>%1: %2 edges and %3 vertices were separated, %4 faces turned, %5 degenerate and %6 duplicate faces and %7 crumbs removed; Ctrl+Z takes it back.</source>
-            <translation>%1: %2 Kanten und %3 Ecken wurden getrennt, %4 Dreiecke gewendet, %5 entartete und %6 doppelte Dreiecke und %7 Krümel entfernt; Strg+Z macht es rückgängig.</translation>
-        </message>
-        <message>
             <source>Repair %1</source>
             <translation>%1 reparieren</translation>
         </message>
@@ -1222,6 +1257,66 @@
                 <numerusform>%n weiterer</numerusform>
                 <numerusform>%n weitere</numerusform>
             </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n vertices joined</source>
+            <translation>
+                <numerusform>%n Ecke verbunden</numerusform>
+                <numerusform>%n Ecken verbunden</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n degenerate faces removed</source>
+            <translation>
+                <numerusform>%n entartete Fläche entfernt</numerusform>
+                <numerusform>%n entartete Flächen entfernt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n duplicate faces removed</source>
+            <translation>
+                <numerusform>%n doppelte Fläche entfernt</numerusform>
+                <numerusform>%n doppelte Flächen entfernt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n intersecting faces cut out</source>
+            <translation>
+                <numerusform>%n schneidende Fläche ausgeschnitten</numerusform>
+                <numerusform>%n schneidende Flächen ausgeschnitten</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n edges separated</source>
+            <translation>
+                <numerusform>%n Kante getrennt</numerusform>
+                <numerusform>%n Kanten getrennt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n vertices separated</source>
+            <translation>
+                <numerusform>%n Ecke getrennt</numerusform>
+                <numerusform>%n Ecken getrennt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n faces turned</source>
+            <translation>
+                <numerusform>%n Fläche gewendet</numerusform>
+                <numerusform>%n Flächen gewendet</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n loose crumbs removed</source>
+            <translation>
+                <numerusform>%n loser Krümel entfernt</numerusform>
+                <numerusform>%n lose Krümel entfernt</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2. Ctrl+Z takes it back.</source>
+            <translation>%1: %2. Strg+Z nimmt es zurück.</translation>
         </message>
     </context>
     <context>
@@ -2625,6 +2720,105 @@
         </message>
     </context>
     <context>
+        <name>loopmend::RepairDialog</name>
+        <message>
+            <source>Vertices at exactly the same place</source>
+            <translation>Ecken an genau derselben Stelle</translation>
+        </message>
+        <message>
+            <source>Join</source>
+            <translation>Verbinden</translation>
+        </message>
+        <message>
+            <source>Faces share one vertex there; the scan hangs together along it</source>
+            <translation>Flächen teilen dort eine Ecke; der Scan hängt dort zusammen</translation>
+        </message>
+        <message>
+            <source>Degenerate faces</source>
+            <translation>Entartete Flächen</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>Faces that have a vertex twice, and so no area</source>
+            <translation>Flächen, die eine Ecke zweimal haben und so keinen Inhalt</translation>
+        </message>
+        <message>
+            <source>Duplicate faces</source>
+            <translation>Doppelte Flächen</translation>
+        </message>
+        <message>
+            <source>Faces over the same three vertices: one stays, or none where they cancel out</source>
+            <translation>Flächen über denselben drei Ecken: eine bleibt, oder keine, wo sie sich aufheben</translation>
+        </message>
+        <message>
+            <source>Faces that intersect others</source>
+            <translation>Flächen, die andere schneiden</translation>
+        </message>
+        <message>
+            <source>Cut out</source>
+            <translation>Ausschneiden</translation>
+        </message>
+        <message>
+            <source>They are removed; the holes that this leaves can be filled</source>
+            <translation>Sie werden entfernt; die Löcher, die bleiben, können gefüllt werden</translation>
+        </message>
+        <message>
+            <source>Non-manifold edges and vertices, faces turned the wrong way</source>
+            <translation>Nicht-mannigfaltige Kanten und Ecken, verkehrt liegende Flächen</translation>
+        </message>
+        <message>
+            <source>Separate</source>
+            <translation>Trennen</translation>
+        </message>
+        <message>
+            <source>Every edge gets two faces at most, every vertex one fan; faces are turned to agree</source>
+            <translation>Jede Kante bekommt höchstens zwei Flächen, jede Ecke einen Fächer; Flächen werden einheitlich gewendet</translation>
+        </message>
+        <message>
+            <source>Tiny loose pieces</source>
+            <translation>Winzige lose Stücke</translation>
+        </message>
+        <message>
+            <source>Pieces of up to ten faces and a twentieth of the extent of the largest piece</source>
+            <translation>Stücke mit bis zu zehn Flächen und einem Zwanzigstel der Ausdehnung des größten Stücks</translation>
+        </message>
+        <message>
+            <source>Repair</source>
+            <translation>Reparieren</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>&amp;Fix all</source>
+            <translation>&amp;Alles beheben</translation>
+        </message>
+        <message>
+            <source>Mend everything that was found, in this order</source>
+            <translation>Alles Gefundene beheben, in dieser Reihenfolge</translation>
+        </message>
+        <message>
+            <source>Looking for defects…</source>
+            <translation>Fehler werden gesucht…</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <source>Every change can be undone. Patches of a scan go when it is repaired.</source>
+            <translation>Jede Änderung kann zurückgenommen werden. Die Flicken eines Scans gehen, wenn er repariert wird.</translation>
+        </message>
+        <message>
+            <source>Nothing is wrong with what is open.</source>
+            <translation>An dem, was offen ist, stimmt alles.</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::ScanCommands</name>
         <message>
             <source>%1 took several runs, or was stopped halfway through one; the command repeats the last run only.</source>
@@ -2866,10 +3060,6 @@
             <source>step %1 · J %2</source>
             <translation>Schritt %1 · J %2</translation>
         </message>
-        <message>
-            <source>Whether every boundary loop is closed and every edge has two faces. Self-intersections are not looked for</source>
-            <translation>Ob jeder Rand geschlossen ist und jede Kante zwei Dreiecke hat. Nach Selbstdurchdringungen wird nicht gesucht</translation>
-        </message>
         <message numerus="yes">
             <source>Not watertight: %n open boundary loop(s)</source>
             <translation>
@@ -2877,16 +3067,13 @@
                 <numerusform>Nicht wasserdicht: %n offene Ränder</numerusform>
             </translation>
         </message>
-        <message numerus="yes">
-            <source>Not watertight: %n edge(s) of more than two faces</source>
-            <translation>
-                <numerusform>Nicht wasserdicht: %n Kante mit mehr als zwei Dreiecken</numerusform>
-                <numerusform>Nicht wasserdicht: %n Kanten mit mehr als zwei Dreiecken</numerusform>
-            </translation>
+        <message>
+            <source>Intersections have not been looked for yet</source>
+            <translation>Überschneidungen wurden noch nicht gesucht</translation>
         </message>
         <message>
-            <source>Watertight</source>
-            <translation>Wasserdicht</translation>
+            <source>No open boundary loops</source>
+            <translation>Keine offenen Randschleifen</translation>
         </message>
     </context>
     <context>
@@ -3465,12 +3652,12 @@
             <translation>Ränder schließen, die fast zusammenfallen</translation>
         </message>
         <message>
-            <source>Repai&amp;r</source>
-            <translation>&amp;Reparieren</translation>
+            <source>Repai&amp;r…</source>
+            <translation>Repa&amp;rieren…</translation>
         </message>
         <message>
-            <source>Make an oriented manifold of the scan</source>
-            <translation>Den Scan zu einer orientierten Mannigfaltigkeit machen</translation>
+            <source>See what is wrong with the scan, and mend it</source>
+            <translation>Sehen, was am Scan nicht stimmt, und es beheben</translation>
         </message>
     </context>
     <context>
@@ -3818,6 +4005,58 @@
         <message>
             <source>display statements</source>
             <translation>Anzeigeanweisungen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n open boundary loop(s)</source>
+            <translation>
+                <numerusform>%n offene Randschleife</numerusform>
+                <numerusform>%n offene Randschleifen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>%n Kante mit mehr als zwei Flächen</numerusform>
+                <numerusform>%n Kanten mit mehr als zwei Flächen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n edge(s) whose faces look to opposite sides</source>
+            <translation>
+                <numerusform>%n Kante, deren Flächen nach verschiedenen Seiten schauen</numerusform>
+                <numerusform>%n Kanten, deren Flächen nach verschiedenen Seiten schauen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n pair(s) of faces that intersect</source>
+            <translation>
+                <numerusform>%n Paar Flächen, die sich schneiden</numerusform>
+                <numerusform>%n Paare Flächen, die sich schneiden</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>the surface is inside out</source>
+            <translation>die Fläche ist umgestülpt</translation>
+        </message>
+        <message>
+            <source>Watertight, ready to print</source>
+            <translation>Wasserdicht, druckbar</translation>
+        </message>
+        <message>
+            <source>Watertight, not ready to print: %1</source>
+            <translation>Wasserdicht, nicht druckbar: %1</translation>
+        </message>
+        <message>
+            <source>Not watertight: %1 and more</source>
+            <translation>Nicht wasserdicht: %1 und mehr</translation>
+        </message>
+        <message>
+            <source>Not watertight: %1</source>
+            <translation>Nicht wasserdicht: %1</translation>
+        </message>
+        <message>
+            <source>volume %1, in cubic units of the scan</source>
+            <translation>Rauminhalt %1, in Kubikeinheiten des Scans</translation>
         </message>
     </context>
 </TS>

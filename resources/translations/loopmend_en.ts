@@ -30,6 +30,62 @@
                 <numerusform>%n more</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n vertices joined</source>
+            <translation>
+                <numerusform>%n vertex joined</numerusform>
+                <numerusform>%n vertices joined</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n degenerate faces removed</source>
+            <translation>
+                <numerusform>%n degenerate face removed</numerusform>
+                <numerusform>%n degenerate faces removed</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n duplicate faces removed</source>
+            <translation>
+                <numerusform>%n duplicate face removed</numerusform>
+                <numerusform>%n duplicate faces removed</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n intersecting faces cut out</source>
+            <translation>
+                <numerusform>%n intersecting face cut out</numerusform>
+                <numerusform>%n intersecting faces cut out</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n edges separated</source>
+            <translation>
+                <numerusform>%n edge separated</numerusform>
+                <numerusform>%n edges separated</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n vertices separated</source>
+            <translation>
+                <numerusform>%n vertex separated</numerusform>
+                <numerusform>%n vertices separated</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n faces turned</source>
+            <translation>
+                <numerusform>%n face turned</numerusform>
+                <numerusform>%n faces turned</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n loose crumbs removed</source>
+            <translation>
+                <numerusform>%n loose crumb removed</numerusform>
+                <numerusform>%n loose crumbs removed</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HolesPanel</name>
@@ -50,11 +106,35 @@
                 <numerusform>Not watertight: %n open boundary loops</numerusform>
             </translation>
         </message>
+    </context>
+    <context>
+        <name>loopmend::labels</name>
         <message numerus="yes">
-            <source>Not watertight: %n edge(s) of more than two faces</source>
+            <source>%n open boundary loop(s)</source>
             <translation>
-                <numerusform>Not watertight: %n edge of more than two faces</numerusform>
-                <numerusform>Not watertight: %n edges of more than two faces</numerusform>
+                <numerusform>%n open boundary loop</numerusform>
+                <numerusform>%n open boundary loops</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>%n edge of more than two faces</numerusform>
+                <numerusform>%n edges of more than two faces</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n edge(s) whose faces look to opposite sides</source>
+            <translation>
+                <numerusform>%n edge whose faces look to opposite sides</numerusform>
+                <numerusform>%n edges whose faces look to opposite sides</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n pair(s) of faces that intersect</source>
+            <translation>
+                <numerusform>%n pair of faces that intersect</numerusform>
+                <numerusform>%n pairs of faces that intersect</numerusform>
             </translation>
         </message>
     </context>

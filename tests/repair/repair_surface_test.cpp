@@ -106,6 +106,19 @@ TEST(RepairSurface, OnlyWhatIsNamedIsMended) {
   EXPECT_FALSE(repair_surface(soup, {Defect::crumbs}).counts.any());
 }
 
+TEST(RepairSurface, EachDefectIsCountedByItself) {
+  TriangleSoup soup = joined({make_icosphere(2), make_icosphere(2)});
+  soup.triangles.push_back({3, 3, 4});
+  soup.triangles.push_back(soup.triangles.front());
+  const RepairCounts counts = count_defects(soup);
+  EXPECT_EQ(counts.joined_points, make_icosphere(2).points.size());
+  EXPECT_EQ(counts.degenerate_faces, 1u);
+  EXPECT_EQ(counts.duplicate_faces, 1u);
+  EXPECT_EQ(counts.intersecting_faces, 2 * make_icosphere(2).triangles.size() + 1);
+  EXPECT_EQ(counts.removed_pieces, 0u);
+  EXPECT_FALSE(count_defects(make_icosphere(2)).any());
+}
+
 TEST(RepairSurface, PointsInTheSamePlaceAreJoined) {
   TriangleSoup soup = joined({make_icosphere(1), make_icosphere(1)});
   const RepairedSurface repaired = repair_surface(soup, {Defect::coincident_points});

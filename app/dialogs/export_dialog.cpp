@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dialogs/export_dialog.h"
+
+#include "document/labels.h"
+#include "panels/parts.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+
+namespace loopmend {
+
+ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QStringList& filters,
+                           const QString& filter, QWidget* parent)
+    : QFileDialog(parent, tr("Export"), QFileInfo(proposal).path()),
+      check_(check),
+      content_(new QComboBox),
+      verdict_(new QLabel) {
+  setObjectName(QStringLiteral("exportDialog"));
+  setOption(QFileDialog::DontUseNativeDialog);  // which has no room for what is below
+  setAcceptMode(QFileDialog::AcceptSave);
+  setNameFilters(filters);
+  selectNameFilter(filter);
+  selectFile(QFileInfo(proposal).fileName());
+  content_->setObjectName(QStringLiteral("exportContent"));
+  content_->addItem(tr("Scan and patches"), static_cast<int>(ExportContent::scene));
+  content_->addItem(tr("Patches only"), static_cast<int>(ExportContent::patches));
+  explain(content_, tr("What is written"), tr("The scan with its holes closed, or the patches by themselves"));
+  verdict_->setObjectName(QStringLiteral("exportVerdict"));
+  verdict_->setWordWrap(true);
+  auto* grid = qobject_cast<QGridLayout*>(layout());
+  const int row = grid->rowCount();
+  auto* content_label = new QLabel(tr("&Write:"));
+  content_label->setBuddy(content_);
+  grid->addWidget(content_label, row, 0);
+  grid->addWidget(content_, row, 1);
+  grid->addWidget(new QLabel(tr("Printing:")), row + 1, 0);
+  grid->addWidget(verdict_, row + 1, 1, 1, 2);
+  connect(&check_, &PrintCheck::changed, this, &ExportDialog::show_verdict);
+  connect(content_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportDialog::show_verdict);
+  check_.start();
+  show_verdict();
+}
+
+ExportContent ExportDialog::content() const { return static_cast<ExportContent>(content_->currentData().toInt()); }
+
+QString ExportDialog::path() const {
+  const QString chosen = selectedFiles().value(0);
+  if (chosen.isEmpty() || !QFileInfo(chosen).suffix().isEmpty()) return chosen;
+  return chosen +
+         selectedNameFilter().section(QLatin1Char('*'), 1).section(QLatin1Char(' '), 0, 0).remove(QLatin1Char(')'));
+}
+
+void ExportDialog::show_verdict() {
+  if (content() == ExportContent::patches)
+    verdict_->setText(tr("Patches by themselves are open surfaces."));
+  else if (check_.result())
+    verdict_->setText(labels::verdict(*check_.result()) + tr(". Lengths are in the units of the scan."));
+  else
+    verdict_->setText(tr("Looking for open edges and intersections\u2026"));
+  verdict_->setToolTip(check_.result() ? labels::verdict_help(*check_.result()) : QString());
+}
+
+}  // namespace loopmend

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where and what to export, and whether it could be printed.
+#pragma once
+
+#include "jobs/export_scene.h"
+#include "jobs/print_check.h"
+
+#include <QFileDialog>
+
+class QComboBox;
+class QLabel;
+
+namespace loopmend {
+
+class ExportDialog : public QFileDialog {
+  Q_OBJECT
+
+ public:
+  /// @param filters  of the file formats; `filter` is chosen first.
+  ExportDialog(PrintCheck& check, const QString& proposal, const QStringList& filters, const QString& filter,
+               QWidget* parent = nullptr);
+
+  ExportContent content() const;
+  /// With the format's ending where none was given.
+  QString path() const;
+
+ private:
+  void show_verdict();
+
+  PrintCheck& check_;
+  QComboBox* content_;
+  QLabel* verdict_;
+};
+
+}  // namespace loopmend

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dialogs/repair_dialog.h"
+
+#include "document/labels.h"
+#include "panels/parts.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+struct Words {
+  Defect defect;
+  const char* name;  ///< of the row's widgets
+  const char* title;
+  const char* fix;
+  const char* help;
+};
+
+const Words all_words[] = {
+    {Defect::coincident_points, "Coincident",
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Vertices at exactly the same place"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Join"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Faces share one vertex there; the scan hangs together along it")},
+    {Defect::degenerate_faces, "Degenerate", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Degenerate faces"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Faces that have a vertex twice, and so no area")},
+    {Defect::duplicate_faces, "Duplicate", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Duplicate faces"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog",
+                       "Faces over the same three vertices: one stays, or none where they cancel out")},
+    {Defect::intersections, "Intersecting", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Faces that intersect others"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Cut out"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "They are removed; the holes that this leaves can be filled")},
+    {Defect::non_manifold, "NonManifold",
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Non-manifold edges and vertices, faces turned the wrong way"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Separate"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog",
+                       "Every edge gets two faces at most, every vertex one fan; faces are turned to agree")},
+    {Defect::crumbs, "Crumbs", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny loose pieces"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog",
+                       "Pieces of up to ten faces and a twentieth of the extent of the largest piece")},
+};
+
+std::size_t count_of(Defect defect, const RepairCounts& counts) {
+  switch (defect) {
+    case Defect::coincident_points: return counts.joined_points;
+    case Defect::degenerate_faces: return counts.degenerate_faces;
+    case Defect::duplicate_faces: return counts.duplicate_faces;
+    case Defect::intersections: return counts.intersecting_faces;
+    case Defect::non_manifold: return counts.separated_edges + counts.separated_vertices + counts.turned_faces;
+    case Defect::crumbs: return counts.removed_pieces;
+  }
+  return 0;
+}
+
+}  // namespace
+
+RepairDialog::RepairDialog(const Document& document, FillController& controller, QWidget* parent)
+    : QDialog(parent),
+      document_(document),
+      controller_(controller) {
+  setObjectName(QStringLiteral("repairDialog"));
+  setWindowTitle(tr("Repair"));
+  build();
+  connect(&document_, &Document::scans_changed, this, &RepairDialog::count);
+  connect(&controller_, &FillController::activity_changed, this, &RepairDialog::update_buttons);
+  count();
+}
+
+RepairDialog::~RepairDialog() {
+  if (job_) job_->cancel();
+}
+
+void RepairDialog::build() {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(18, 18, 18, 14);
+  grid->setHorizontalSpacing(18);
+  grid->setVerticalSpacing(10);
+  summary_ = new QLabel;
+  summary_->setObjectName(QStringLiteral("repairSummary"));
+  summary_->setWordWrap(true);
+  grid->addWidget(summary_, 0, 0, 1, 3);
+  int line = 1;
+  for (const Words& words : all_words) {
+    Row& row = rows_[words.defect];
+    auto* title = new QLabel(tr(words.title));
+    title->setToolTip(tr(words.help));
+    row.count = new QLabel;
+    row.count->setObjectName(QStringLiteral("count") + QLatin1String(words.name));
+    row.count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    const QByteArray name = QByteArray("fix") + words.name;
+    row.fix = make_button(name.constData(), tr(words.fix), tr(words.help));
+    row.fix->setAccessibleName(tr("%1: %2").arg(tr(words.title), tr(words.fix)));
+    row.fix->setAutoDefault(false);
+    connect(row.fix, &QPushButton::clicked, this, [this, defect = words.defect] { controller_.repair({defect}); });
+    grid->addWidget(title, line, 0);
+    grid->addWidget(row.count, line, 1);
+    grid->addWidget(row.fix, line++, 2);
+  }
+  grid->setColumnStretch(0, 1);
+  auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
+  all_ = make_button("repairAll", tr("&Fix all"), tr("Mend everything that was found, in this order"));
+  buttons->addButton(all_, QDialogButtonBox::ActionRole);
+  all_->setDefault(true);
+  connect(all_, &QPushButton::clicked, this, [this] {
+    std::set<Defect> found;
+    for (const auto& [defect, row] : rows_)
+      if (row.found > 0) found.insert(defect);
+    controller_.repair(found);
+  });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  grid->addWidget(buttons, line, 0, 1, 3);
+}
+
+void RepairDialog::count() {
+  if (job_) job_->cancel();
+  job_ = std::make_shared<Job>(this);
+  summary_->setText(tr("Looking for defects\u2026"));
+  for (auto& [defect, row] : rows_) {
+    row.found = 0;
+    row.count->setText(QStringLiteral("\u2026"));
+  }
+  update_buttons();
+  std::vector<std::shared_ptr<const OpenedScan>> scans;
+  for (int index : document_.scans()) scans.push_back(document_.scan(index));
+  tasks_.run(
+      job_,
+      [scans, job = job_] {
+        RepairCounts all;
+        for (const auto& scan : scans) {
+          const RepairCounts own = count_defects(scan->model->soup, job->token());
+          all.joined_points += own.joined_points;
+          all.degenerate_faces += own.degenerate_faces;
+          all.duplicate_faces += own.duplicate_faces;
+          all.intersecting_faces += own.intersecting_faces;
+          all.separated_edges += own.separated_edges;
+          all.separated_vertices += own.separated_vertices;
+          all.turned_faces += own.turned_faces;
+          all.removed_pieces += own.removed_pieces;
+        }
+        return all;
+      },
+      [this](const RepairCounts& counts) { show_counts(counts); },
+      [this](const QString& text) { summary_->setText(text); });
+}
+
+void RepairDialog::show_counts(const RepairCounts& counts) {
+  job_.reset();
+  std::size_t kinds = 0;
+  for (auto& [defect, row] : rows_) {
+    row.found = count_of(defect, counts);
+    row.count->setText(row.found > 0 ? labels::count(row.found) : tr("none"));
+    kinds += row.found > 0;
+  }
+  summary_->setText(kinds > 0 ? tr("Every change can be undone. Patches of a scan go when it is repaired.")
+                              : tr("Nothing is wrong with what is open."));
+  update_buttons();
+}
+
+void RepairDialog::update_buttons() {
+  const bool idle = !controller_.busy();
+  bool any = false;
+  for (auto& [defect, row] : rows_) {
+    row.fix->setEnabled(idle && row.found > 0);
+    any = any || row.found > 0;
+  }
+  all_->setEnabled(idle && any);
+}
+
+}  // namespace loopmend

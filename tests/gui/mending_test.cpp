@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong with a scan, mended by name, until it could be printed; and exports with that verdict.
+#include "driver.h"
+#include "test_main.h"
+
+#include "dialogs/export_dialog.h"
+#include "dialogs/repair_dialog.h"
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
+#include "views/file_desk.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+const double minutes = 60;
+
+bool verdict_is_known(MainWindow& window) {
+  return wait_until([&] { return window.print_check().result().has_value(); }, 3 * minutes);
+}
+
+QString verdict(MainWindow& window) { return part<QLabel>(window, "statusWatertight")->text(); }
+
+RepairDialog* repair_dialog(MainWindow& window) {
+  press(window, "repair");
+  return window.findChild<RepairDialog*>();
+}
+
+QString counted(RepairDialog* dialog, const char* what) {
+  return dialog->findChild<QLabel*>(QStringLiteral("count") + QLatin1String(what))->text();
+}
+
+bool has_counted(RepairDialog* dialog) {
+  return wait_until([&] { return counted(dialog, "Crumbs") != QStringLiteral("\u2026"); }, 3 * minutes);
+}
+
+void fix(RepairDialog* dialog, const char* button) { dialog->findChild<QPushButton*>(QLatin1String(button))->click(); }
+
+QString write_open_sphere(const QString& path) {
+  write_mesh(path.toStdString(), cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; }));
+  return path;
+}
+
+}  // namespace
+
+class MendingTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void verdict_follows_the_scene();
+  void export_dialog_tells_the_verdict();
+  void patches_are_exported_by_themselves();
+  void defects_are_listed_and_mended_one_by_one();
+  void doll_becomes_printable();
+  void dragon_is_stitched_watertight();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void MendingTest::verdict_follows_the_scene() {
+  Shown shown({write_open_sphere(folder_.filePath(QStringLiteral("open.ply")))});
+  MainWindow& window = shown.window;
+  QVERIFY(verdict_is_known(window));
+  QCOMPARE(verdict(window), QStringLiteral("Not watertight: 1 open boundary loop"));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  QVERIFY(verdict_is_known(window));
+  QCOMPARE(verdict(window), QStringLiteral("Watertight, ready to print"));
+  window.undo().undo();
+  QVERIFY(!window.print_check().result());
+  QVERIFY(verdict_is_known(window));
+  QCOMPARE(verdict(window), QStringLiteral("Not watertight: 1 open boundary loop"));
+}
+
+void MendingTest::export_dialog_tells_the_verdict() {
+  Shown shown({write_open_sphere(folder_.filePath(QStringLiteral("asked.ply")))});
+  ExportDialog dialog(shown.window.print_check(), folder_.filePath(QStringLiteral("asked-filled.ply")),
+                      {QStringLiteral("PLY (*.ply *.ply.gz)"), QStringLiteral("STL (*.stl)")},
+                      QStringLiteral("STL (*.stl)"));
+  dialog.show();
+  auto* words = dialog.findChild<QLabel*>(QStringLiteral("exportVerdict"));
+  QVERIFY(wait_until([&] { return words->text().startsWith(QStringLiteral("Not watertight: 1 open boundary loop")); }));
+  QCOMPARE(dialog.path(), folder_.filePath(QStringLiteral("asked-filled.ply")));
+  dialog.selectFile(QStringLiteral("without"));
+  QCOMPARE(dialog.path(), folder_.filePath(QStringLiteral("without.stl")));
+}
+
+void MendingTest::patches_are_exported_by_themselves() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  window.selection().select({first_hole(window.document())});
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  const QString path = folder_.filePath(QStringLiteral("patches.ply"));
+  window.findChild<FileDesk*>()->export_to(path, ExportContent::patches);
+  QVERIFY(wait_until([&] { return QFile::exists(path); }));
+  QVERIFY(wait_idle(window));
+  const Patch& patch = window.document().patches().front().state->patch;
+  const TriangleSoup written = read_mesh(path.toStdString()).soup;
+  QCOMPARE(written.triangles.size(), static_cast<std::size_t>(patch.patch_triangles));
+  QVERIFY(written.points.size() > static_cast<std::size_t>(patch.free_count));
+  QVERIFY(window.isWindowModified());  // the scan with its patches is in no file yet
+}
+
+void MendingTest::defects_are_listed_and_mended_one_by_one() {
+  TriangleSoup soup = make_icosphere(3);
+  soup.triangles.push_back({3, 3, 4});
+  soup.triangles.push_back(soup.triangles.front());
+  const QString path = folder_.filePath(QStringLiteral("defects.ply"));
+  write_mesh(path.toStdString(), soup);
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  RepairDialog* dialog = repair_dialog(window);
+  QVERIFY(dialog && has_counted(dialog));
+  QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
+  QCOMPARE(counted(dialog, "Duplicate"), QStringLiteral("1"));
+  QCOMPARE(counted(dialog, "Intersecting"), QStringLiteral("2"));
+  QCOMPARE(counted(dialog, "Crumbs"), QStringLiteral("none"));
+  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("fixCrumbs"))->isEnabled());
+  fix(dialog, "fixDuplicate");
+  QVERIFY(wait_idle(window) && has_counted(dialog));
+  QCOMPARE(counted(dialog, "Duplicate"), QStringLiteral("none"));
+  QCOMPARE(counted(dialog, "Intersecting"), QStringLiteral("none"));
+  QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
+  fix(dialog, "repairAll");
+  QVERIFY(wait_idle(window) && has_counted(dialog));
+  QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("none"));
+  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled());
+  QVERIFY(verdict_is_known(window));
+  QCOMPARE(verdict(window), QStringLiteral("Watertight, ready to print"));
+  window.undo().undo();
+  QVERIFY(has_counted(dialog));
+  QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
+  dialog->close();
+}
+
+void MendingTest::doll_becomes_printable() {
+  const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/data/doll.obj");
+  if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
+  QElapsedTimer clock;
+  clock.start();
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  QVERIFY(verdict_is_known(window));
+  QVERIFY(verdict(window).startsWith(QStringLiteral("Not watertight")));
+  RepairDialog* dialog = repair_dialog(window);
+  QVERIFY(dialog && has_counted(dialog));
+  fix(dialog, "repairAll");
+  QVERIFY(wait_idle(window));
+  dialog->close();
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  QVERIFY(verdict_is_known(window));
+  qInfo("doll: %s after %lld ms", qPrintable(verdict(window)), clock.elapsed());
+  QCOMPARE(verdict(window), QStringLiteral("Watertight, ready to print"));
+  const QString path = folder_.filePath(QStringLiteral("doll.stl"));
+  window.controller().export_to(path);
+  QVERIFY(wait_idle(window));
+  QVERIFY(watertightness(read_mesh(path.toStdString()).soup).encloses());
+}
+
+void MendingTest::dragon_is_stitched_watertight() {
+  const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/data/dragon.ply");
+  if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
+  QElapsedTimer clock;
+  clock.start();
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  press(window, "stitch");
+  QVERIFY(wait_idle(window));
+  QVERIFY(verdict_is_known(window));
+  qInfo("dragon: %s after %lld ms", qPrintable(verdict(window)), clock.elapsed());
+  QVERIFY(window.print_check().result()->encloses());
+  QVERIFY(verdict(window).startsWith(QStringLiteral("Watertight")));
+}
+
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<MendingTest>(); }
+
+#include "mending_test.moc"
