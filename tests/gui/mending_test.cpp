@@ -17,6 +17,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -106,7 +107,16 @@ void MendingTest::patches_are_exported_by_themselves() {
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window));
   const QString path = folder_.filePath(QStringLiteral("patches.ply"));
-  window.findChild<FileDesk*>()->export_to(path, ExportContent::patches);
+  QTimer::singleShot(500, [&] {
+    auto* dialog = qobject_cast<ExportDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    dialog->findChild<QComboBox*>(QStringLiteral("exportContent"))->setCurrentIndex(1);
+    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    name->setText(path);
+    QTest::keyClick(name, Qt::Key_Return);
+    if (dialog->isVisible()) dialog->reject();  // it is modal: the test would hang
+  });
+  window.findChild<FileDesk*>()->ask_export();
   QVERIFY(wait_until([&] { return QFile::exists(path); }));
   QVERIFY(wait_idle(window));
   const Patch& patch = window.document().patches().front().state->patch;
