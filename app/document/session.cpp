@@ -11,6 +11,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 
 namespace loopmend {
 namespace {
@@ -144,20 +145,55 @@ bool in_range(const std::vector<int>& values, int low, int high) {
   return std::all_of(values.begin(), values.end(), [=](int v) { return v >= low && v < high; });
 }
 
-void check(const Reader& in, const Patch& patch) {
+/// What the engine takes for granted of a patch, and would follow into memory that is not there.
+void check_sizes(const Reader& in, const Patch& patch) {
   const int n = patch.vertex_count();
   const bool sizes = patch.free_count >= 0 && patch.free_count <= n && patch.patch_triangles >= 0 &&
                      patch.patch_triangles <= static_cast<int>(patch.triangles.size()) &&
                      static_cast<int>(patch.ring.size()) == n && static_cast<int>(patch.view_vertex.size()) == n &&
-                     patch.loop_numbers.size() == patch.loops.size() && patch.scale > 0;
+                     !patch.loops.empty() && patch.loop_numbers.size() == patch.loops.size();
   if (!sizes) in.fail("the sizes of a patch disagree");
+}
+
+void check_vertices(const Reader& in, const Patch& patch) {
+  for (int v = 0; v < patch.vertex_count(); ++v) {
+    const auto at = static_cast<std::size_t>(v);
+    if (!patch.positions[at].allFinite()) in.fail("a coordinate is not a finite number");
+    const bool is_free = v < patch.free_count;
+    if (is_free != (patch.ring[at] == 0) || patch.ring[at] < 0 || is_free != (patch.view_vertex[at] == -1))
+      in.fail("free and fixed vertices of a patch are mixed up");
+  }
+}
+
+void check_triangles(const Reader& in, const Patch& patch) {
+  const int n = patch.vertex_count();
+  std::vector<std::pair<int, int>> edges;
   for (const Triangle& t : patch.triangles)
-    for (int v : t)
-      if (v < 0 || v >= n) in.fail("a triangle names a vertex that does not exist");
-  for (const auto& loop : patch.loops)
-    if (loop.empty() || !in_range(loop, 0, n)) in.fail("a loop names a vertex that does not exist");
-  for (const Vec3& p : patch.positions)
-    if (!p.allFinite()) in.fail("a coordinate is not a finite number");
+    for (int k = 0; k < 3; ++k) {
+      const int from = t[k], to = t[(k + 1) % 3];
+      if (from < 0 || from >= n) in.fail("a triangle names a vertex that does not exist");
+      if (from == to) in.fail("a triangle names a vertex twice");
+      edges.emplace_back(from, to);
+    }
+  std::sort(edges.begin(), edges.end());
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) in.fail("the triangles of a patch do not fit");
+}
+
+void check_loops(const Reader& in, const Patch& patch) {
+  for (const auto& loop : patch.loops) {
+    if (loop.empty() || !in_range(loop, 0, patch.vertex_count())) in.fail("a loop names a vertex that does not exist");
+    for (int v : loop)
+      if (patch.ring[static_cast<std::size_t>(v)] != 1) in.fail("a loop is not the boundary of its patch");
+  }
+}
+
+void check(const Reader& in, const Patch& patch) {
+  check_sizes(in, patch);
+  check_vertices(in, patch);
+  check_triangles(in, patch);
+  check_loops(in, patch);
+  if (!(patch.scale > 0) || !std::isfinite(patch.scale) || !patch.center.allFinite())
+    in.fail("the frame of a patch is not known");
 }
 
 Patch patch(Reader& in) {
@@ -202,6 +238,7 @@ void put(Writer& out, const PatchRecipe& recipe) {
 PatchRecipe recipe(Reader& in) {
   PatchRecipe r;
   r.density = in.number<double>();
+  if (!(r.density > 0) || !std::isfinite(r.density)) in.fail("a density is out of range");
   if (in.version > version_without_bridges) r.start = word(in, PatchRecipe::Start::bridge);
   const int runs = in.count(sizeof(double));
   for (int i = 0; i < runs; ++i) {

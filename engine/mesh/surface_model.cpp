@@ -345,6 +345,17 @@ void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
 
 }  // namespace
 
+void reserve_patches(SurfaceModel& model, std::size_t points, std::size_t triangles) {
+  const TriMesh& mesh = model.mesh;
+  model.soup.points.reserve(model.soup.points.size() + points);
+  if (!model.soup.colors.empty()) model.soup.colors.reserve(model.soup.colors.size() + points);
+  model.soup.triangles.reserve(model.soup.triangles.size() + triangles);
+  model.soup_vertex.reserve(model.soup_vertex.size() + points);
+  model.soup_face.reserve(model.soup_face.size() + triangles);
+  // A triangle has at most three edges of its own.
+  model.mesh.reserve(mesh.n_vertices() + points, mesh.n_edges() + 3 * triangles, mesh.n_faces() + triangles);
+}
+
 void append_patch(SurfaceModel& model, const PatchGeometry& patch) {
   check_patch_fits(model, patch);
   std::vector<VertexHandle> view;

@@ -41,8 +41,13 @@ struct PatchGeometry {
   Triangles triangles;   ///< over patch vertices, oriented like the surroundings
 };
 
+/// Room for patches of so many points and triangles together: append_patch then takes no more memory for the model.
+/// @throws std::bad_alloc; the model is then unchanged.
+void reserve_patches(SurfaceModel& model, std::size_t points, std::size_t triangles);
+
 /// Appends the patch to soup and view. New soup points and triangles come last; nothing that was there moves.
-/// @throws InvalidArgument if the patch does not fit (a rim edge is not a boundary edge); the model is then unchanged.
+/// @throws InvalidArgument if the patch does not fit (a rim edge is not a boundary edge); the model is then unchanged, as it
+///         is on std::bad_alloc where there is room for the patch.
 void append_patch(SurfaceModel& model, const PatchGeometry& patch);
 
 }  // namespace loopmend

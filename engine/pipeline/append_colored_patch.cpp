@@ -24,12 +24,8 @@ Points continued(const SparseMatrix& stiffness, const Points& boundary, std::siz
 
 unsigned char channel(double value) { return static_cast<unsigned char>(std::lround(std::clamp(value, 0.0, 255.0))); }
 
-}  // namespace
-
-void append_colored_patch(SurfaceModel& model, const PatchGeometry& patch) {
-  const std::size_t before = model.soup.points.size();
-  append_patch(model, patch);
-  if (model.soup.colors.empty() || patch.points.empty()) return;
+std::vector<Color> patch_colors(const SurfaceModel& model, const PatchGeometry& patch) {
+  if (model.soup.colors.empty() || patch.points.empty()) return {};
   Points points, rgb, alpha;
   for (int v : patch.rim) {
     const auto soup_point = static_cast<std::size_t>(model.soup_vertex[static_cast<std::size_t>(v)]);
@@ -44,11 +40,18 @@ void append_colored_patch(SurfaceModel& model, const PatchGeometry& patch) {
   const SparseMatrix stiffness = clamped_cotan_stiffness(points, patch.triangles, faces, robust_clamp);
   rgb = continued(stiffness, rgb, points.size());
   alpha = continued(stiffness, alpha, points.size());
-  for (std::size_t k = 0; k < patch.points.size(); ++k) {
-    const std::size_t v = patch.rim.size() + k;
-    model.soup.colors[before + k] = {channel(rgb[v].x()), channel(rgb[v].y()), channel(rgb[v].z()),
-                                     channel(alpha[v].x())};
-  }
+  std::vector<Color> colors;
+  for (std::size_t v = patch.rim.size(); v < points.size(); ++v)
+    colors.push_back({channel(rgb[v].x()), channel(rgb[v].y()), channel(rgb[v].z()), channel(alpha[v].x())});
+  return colors;
+}
+
+}  // namespace
+
+void append_colored_patch(SurfaceModel& model, const PatchGeometry& patch) {
+  const std::vector<Color> colors = patch_colors(model, patch);
+  append_patch(model, patch);
+  std::copy(colors.rbegin(), colors.rend(), model.soup.colors.rbegin());
 }
 
 }  // namespace loopmend

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -195,10 +196,6 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
       patches.push_back(patch.get());
       geometry.push_back(&patch->patch);
     }
-  const std::vector<std::string> faults = paste_patches(model, geometry);
-  std::map<const PatchResult*, std::string> fault_of;
-  for (std::size_t k = 0; k < patches.size(); ++k)
-    if (!faults[k].empty()) fault_of[patches[k]] = faults[k];
   std::map<int, std::size_t> place;
   for (std::size_t k = 0; k < loops.size(); ++k) place.emplace(loops[k].number, k);
   const auto place_of = [&](const HoleResult& result) {
@@ -206,16 +203,21 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
     return found != place.end() ? found->second : loops.size() + static_cast<std::size_t>(result.loop.number);
   };
   std::vector<HoleResult> results;
-  for (const GroupResult& group : solved)
-    for (const HoleResult& hole : group.holes) {
-      HoleResult& result = results.emplace_back(hole);
-      const auto fault = fault_of.find(result.patch.get());
-      if (fault == fault_of.end()) continue;
-      result.status = PatchStatus::failed;
-      result.message = fault->second;
-    }
+  for (const GroupResult& group : solved) results.insert(results.end(), group.holes.begin(), group.holes.end());
   std::stable_sort(results.begin(), results.end(),
                    [&](const HoleResult& x, const HoleResult& y) { return place_of(x) < place_of(y); });
+  // Room for a fault: from here on memory is asked for by paste_patches alone. Either the model is unchanged, or these results
+  // are handed back.
+  for (HoleResult& result : results) result.message.reserve(std::strlen(no_memory_message));
+  const std::vector<std::string> faults = paste_patches(model, geometry);
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    if (faults[k].empty()) continue;
+    for (HoleResult& result : results) {
+      if (result.patch.get() != patches[k]) continue;
+      result.status = PatchStatus::failed;
+      result.message = faults[k];
+    }
+  }
   return results;
 }
 

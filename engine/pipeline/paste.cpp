@@ -4,11 +4,13 @@
 #include "core/error.h"
 #include "mesh/self_intersections.h"
 #include "pipeline/append_colored_patch.h"
+#include "pipeline/initial_patch.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 
@@ -50,7 +52,7 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPar
   } catch (const InvalidArgument& error) {
     return error.what();
   }
-  pasted.push_back(std::move(part));
+  pasted.push_back(std::move(part));  // has room
   return "";
 }
 
@@ -66,9 +68,21 @@ std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<co
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return first_loop(*patches[a]) < first_loop(*patches[b]); });
-  std::vector<std::string> faults(patches.size());
+  std::vector<std::string> faults(patches.size(), no_memory_message);
   std::vector<PastedPart> pasted;
-  for (std::size_t k : order) faults[k] = paste(model, *patches[k], pasted);
+  pasted.reserve(patches.size());
+  std::size_t points = 0, triangles = 0;
+  for (const Patch* patch : patches) {
+    points += static_cast<std::size_t>(patch->free_count);
+    triangles += static_cast<std::size_t>(patch->patch_triangles);
+  }
+  reserve_patches(model, points, triangles);
+  for (std::size_t k : order) {
+    try {
+      faults[k] = paste(model, *patches[k], pasted);
+    } catch (const std::bad_alloc&) {  // as it says already
+    }
+  }
   check_exterior(before, model.soup, 0);
   return faults;
 }

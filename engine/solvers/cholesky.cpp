@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/cholmod_solve.h"
 #include "solvers/dissection.h"
 #include "solvers/factoring.h"
 #include "solvers/halved_cholesky.h"
@@ -7,6 +8,7 @@
 #include <Eigen/CholmodSupport>
 
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -52,6 +54,7 @@ class OrderedCholmod : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::L
     check_memory(cholmod().status);
     return cholmod().status == CHOLMOD_OK && m_cholmodFactor->minor == m_cholmodFactor->n;
   }
+  void solve_in_place(Eigen::MatrixXd& x) { solve_by_cholmod(CHOLMOD_A, *m_cholmodFactor, cholmod(), x); }
 };
 
 /// In one piece. For matrices of the pattern of A alone.
@@ -86,15 +89,16 @@ class WholeCholesky : public SpdSolver {
     return cholesky_.is_factored();
   }
   bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override {
-    const Eigen::MatrixXd solution = cholesky_.solve(b);
-    if (cholesky_.info() != Eigen::Success || !solution.allFinite()) return false;
-    x = solution;
+    Eigen::MatrixXd solution = b;
+    cholesky_.solve_in_place(solution);
+    if (!solution.allFinite()) return false;
+    x = std::move(solution);
     return true;
   }
   double log_determinant() const override { return cholesky_.logDeterminant(); }
 
  private:
-  OrderedCholmod cholesky_;
+  mutable OrderedCholmod cholesky_;  ///< CHOLMOD counts in its settings, also when it solves
 };
 
 class CholeskySolver : public SpdSolver {

@@ -2,14 +2,15 @@
 #include "solvers/halved_cholesky.h"
 
 #include "core/threads.h"
+#include "solvers/cholmod_solve.h"
 #include "solvers/dissection.h"
 #include "solvers/factoring.h"
 
 #include <cholmod.h>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -45,10 +46,6 @@ class Common : public cholmod_common {
 struct FreeFactor {
   cholmod_common* common;
   void operator()(cholmod_factor* factor) const { cholmod_free_factor(&factor, common); }
-};
-struct FreeDense {
-  cholmod_common* common;
-  void operator()(cholmod_dense* dense) const { cholmod_free_dense(&dense, common); }
 };
 
 /// The factors L Lᵀ of A(rows, rows), in the order of the rows. The last of them are the border, which is factored as if
@@ -201,20 +198,7 @@ class Half {
     }
   }
 
-  void solve(int system, Eigen::MatrixXd& x) const {
-    cholmod_dense b{};
-    b.nrow = b.d = static_cast<std::size_t>(x.rows());
-    b.ncol = static_cast<std::size_t>(x.cols());
-    b.nzmax = b.nrow * b.ncol;
-    b.x = x.data();
-    b.xtype = CHOLMOD_REAL;
-    b.dtype = CHOLMOD_DOUBLE;
-    const NoThreadsWithin alone;
-    const std::unique_ptr<cholmod_dense, FreeDense> solution(cholmod_solve(system, factor_.get(), &b, common_.get()),
-                                                             FreeDense{common_.get()});
-    if (!solution) throw std::bad_alloc();
-    x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x), x.rows(), x.cols());
-  }
+  void solve(int system, Eigen::MatrixXd& x) const { solve_by_cholmod(system, *factor_, *common_, x); }
 
   int size_ = 0, border_ = 0;  ///< rows; the last of them
   std::vector<int> place_;     ///< of each row of A: where it stands among the rows, or -1

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/session.h"
 
+#include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "document/sheet.h"
 #include "filling/loop_patch.h"
+#include "jobs/state_making.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +13,10 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <cmath>
 #include <cstring>
+#include <functional>
+#include <limits>
 
 namespace loopmend::test {
 namespace {
@@ -229,6 +234,83 @@ TEST_F(SessionTest, AbsurdCountsAreRefused) {
     std::memcpy(broken.data() + at, &absurd, sizeof absurd);
     EXPECT_THROW(read(broken), ReadError) << absurd;
   }
+}
+
+/// What the window does first with a patch that it has read.
+void use(const Session& session) {
+  for (const SessionPatch& patch : session.patches) {
+    curvature_field(patch.state->patch);
+    seam_reports(patch.state->patch);
+    rim_knowledge(patch.state->patch);
+    patch_geometry(patch.state->patch);
+  }
+}
+
+TEST_F(SessionTest, EveryByteChangedIsRefusedOrASessionThatCanBeUsed) {
+  const QByteArray bytes = to_bytes(whole_session(), folder.path());
+  int read_well = 0, refused = 0;
+  for (int at = 0; at < bytes.size(); ++at) {
+    QByteArray changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ (1 << (at % 8)));
+    try {
+      const Session session = read(changed);
+      if (read_well++ % 100 == 0) use(session);
+    } catch (const ReadError& error) {
+      ++refused;
+      ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(read_well, 1000) << "coordinates may have any value";
+  EXPECT_GT(refused, 1000) << "indices may not";
+}
+
+TEST_F(SessionTest, HugeNumbersInAnyPlaceAreRefusedOrASession) {
+  const QByteArray bytes = to_bytes(whole_session(), folder.path());
+  int refused = 0;
+  for (int at = 0; at + 8 <= bytes.size(); at += at < 400 ? 1 : 12)
+    for (const quint64 huge : {quint64{1} << 31U, quint64{1} << 61U, ~quint64{0}}) {
+      QByteArray changed = bytes;
+      std::memcpy(changed.data() + at, &huge, sizeof huge);
+      try {
+        read(changed);
+      } catch (const ReadError&) {
+        ++refused;
+      }
+    }
+  EXPECT_GT(refused, 1000);
+}
+
+/// Indices that are in range, and yet would lead the engine astray.
+TEST_F(SessionTest, PatchesThatDoNotHangTogetherAreRefused) {
+  const Session whole = whole_session();
+  const auto refused = [&](const char* words, const std::function<void(PatchState&)>& spoil) {
+    Session session = whole;
+    auto state = std::make_shared<PatchState>(*session.patches[0].state);
+    spoil(*state);
+    session.patches[0].state = state;
+    try {
+      read(to_bytes(session, folder.path()));
+      ADD_FAILURE() << "was read: " << words;
+    } catch (const ReadError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto fixed = static_cast<std::size_t>(whole.patches[0].state->patch.free_count);
+  refused("mixed up", [](PatchState& s) { s.patch.ring.front() = 1; });
+  refused("mixed up", [](PatchState& s) { s.patch.ring.back() = -3; });
+  refused("mixed up", [](PatchState& s) { s.patch.view_vertex.front() = 0; });
+  refused("mixed up", [&](PatchState& s) { s.patch.view_vertex[fixed] = -1; });
+  refused("mixed up", [](PatchState& s) { s.patch.free_count += 1; });
+  refused("names a vertex twice", [](PatchState& s) { s.patch.triangles[0][1] = s.patch.triangles[0][0]; });
+  refused("do not fit", [](PatchState& s) { s.patch.triangles.back() = s.patch.triangles.front(); });
+  refused("not the boundary", [&](PatchState& s) { s.patch.loops[0][0] = s.patch.vertex_count() - 1; });
+  refused("does not exist", [](PatchState& s) { s.patch.loops[0].clear(); });
+  refused("disagree", [](PatchState& s) { s.patch.loops.clear(); });
+  refused("frame", [&](PatchState& s) { s.patch.scale = infinite; });
+  refused("frame", [](PatchState& s) { s.patch.center.x() = std::nan(""); });
+  refused("density", [](PatchState& s) { s.recipe.density = std::nan(""); });
+  refused("density", [](PatchState& s) { s.recipe.density = 0; });
 }
 
 TEST_F(SessionTest, OtherFilesAndVersionsAreRefused) {
