@@ -80,12 +80,12 @@ endmacro()
 package(application loopmend "loopmend-cli (= ${PROJECT_VERSION})"
 "The window shows scans, their boundary loops, and patches that a geometric
 flow shapes while you watch. It gives figures for the seam, compares flows,
-and exports STL, PLY, OBJ and OFF.")
+and exports STL, PLY, OBJ, OFF, glTF and 3MF.")
 package(command_line loopmend-cli ""
 "The command line fills holes, joins boundary loops of several meshes, smooths
-regions and draws pictures. It reads and writes PLY, STL, OBJ and OFF.")
+regions and draws pictures. It reads and writes PLY, STL, OBJ, OFF, glTF and 3MF.")
 package(development libloopmend-dev
-"libeigen3-dev, libopenmesh-dev, libcgal-dev, libsuitesparse-dev, libopenblas-pthread-dev, libtbb-dev, zlib1g-dev, libpng-dev, libjpeg62-turbo-dev"
+"libeigen3-dev, libopenmesh-dev, libcgal-dev, libsuitesparse-dev, libopenblas-pthread-dev, libtbb-dev, zlib1g-dev, libpng-dev, libjpeg62-turbo-dev, libexpat1-dev, libzip-dev, nlohmann-json3-dev"
 "The numerical engine as a static library, with its headers and its CMake
 package: find_package(loopmend) gives the target loopmend::engine.")
 if(LOOPMEND_BUILD_DOCS)

@@ -25,7 +25,7 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   QFont large = title->font();
   large.setPointSizeF(large.pointSizeF() * 1.6);
   title->setFont(large);
-  auto* formats = new QuietLabel(tr("PLY, STL, OBJ or OFF; or a saved session"));
+  auto* formats = new QuietLabel(tr("PLY, STL, OBJ, OFF, glTF or 3MF; or a saved session"));
   formats->setWordWrap(false);
   auto* open = make_button("welcomeOpen", tr("&Open\u2026"), tr("Choose a file (Ctrl+O)"));
   open->setDefault(true);

@@ -3,7 +3,6 @@
 
 #include "core/error.h"
 #include "filling/fairing.h"
-#include "io/picture_file.h"
 #include "io/texture_files.h"
 #include "operators/operator_set.h"
 #include "texture/texture_of_triangles.h"
@@ -104,7 +103,7 @@ class Colorer {
     const auto [entry, is_new] = pictures_.try_emplace(path->string());
     if (is_new) {
       try {
-        entry->second = std::make_shared<Picture>(read_picture(*path));
+        entry->second = std::make_shared<Picture>(files_->read(*path));
       } catch (const ReadError& error) {
         result_.problems.push_back(std::string("A picture of the scan's texture cannot be used: ") + error.what());
       }
@@ -226,7 +225,7 @@ class Colorer {
 ScanColors scan_colors(const SurfaceModel& model, const CancelToken& cancel) {
   const TriangleSoup& soup = model.soup;
   const ScanAttributes* more = soup.attributes.get();
-  const bool has_more = more && (more->texture.count() > 0 || !more->material_libraries.empty() ||
+  const bool has_more = more && (more->texture.count() > 0 || !more->material_libraries.empty() || more->materials ||
                                  find_column(more->faces, "red") || find_column(more->faces, "color"));
   if (has_more) return Colorer(model, cancel).result();
   ScanColors colors;  // the common case at once

@@ -5,6 +5,7 @@
 #include "io/file_content.h"
 #include "io/gzip.h"
 #include "io/material_library.h"
+#include "io/painted_material.h"
 #include "io/picture_file.h"
 #include "io/text_cursor.h"
 #include "io/texture_files.h"
@@ -70,11 +71,11 @@ class SideFiles {
   }
 
   /// A picture of the scan's texture; null: it cannot be used, which is said.
-  const Picture* picture(const fs::path& path) {
+  const Picture* picture(const TextureFiles& files, const fs::path& path) {
     const auto [entry, is_new] = pictures_.try_emplace(path.string());
     if (is_new) {
       try {
-        entry->second = read_picture(path);
+        entry->second = files.read(path);
       } catch (const ReadError& error) {
         written_.remarks.push_back(std::string("A picture of the scan's texture cannot be used: ") + error.what());
       }
@@ -190,7 +191,7 @@ class ObjTexture : public Texture {
 
   const Picture* picture_of(std::size_t face) override {
     const auto path = named_.picture_of(face);
-    return path ? files_.picture(*path) : nullptr;
+    return path ? files_.picture(named_, *path) : nullptr;
   }
 
   void name_files(ScanAttributes& continued) override {
@@ -253,7 +254,7 @@ class PlyTexture : public Texture {
 
   const Picture* picture_of(std::size_t face) override {
     const auto path = named_.picture_of(face);
-    return path ? files_.picture(*path) : nullptr;
+    return path ? files_.picture(named_, *path) : nullptr;
   }
 
   void name_files(ScanAttributes& continued) override {
@@ -285,6 +286,53 @@ class PlyTexture : public Texture {
   TextureFiles named_;
 };
 
+/// glTF: materials and pictures are in the file itself.
+class GltfTexture : public Texture {
+ public:
+  GltfTexture(const ScanAttributes& scan, SideFiles& files)
+      : scan_(scan),
+        files_(files),
+        named_(scan, files.scan_folder()) {
+    for (const std::string& problem : named_.problems()) files.say(problem);
+  }
+
+  const Picture* picture_of(std::size_t face) override {
+    const auto path = named_.picture_of(face);
+    return path ? files_.picture(named_, *path) : nullptr;
+  }
+
+  /// Pictures beside the scan go into the output; one that is not there cannot.
+  void name_files(ScanAttributes&) override {
+    std::error_code ignored;
+    for (const ScanPicture& picture : scan_.materials->pictures)
+      if (!picture.path.empty() && !fs::is_regular_file(picture.path, ignored))
+        files_.say("The picture " + picture.path.string() + " is not there, and not in the output.");
+  }
+
+  void add_patches(const PaintedPatches& painted, std::size_t like_face, ScanAttributes& continued) override {
+    auto table = std::make_shared<MaterialTable>(*scan_.materials);
+    std::ostringstream png;
+    write_png(png, painted.picture);
+    for (FaceNames& names : continued.names) {
+      if (names.keyword != "usemtl") continue;
+      std::string material = "loopmend_patch";
+      for (int k = 2; std::find(names.names.begin(), names.names.end(), material) != names.names.end(); ++k)
+        material = "loopmend_patch_" + std::to_string(k);
+      const int number =
+          add_painted_material(*table, material, named_.material_number_of(like_face), std::move(png).str());
+      names.names.push_back(material);
+      for (std::size_t f = 0; f < painted.is_painted.size(); ++f)
+        if (painted.is_painted[f]) names.of_face[f] = number;
+    }
+    continued.materials = std::move(table);
+  }
+
+ private:
+  const ScanAttributes& scan_;
+  SideFiles& files_;
+  TextureFiles named_;
+};
+
 /// Of a scan of the same format as the output; null: it has none.
 std::unique_ptr<Texture> texture_of(const fs::path& path, const ScanAttributes& scan, SideFiles& files) {
   const auto is_written_as = [&](const char* format, const char* extension) {
@@ -292,6 +340,9 @@ std::unique_ptr<Texture> texture_of(const fs::path& path, const ScanAttributes& 
   };
   if (is_written_as("OBJ", ".obj") && !scan.material_libraries.empty())
     return std::make_unique<ObjTexture>(scan, files);
+  if ((is_written_as("glTF", ".glb") || is_written_as("glTF", ".gltf")) && scan.materials &&
+      !scan.materials->pictures.empty())
+    return std::make_unique<GltfTexture>(scan, files);
   if (is_written_as("PLY", ".ply") && scan.texture.count() > 0) return std::make_unique<PlyTexture>(scan, files);
   return nullptr;
 }

@@ -82,10 +82,6 @@ void refuse_known_strangers(const FileContent& file) {
   if (looks_like_utf16(bytes)) {
     throw ReadError(file.path, "the text is encoded as UTF-16", "byte 0", "Save it as UTF-8 or plain ASCII.");
   }
-  if (starts_with(bytes, "PK\x03\x04"sv)) {
-    throw ReadError(file.path, "this is a ZIP archive (3MF, or a compressed mesh), not a mesh file", "byte 0",
-                    "Unpack it, or export as PLY, STL, OBJ or OFF.");
-  }
 }
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -144,7 +140,7 @@ std::string_view mesh_text(const FileContent& file) {
   return text;
 }
 
-FileContent load_file(const std::filesystem::path& path) {
+FileContent load_bytes(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) fail_open(path, errno);
   require_regular_file(path, status);
@@ -165,6 +161,11 @@ FileContent load_file(const std::filesystem::path& path) {
   }
   file.bytes.resize(got);
   if (file.bytes.empty()) throw ReadError(path, "the file is empty (0 bytes)", "", "Export or copy the mesh again.");
+  return file;
+}
+
+FileContent load_file(const std::filesystem::path& path) {
+  FileContent file = load_bytes(path);
   if (is_gzip(file.bytes) && !fits_binary_stl(file.bytes)) file.bytes = gunzip(path, file.bytes);
   return file;
 }
@@ -173,7 +174,10 @@ MeshFormat detect_format(const FileContent& file) {
   if (fits_binary_stl(file.bytes)) return MeshFormat::stl_binary;  // first: its title may hold anything
   refuse_known_strangers(file);
   const std::string_view text = mesh_text(file);
+  if (starts_with(text, "PK\x03\x04")) return MeshFormat::three_mf;
+  if (starts_with(text, "glTF")) return MeshFormat::gltf;
   const std::string_view first = first_token(text.substr(0, 65536));
+  if (!first.empty() && first.front() == '{') return MeshFormat::gltf;
   if (first == "ply") return MeshFormat::ply;
   if (looks_like_ascii_stl(text, first)) return MeshFormat::stl_ascii;
   if (is_off_keyword(first)) return MeshFormat::off;
@@ -192,12 +196,16 @@ MeshFormat detect_format(const FileContent& file) {
     throw ReadError(file.path, "does not begin with \"ply\" as every PLY file does", "byte 0",
                     "The file is damaged or is something else under this name.");
   }
+  if (extension == ".glb" || extension == ".gltf" || extension == ".3mf") {
+    throw ReadError(file.path, "does not begin as " + std::string(extension == ".3mf" ? "3MF" : "glTF") + " files do",
+                    "byte 0", "The file is damaged or is something else under this name.");
+  }
   if (extension == ".off") {
     throw ReadError(file.path, "does not begin with \"OFF\" as OFF files do", "byte 0",
                     "The file is damaged or is something else under this name.");
   }
   throw ReadError(file.path, "this is not a mesh format that Loopmend knows", "",
-                  "It reads PLY, STL, OBJ and OFF files.");
+                  "It reads PLY, STL, OBJ, OFF, glTF and 3MF files.");
 }
 
 }  // namespace loopmend

@@ -13,14 +13,17 @@ struct FileContent {
   std::string bytes;  ///< exactly what the file holds; of one compressed with gzip, what is packed in it
 };
 
-enum class MeshFormat { ply, stl_ascii, stl_binary, obj, off };
+enum class MeshFormat { ply, stl_ascii, stl_binary, obj, off, gltf, three_mf };
 
-/// Loads the file.
+/// The file as it is. @throws ReadError as load_file
+FileContent load_bytes(const std::filesystem::path& path);
+
+/// Loads the file, unpacked.
 /// @throws ReadError if it is missing, a directory, not a regular file, unreadable or empty.
 FileContent load_file(const std::filesystem::path& path);
 
 /// Tells the format by content first, by the extension only where the content does not say.
-/// @throws ReadError for content that is known to be something else (Git LFS pointer, UTF-16, archive) or unknown.
+/// @throws ReadError for content that is known to be something else (Git LFS pointer, UTF-16) or unknown.
 MeshFormat detect_format(const FileContent& file);
 
 /// The bytes without a UTF-8 byte order mark.

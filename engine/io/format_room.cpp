@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a soup a format has no room for.
 #include "io/format_writers.h"
+#include "mesh/material_table.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -77,6 +78,7 @@ struct Room {
   Encoding encoding = Encoding::binary;
 
   bool is(Format other) const { return format == other; }
+  bool is_gltf() const { return is(Format::glb) || is(Format::gltf); }
 };
 
 /// Colours of vertices are said by themselves.
@@ -92,7 +94,28 @@ bool holds(const Room& room, const TriangleSoup& soup, bool of_faces, const Attr
   }
   if (room.is(Format::off) && of_faces) return scan.format == "OFF" && name == "color";
   if (room.is(Format::off) && (name == "s" || name == "t")) return true;
-  return (room.is(Format::off) || room.is(Format::obj)) && !of_faces && role == AttributeRole::normal;
+  if (room.is(Format::three_mf))
+    return of_faces && role == AttributeRole::color && soup.colors.empty() && has_face_colors(scan);
+  const bool holds_normals = room.is(Format::off) || room.is(Format::obj) || room.is_gltf();
+  return holds_normals && !of_faces && role == AttributeRole::normal;
+}
+
+/// Of formats that have them, 3MF writes materials where there are no colours.
+bool holds_names(const Room& room, const TriangleSoup& soup, std::string_view keyword) {
+  if (room.is(Format::obj)) return keyword != "solid";
+  if (room.is(Format::stl)) return keyword == "solid" && room.encoding == Encoding::ascii;
+  if (keyword == "o") return room.is_gltf() || room.is(Format::three_mf);
+  if (keyword != "usemtl") return false;
+  return room.is_gltf() || (room.is(Format::three_mf) && soup.colors.empty() && !has_face_colors(attributes_of(soup)));
+}
+
+void add_table(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup) {
+  const ScanAttributes& scan = attributes_of(soup);
+  if (scan.materials && !room.is_gltf()) count_not_kept(list, "pictures of materials", scan.materials->pictures.size());
+  if (scan.materials && !room.is(Format::three_mf)) count_not_kept(list, "metadata", scan.materials->metadata.size());
+  const bool has_unit = room.is(Format::three_mf) || (room.is_gltf() && scan.unit == "meter");
+  // Of a scan in metres nothing is lost but the word.
+  if (!scan.unit.empty() && !has_unit && scan.unit != "meter") count_not_kept(list, "unit (" + scan.unit + ")");
 }
 
 void add_columns(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup, bool of_faces) {
@@ -115,15 +138,16 @@ void add_attributes(std::vector<NotKept>& list, const Room& room, const Triangle
   const ScanAttributes& scan = attributes_of(soup);
   add_columns(list, room, soup, false);
   add_columns(list, room, soup, true);
-  const bool obj = room.is(Format::obj), ply = room.is(Format::ply);
-  if (!obj && !(ply && writes_texture(scan))) count_not_kept(list, "texture coordinates", scan.texture.count());
-  if (!obj) count_not_kept(list, "normals", scan.normals.count());
+  const bool obj = room.is(Format::obj), ply = room.is(Format::ply), gltf = room.is_gltf();
+  if (!obj && !gltf && !(ply && writes_texture(scan)))
+    count_not_kept(list, "texture coordinates", scan.texture.count());
+  if (!obj && !gltf) count_not_kept(list, "normals", scan.normals.count());
   for (const FaceNames& names : scan.names) {
-    const bool solid = names.keyword == "solid";
-    const bool kept = solid ? room.is(Format::stl) && room.encoding == Encoding::ascii : obj;
     const std::size_t count = count_names(names);
-    if (!kept && !(solid && count <= 1)) count_not_kept(list, words_for_names(names.keyword), count);
+    if (!holds_names(room, soup, names.keyword) && !(names.keyword == "solid" && count <= 1))
+      count_not_kept(list, words_for_names(names.keyword), count);
   }
+  add_table(list, room, soup);
   if (!obj) count_not_kept(list, "material libraries", scan.material_libraries.size());
   if (!(ply && keeps_elements(soup)))
     for (const OtherElement& element : scan.elements)
@@ -141,11 +165,12 @@ std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const
     const auto count = std::count_if(soup.colors.begin(), soup.colors.end(), see_through);
     count_not_kept(list, "alpha values", static_cast<std::size_t>(count));
   }
-  if (format == Format::stl) {
+  const bool gltf = format == Format::glb || format == Format::gltf;
+  if (format == Format::stl || gltf) {
     std::vector<char> used(soup.points.size(), 0);
     for (const Triangle& triangle : soup.triangles)
       for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
-    count_not_kept(list, "vertex colours", soup.colors.size());
+    if (!gltf) count_not_kept(list, "vertex colours", soup.colors.size());
     count_not_kept(list, "vertices without faces", static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));
   }
   add_attributes(list, {format, encoding}, soup);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Internal: how each of the four formats is written, and what they share.
+// Internal: how each of the formats is written, and what they share.
 #pragma once
 
 #include "io/gzip.h"
@@ -94,7 +94,20 @@ void write_stl(Output& out, const TriangleSoup& soup, Encoding encoding);
 void write_obj(Output& out, const TriangleSoup& soup);
 void write_off(Output& out, const TriangleSoup& soup);
 
-enum class Format { ply, stl, obj, off };
+enum class GltfContainer {
+  binary,  ///< .glb
+  text     ///< .gltf, everything within
+};
+/// @param path  for messages. @throws WriteError for coordinates that no float holds, or more than 4 GB
+void write_gltf(Output& out, const std::filesystem::path& path, const TriangleSoup& soup, GltfContainer container);
+/// Where the nodes of a glTF file are put so that floats hold the coordinates; zero where they do so anyhow.
+Vec3 gltf_shift(const TriangleSoup& soup);
+
+void write_3mf(Output& out, const TriangleSoup& soup);
+/// Whether faces have columns red, green and blue that 3MF holds.
+bool has_face_colors(const ScanAttributes& scan);
+
+enum class Format { ply, stl, obj, off, glb, gltf, three_mf };
 
 /// By the extension. @throws WriteError for one that is not known.
 Format format_of(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 #include "io/ply_header.h"
 #include "io/ply_rows.h"
 #include "io/polygon_soup.h"
+#include "io/single_precision.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +64,7 @@ bool are_floats(const PlyElement& vertices, const Points& points) {
   for (const PlyProperty& property : vertices.properties)
     if (const int role = vertex_role(property); role >= 0 && role < 3 && property.type != PlyType::float32)
       return false;
-  return std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.cast<float>().cast<double>() == p; });
+  return holds_as_floats(points);
 }
 
 /// Where the corners stand in a face's row.

@@ -102,11 +102,12 @@ Picture read_jpeg(const FileContent& file) {
 
 }  // namespace
 
-Picture read_picture(const std::filesystem::path& path) {
-  const FileContent file = load_file(path);
+Picture read_picture(const std::filesystem::path& path) { return read_picture(load_file(path)); }
+
+Picture read_picture(const FileContent& file) {
   if (file.bytes.substr(0, 4) == "\x89PNG") return read_png(file);
   if (file.bytes.substr(0, 2) == "\xFF\xD8") return read_jpeg(file);
-  fail(path, "this is neither PNG nor JPEG");
+  fail(file.path, "this is neither PNG nor JPEG");
 }
 
 void write_png(std::ostream& stream, const Picture& picture) {

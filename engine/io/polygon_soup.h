@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the parsers of the four formats hand over: points and polygons exactly as the file holds them.
+// What the parsers of all formats hand over: points and polygons exactly as the file holds them.
 #pragma once
 
 #include "core/types.h"
@@ -24,7 +24,7 @@ struct PolygonSoup {
   std::size_t skipped_elements = 0;  ///< things that are neither vertex nor face: lines, points, edges
   std::vector<NotKept> not_kept;     ///< all that was read over, the skipped elements among it, by name
   std::vector<NotKept> oddities;     ///< what is not as the format has it, and no fault of the surface, by name
-  std::size_t vertices_welded = 0;   ///< STL only
+  std::size_t vertices_welded = 0;   ///< STL and glTF only
   ScanAttributes attributes;         ///< but for its counts and faces, which read_mesh adds
 
   std::size_t polygon_count() const { return ends.size(); }
@@ -60,5 +60,7 @@ PolygonSoup parse_stl_ascii(const FileContent& file);
 PolygonSoup parse_stl_binary(const FileContent& file);
 PolygonSoup parse_obj(const FileContent& file);
 PolygonSoup parse_off(const FileContent& file);
+PolygonSoup parse_gltf(const FileContent& file);
+PolygonSoup parse_3mf(const FileContent& file);
 
 }  // namespace loopmend

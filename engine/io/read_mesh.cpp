@@ -4,7 +4,9 @@
 #include "core/error.h"
 #include "io/file_content.h"
 #include "io/first_occurrence.h"
+#include "io/gzip.h"
 #include "io/polygon_soup.h"
+#include "io/text_cursor.h"
 #include "io/triangulate_polygon.h"
 #include "mesh/scan_attributes.h"
 #include "mesh/vertex_survey.h"
@@ -12,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <new>
@@ -28,6 +31,8 @@ const char* format_name(MeshFormat format) {
     case MeshFormat::stl_binary: return "STL";
     case MeshFormat::obj: return "OBJ";
     case MeshFormat::off: return "OFF";
+    case MeshFormat::gltf: return "glTF";
+    case MeshFormat::three_mf: return "3MF";
   }
   return "";
 }
@@ -39,6 +44,8 @@ PolygonSoup parse(const FileContent& file, MeshFormat format) {
     case MeshFormat::stl_binary: return parse_stl_binary(file);
     case MeshFormat::obj: return parse_obj(file);
     case MeshFormat::off: return parse_off(file);
+    case MeshFormat::gltf: return parse_gltf(file);
+    case MeshFormat::three_mf: return parse_3mf(file);
   }
   return {};
 }
@@ -194,6 +201,13 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
 }
 
 }  // namespace
+
+bool is_mesh_name(const std::filesystem::path& path) {
+  constexpr std::array extensions{".ply", ".stl", ".obj", ".off", ".glb", ".gltf", ".3mf"};
+  const std::string extension = without_gzip_name(path).extension().string();
+  return std::any_of(extensions.begin(), extensions.end(),
+                     [&](const char* one) { return equals_ignoring_case(extension, one); });
+}
 
 ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident) {
   try {

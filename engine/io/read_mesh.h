@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading PLY, STL, OBJ and OFF into a validated triangle soup. All of a file, or an error.
+// Reading PLY, STL, OBJ, OFF, glTF and 3MF into a validated triangle soup. All of a file, or an error.
 #pragma once
 
 #include "io/not_kept.h"
@@ -14,7 +14,7 @@ namespace loopmend {
 
 /// What was in the file and what was done to it, in numbers.
 struct ImportReport {
-  std::string format;                     ///< "PLY", "STL", "OBJ" or "OFF"
+  std::string format;                     ///< "PLY", "STL", "OBJ", "OFF", "glTF" or "3MF"
   std::size_t vertices = 0;               ///< after welding (STL)
   std::size_t faces = 0;                  ///< polygons as in the file
   std::size_t triangles = 0;              ///< after triangulation
@@ -39,6 +39,9 @@ struct ImportedMesh {
 /// What becomes of vertices at exactly the same place. STL has no other way to say that faces share a vertex: there they
 /// are always welded.
 enum class CoincidentVertices { keep, weld };
+
+/// Whether files of this name are read: .ply .stl .obj .off .glb .gltf .3mf, any case, with or without .gz.
+bool is_mesh_name(const std::filesystem::path& path);
 
 /// Reads a mesh. The format is told by content first, then by the extension.
 /// @throws ReadError for anything that is not wholly a mesh with at least one face: a missing file, a directory, no

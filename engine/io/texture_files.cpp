@@ -2,6 +2,7 @@
 #include "io/texture_files.h"
 
 #include "core/error.h"
+#include "io/picture_file.h"
 #include "io/text_cursor.h"
 
 #include <algorithm>
@@ -39,6 +40,9 @@ TextureFiles::TextureFiles(const ScanAttributes& scan, const fs::path& folder) :
       problems_.emplace_back(error.what());
     }
   }
+  if (scan.materials)
+    for (const ScanPicture& picture : scan.materials->pictures)
+      if (!picture.problem.empty()) problems_.push_back(picture.problem);
   numbers_ = find_column(scan.faces, "texnumber");
   if (scan.format != "PLY" || (numbers_ && numbers_->is_list()))
     return;  // else it is not known which picture a face has
@@ -54,11 +58,38 @@ std::string TextureFiles::name_in(const std::string& remark) {
   return name;
 }
 
-const std::string* TextureFiles::material_of(std::size_t face) const {
+int TextureFiles::material_number_of(std::size_t face) const {
   for (const FaceNames& names : scan_.names)
-    if (names.keyword == "usemtl" && face < names.of_face.size() && names.of_face[face] >= 0)
-      return &names.names[static_cast<std::size_t>(names.of_face[face])];
+    if (names.keyword == "usemtl") return face < names.of_face.size() ? names.of_face[face] : -1;
+  return -1;
+}
+
+const std::string* TextureFiles::material_of(std::size_t face) const {
+  const int number = material_number_of(face);
+  for (const FaceNames& names : scan_.names)
+    if (names.keyword == "usemtl" && number >= 0) return &names.names[static_cast<std::size_t>(number)];
   return nullptr;
+}
+
+const ScanMaterial* TextureFiles::table_material_of(std::size_t face) const {
+  const int number = scan_.materials ? material_number_of(face) : -1;
+  if (number < 0 || static_cast<std::size_t>(number) >= scan_.materials->materials.size()) return nullptr;
+  return &scan_.materials->materials[static_cast<std::size_t>(number)];
+}
+
+/// Pictures in the scan's file: the name is its own, with their number.
+fs::path TextureFiles::name_of_picture(int picture) const {
+  const ScanPicture& mine = scan_.materials->pictures[static_cast<std::size_t>(picture)];
+  return mine.path.empty() ? fs::path(scan_.file.string() + ", picture " + std::to_string(picture)) : mine.path;
+}
+
+Picture TextureFiles::read(const fs::path& path) const {
+  if (scan_.materials)
+    for (std::size_t k = 0; k < scan_.materials->pictures.size(); ++k)
+      if (const ScanPicture& picture = scan_.materials->pictures[k];
+          !picture.bytes.empty() && path == name_of_picture(static_cast<int>(k)))
+        return read_picture(FileContent{path, picture.bytes});
+  return read_picture(path);
 }
 
 std::optional<fs::path> TextureFiles::picture_of(std::size_t face) const {
@@ -66,6 +97,12 @@ std::optional<fs::path> TextureFiles::picture_of(std::size_t face) const {
     const double number = numbers_ ? numbers_->value(face) : 0;
     if (!(number >= 0) || number >= static_cast<double>(ply_pictures_.size())) return {};
     return folder_ / ply_pictures_[static_cast<std::size_t>(number)];
+  }
+  if (const ScanMaterial* material = table_material_of(face)) {
+    if (material->picture < 0 ||
+        !scan_.materials->pictures[static_cast<std::size_t>(material->picture)].problem.empty())
+      return {};
+    return name_of_picture(material->picture);
   }
   if (const std::string* material = material_of(face))
     for (const MaterialLibrary& library : libraries_)
@@ -75,6 +112,7 @@ std::optional<fs::path> TextureFiles::picture_of(std::size_t face) const {
 }
 
 std::optional<Color> TextureFiles::color_of(std::size_t face) const {
+  if (const ScanMaterial* material = table_material_of(face)) return material->color;
   if (const std::string* material = material_of(face))
     for (const MaterialLibrary& library : libraries_)
       if (const auto lines = library.statements.find(*material); lines != library.statements.end())

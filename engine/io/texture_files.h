@@ -2,8 +2,10 @@
 // Which picture, or which plain colour, the faces of a scan have by its material files.
 #pragma once
 
+#include "core/picture.h"
 #include "core/types.h"
 #include "io/material_library.h"
+#include "mesh/material_table.h"
 #include "mesh/scan_attributes.h"
 
 #include <filesystem>
@@ -14,19 +16,23 @@
 namespace loopmend {
 
 /// OBJ: usemtl names a material of a file that mtllib names. PLY as MeshLab has it: "comment TextureFile NAME", and the face
-/// property texnumber where there are several.
+/// property texnumber where there are several. glTF and 3MF have materials and pictures in the file: their MaterialTable.
 class TextureFiles {
  public:
   /// @param scan    kept by reference
   /// @param folder  of the scan; material files are looked for there
   TextureFiles(const ScanAttributes& scan, const std::filesystem::path& folder);
 
-  /// The picture of a face of the file; it may not be there.
+  /// The picture of a face of the file; it may not be there. One within the scan's file has a name beside it.
   std::optional<std::filesystem::path> picture_of(std::size_t face) const;
-  /// The colour of its material (Kd).
+  /// @param path  as picture_of() named it. @throws ReadError as read_picture
+  Picture read(const std::filesystem::path& path) const;
+  /// The colour of its material (Kd, baseColorFactor).
   std::optional<Color> color_of(std::size_t face) const;
   /// The name of its material; null: none.
   const std::string* material_of(std::size_t face) const;
+  /// Its number; −1: none.
+  int material_number_of(std::size_t face) const;
 
   const std::vector<MaterialLibrary>& libraries() const { return libraries_; }
   /// PLY: the pictures in their order, as the file names them.
@@ -40,6 +46,9 @@ class TextureFiles {
   static std::string name_in(const std::string& remark);
 
  private:
+  const ScanMaterial* table_material_of(std::size_t face) const;
+  std::filesystem::path name_of_picture(int picture) const;
+
   const ScanAttributes& scan_;
   std::filesystem::path folder_;
   std::vector<MaterialLibrary> libraries_;

@@ -5,6 +5,7 @@
 #include "io/atomic_file.h"
 #include "io/format_writers.h"
 #include "io/gzip.h"
+#include "io/single_precision.h"
 #include "io/text_cursor.h"
 
 #include <algorithm>
@@ -57,8 +58,12 @@ Format format_of(const std::filesystem::path& path) {
   if (extension == ".stl") return Format::stl;
   if (extension == ".obj") return Format::obj;
   if (extension == ".off") return Format::off;
-  throw WriteError(path, extension.empty() ? "the name has no extension" : "unknown format \"" + extension + "\"",
-                   "Choose a name that ends in .ply, .stl, .obj or .off, compressed .ply.gz and so on.");
+  if (extension == ".glb") return Format::glb;
+  if (extension == ".gltf") return Format::gltf;
+  if (extension == ".3mf") return Format::three_mf;
+  throw WriteError(
+      path, extension.empty() ? "the name has no extension" : "unknown format \"" + extension + "\"",
+      "Choose a name that ends in .ply, .stl, .obj, .off, .glb, .gltf or .3mf, compressed .ply.gz and so on.");
 }
 
 void check_mesh_writable(const std::filesystem::path& path) {
@@ -68,13 +73,17 @@ void check_mesh_writable(const std::filesystem::path& path) {
 
 namespace {
 
-void write_soup(std::ostream& stream, GzipWriter* gzip, Format format, const TriangleSoup& soup, Encoding encoding) {
+void write_soup(std::ostream& stream, GzipWriter* gzip, const std::filesystem::path& path, const TriangleSoup& soup,
+                Encoding encoding) {
   Output out(stream, gzip);
-  switch (format) {
+  switch (format_of(path)) {
     case Format::ply: write_ply(out, soup, encoding); break;
     case Format::stl: write_stl(out, soup, encoding); break;
     case Format::obj: write_obj(out, soup); break;
     case Format::off: write_off(out, soup); break;
+    case Format::glb: write_gltf(out, path, soup, GltfContainer::binary); break;
+    case Format::gltf: write_gltf(out, path, soup, GltfContainer::text); break;
+    case Format::three_mf: write_3mf(out, soup); break;
   }
   out.finish();
 }
@@ -85,10 +94,10 @@ std::function<void(std::ostream&)> writer_for(const std::filesystem::path& path,
   require_valid(soup);
   const Format format = format_of(path);
   if (format == Format::stl && encoding == Encoding::binary) require_float_range(path, soup);
-  return [&soup, format, encoding, compressed = has_gzip_name(path)](std::ostream& stream) {
-    if (!compressed) return write_soup(stream, nullptr, format, soup, encoding);
+  return [&soup, path, encoding, compressed = has_gzip_name(path)](std::ostream& stream) {
+    if (!compressed) return write_soup(stream, nullptr, path, soup, encoding);
     GzipWriter gzip(stream);
-    write_soup(stream, &gzip, format, soup, encoding);
+    write_soup(stream, &gzip, path, soup, encoding);
   };
 }
 
@@ -106,15 +115,18 @@ void write_mesh(OutputTransaction& outputs, const std::filesystem::path& path, c
 bool holds_floats(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding) {
   const Format format = format_of(path);
   if (format == Format::stl) return encoding == Encoding::binary;
+  if (format == Format::glb || format == Format::gltf) return true;
   return format == Format::ply && attributes_of(soup).coordinates == ScalarType::float32;
 }
 
 double largest_rounding(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding,
                         std::size_t points) {
   if (!holds_floats(path, soup, encoding)) return 0;
+  const Format format = format_of(path);
+  const Vec3 shift = format == Format::glb || format == Format::gltf ? gltf_shift(soup) : Vec3(Vec3::Zero());
   double largest = 0;
   for (const Vec3& point : std::span(soup.points).first(std::min(points, soup.points.size())))
-    largest = std::max(largest, (point.cast<float>().cast<double>() - point).norm());
+    largest = std::max(largest, (as_floats(point - shift) + shift - point).norm());
   return largest;
 }
 

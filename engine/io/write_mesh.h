@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writing PLY, STL, OBJ and OFF, each atomically: the whole file under its name, or nothing new.
+// Writing PLY, STL, OBJ, OFF, glTF and 3MF, each atomically: the whole file under its name, or nothing new.
 #pragma once
 
 #include "io/atomic_file.h"

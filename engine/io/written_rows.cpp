@@ -37,6 +37,9 @@ class FaceWalk {
   void run() {
     for (std::size_t f = 0; f < soup_.triangles.size();) f += polygon_at(f) ? last_polygon_ : triangle_at(f);
   }
+  void run_over_triangles() {
+    for (std::size_t f = 0; f < soup_.triangles.size(); ++f) triangle_at(f);
+  }
 
  private:
   const ScanAttributes& table() const { return *soup_.attributes; }
@@ -124,6 +127,10 @@ AttributeRow PointRows::next() {
 
 void for_each_face(const TriangleSoup& soup, const std::function<void(const WrittenFace&)>& each) {
   FaceWalk(soup, each).run();
+}
+
+void for_each_triangle(const TriangleSoup& soup, const std::function<void(const WrittenFace&)>& each) {
+  FaceWalk(soup, each).run_over_triangles();
 }
 
 }  // namespace loopmend

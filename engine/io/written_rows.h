@@ -40,4 +40,7 @@ struct WrittenFace {
 /// Calls `each` for all faces in their order.
 void for_each_face(const TriangleSoup& soup, const std::function<void(const WrittenFace&)>& each);
 
+/// The same for formats that hold triangles alone: also those of polygons, one by one.
+void for_each_triangle(const TriangleSoup& soup, const std::function<void(const WrittenFace&)>& each);
+
 }  // namespace loopmend

@@ -7,12 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace loopmend {
+
+struct MaterialTable;
 
 enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -79,7 +82,7 @@ struct OtherElement {
 
 /// Rows of points and faces are numbered as in the file; TriangleSoup says which of them its points and triangles have.
 struct ScanAttributes {
-  std::string format;                            ///< of the file: "PLY", "STL", "OBJ" or "OFF"
+  std::string format;                            ///< of the file: "PLY", "STL", "OBJ", "OFF", "glTF" or "3MF"
   std::filesystem::path file;                    ///< absolute; material files are looked for in its folder
   ScalarType coordinates = ScalarType::float64;  ///< float32 where the file says so and no coordinate needs more
   std::vector<AttributeColumn> points, faces;
@@ -89,7 +92,10 @@ struct ScanAttributes {
   CornerValues texture, normals;
   std::vector<FaceNames> names;
   std::vector<std::string> material_libraries;  ///< of `continued`: all that are to be named, unless it has none
-  std::string header;                           ///< binary STL: its 80 bytes
+  /// Of glTF and 3MF, null for others; of `continued`: the one to be written, unless it has none.
+  std::shared_ptr<const MaterialTable> materials;
+  std::string unit;    ///< "meter" in glTF; 3MF: "millimeter" and others; empty: not known
+  std::string header;  ///< binary STL: its 80 bytes
   std::size_t point_count = 0, triangle_count = 0;
 
   /// The faces of the file; no ends where all are triangles, nothing at all where nobody needs them.

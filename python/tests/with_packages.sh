@@ -21,7 +21,7 @@ fi
 unset PYTHONPATH
 cd "$folder"
 bin/mypy --strict --cache-dir=mypy_cache -p loopmend
-PATH="$folder/bin:$PATH" bin/python "$here/run.py" "$here/test_user_page.py" "$here/test_workflows.py" "$here/test_fill.py" \
+PATH="$folder/bin:$PATH" bin/python "$here/run.py" "$here/test_user_page.py" "$here/test_workflows.py" "$here/test_many_scans.py" "$here/test_fill.py" \
   "$here/test_files_and_curvatures.py" | tee log
 if grep -q '^SKIPPED.*is not installed' log; then
   echo "an example was skipped, though its package should be there" >&2

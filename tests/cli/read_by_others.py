@@ -14,7 +14,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-TRIMESH = ["trimesh==4.5.3", "numpy"]
+TRIMESH = ["trimesh==4.5.3", "numpy", "lxml", "networkx"]
 
 
 def with_trimesh(folder):
@@ -168,13 +168,32 @@ def check_stl(loopmend, folder):
     return good & check([row[12:] for row in rows] == [row[12:] for row in new], "STL: corners and attributes of every facet")
 
 
+def check_others(loopmend, folder):
+    """glTF and 3MF that trimesh has written, filled; and what it reads of the outputs."""
+    import numpy
+    import trimesh
+    points, triangles = open_sphere()
+    points = numpy.array(points, dtype=numpy.float32).astype(float)
+    good = True
+    for ending in ("glb", "3mf"):
+        before, after = folder / f"before.{ending}", folder / f"after.{ending}"
+        trimesh.Trimesh(points, triangles, process=False).export(before)
+        fill(loopmend, before, after)
+        (old,), (new,) = (tuple(trimesh.load(path, force="scene", process=False).geometry.values()) for path in (before, after))
+        good &= check(numpy.array_equal(old.vertices, new.vertices[:len(old.vertices)]), f"{ending}: coordinates of the scan")
+        good &= check(numpy.array_equal(old.faces, new.faces[:len(old.faces)]), f"{ending}: triangles of the scan")
+        good &= check(len(new.faces) > len(old.faces), f"{ending}: the patch")
+        good &= check(new.is_winding_consistent, f"{ending}: all triangles are turned alike")
+    return good
+
+
 def main():
     loopmend, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     if "--inside" not in sys.argv:
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         with_trimesh(folder)
-    results = [check_ply(loopmend, folder), check_obj(loopmend, folder), check_stl(loopmend, folder)]
+    results = [check_ply(loopmend, folder), check_obj(loopmend, folder), check_stl(loopmend, folder), check_others(loopmend, folder)]
     return 0 if all(results) else 1
 
 

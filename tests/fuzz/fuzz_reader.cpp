@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One libFuzzer target for each kind of file, told by FUZZ_NAME, its extension, and FUZZ_MESH, FUZZ_MATERIALS or
-// FUZZ_PICTURE. A file is read, or refused with a ReadError; what was read keeps its promises, and can be written.
+// One libFuzzer target for each kind of file, told by FUZZ_NAME, its extension, and FUZZ_MESH, FUZZ_PACKED_MODEL,
+// FUZZ_MATERIALS or FUZZ_PICTURE. A file is read, or refused with a ReadError; what was read keeps its promises, and can be written.
 #include "core/error.h"
+#include "io/file_content.h"
 #include "io/material_library.h"
 #include "io/picture_file.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "io/zip_archive.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
 
@@ -36,6 +38,17 @@ void require(bool holds, const char* promise) {
   std::abort();
 }
 
+/// Formats that put triangles in another order.
+[[maybe_unused]] void require_count(const TriangleSoup& soup, const std::filesystem::path& path) {
+  try {
+    write_mesh(path, soup, Encoding::binary);
+  } catch (const WriteError&) {
+    return;  // coordinates beyond the range of floats
+  }
+  require(read_mesh(path).soup.triangles.size() == soup.triangles.size(), "all triangles are read again");
+  std::filesystem::remove(path);
+}
+
 [[maybe_unused]] void read_a_mesh(const std::filesystem::path& path) {
   const ImportedMesh mesh = read_mesh(path);
   require(!mesh.soup.triangles.empty(), "a mesh has a face");
@@ -57,11 +70,23 @@ void require(bool holds, const char* promise) {
   const ImportedMesh again = read_mesh(written);
   require(again.soup.triangles == model.soup.triangles, "what was written is read again");
   std::filesystem::remove(written);
+  if (mesh.report.format == "glTF") require_count(model.soup, path.string() + ".written.glb");
+  if (mesh.report.format == "3MF") require_count(model.soup, path.string() + ".written.3mf");
+}
+
+/// The text of a 3MF model, packed as these files are.
+[[maybe_unused]] void read_a_model(const std::filesystem::path& path) {
+  const std::string text = load_bytes(path).bytes;
+  const std::filesystem::path packed = path.string() + ".3mf";
+  std::ofstream(packed, std::ios::binary) << zip_archive({{"3D/3dmodel.model", text}});
+  read_a_mesh(packed);
 }
 
 void read_it(const std::filesystem::path& path) {
 #if defined(FUZZ_MESH)
   read_a_mesh(path);
+#elif defined(FUZZ_PACKED_MODEL)
+  read_a_model(path);
 #elif defined(FUZZ_MATERIALS)
   read_material_library(path);
 #elif defined(FUZZ_PICTURE)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the first inputs of the fuzzers, small files of every kind: make_fuzz_seeds FOLDER makes FOLDER/ply, FOLDER/obj, ...
 #include "io/picture_file.h"
+#include "io/read_mesh.h"
 #include "io/write_mesh.h"
 
 #include <cstdio>
@@ -55,6 +56,28 @@ const std::map<std::string, std::vector<std::string>> texts = {
       "STCNOFF 3 1 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0 0 0 1 1 1 1 1 1 0\n0 1 0 0 0 1 1 1 1 1 0 1\n3 0 1 2\n",
       "off 3 1 3\n0 0 "
       "0\n1 0 0\n0 1 0\n3 0 1 2\n"}},
+    {"gltf",
+     {R"({"asset":{"version":"2.0","copyright":"c"},"scene":0,"scenes":[{"nodes":[1]}],"nodes":[{"mesh":0,"name":"a"},
+{"children":[0],"translation":[1,2,3],"rotation":[0,0,1,0],"scale":[1,1,-2]}],"materials":[{"name":"m",
+"pbrMetallicRoughness":{"baseColorFactor":[1,0.5,0,1],"baseColorTexture":{"index":0,"texCoord":0}},
+"normalTexture":{"index":0,"texCoord":1}}],"textures":[{"source":0,"sampler":0}],"samplers":[{}],
+"images":[{"uri":"data:image/png;base64,iVBORw0KGgo="}],"meshes":[{"primitives":[{"mode":4,"material":0,"indices":1,
+"attributes":{"POSITION":0,"NORMAL":0,"TEXCOORD_0":2,"COLOR_0":3,"TANGENT":3}},
+{"mode":5,"attributes":{"POSITION":0}},{"mode":6,"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
+{"bufferView":1,"componentType":5121,"count":6,"type":"SCALAR"},
+{"bufferView":0,"componentType":5123,"count":4,"type":"VEC2","byteOffset":4,"normalized":true},
+{"bufferView":2,"componentType":5121,"count":4,"type":"VEC4","normalized":true}],
+"bufferViews":[{"buffer":0,"byteLength":48,"byteStride":12},{"buffer":0,"byteOffset":48,"byteLength":6},
+{"buffer":0,"byteOffset":8,"byteLength":40}],"buffers":[{"byteLength":54,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAA/AAECAAID"}]})"}},
+    {"model", {R"(<?xml version="1.0"?><model unit="inch" xmlns="a" xmlns:m="b/material/2015/02" requiredextensions="m">
+<metadata name="Title">t &amp; u</metadata><resources><basematerials id="1"><base name="red" displaycolor="#FF0000"/>
+</basematerials><m:colorgroup id="2"><m:color color="#00FF0080"/><m:color color="#0000FF"/></m:colorgroup>
+<object id="3" name="part" pid="1" pindex="0"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
+<vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1e-1"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/>
+<triangle v1="0" v2="1" v3="3" pid="2" p1="0" p2="1" p3="1"/></triangles></mesh></object>
+<object id="4"><components><component objectid="3" transform="1 0 0 0 -1 0 0 0 1 5 0 0"/>
+<component objectid="3"/></components></object></resources><build><item objectid="4"/></build></model>)"}},
     {"mtl",
      {"# c\nnewmtl red\nKa 1 0 0\nKd 1 0 0\nmap_Kd -s 1 1 1 -o 0 0 0 a picture.png\nmap_Bump -bm 0.5 bump.jpg\nnewmtl "
       "blue\nillum 2\nmap_Kd a.png\n\nnewmtl\nmap_Kd\n"}},
@@ -100,15 +123,16 @@ void write_jpeg(const std::filesystem::path& path) {
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::filesystem::path folder = argv[1];
-  for (const char* kind : {"ply", "obj", "stl", "off", "ply.gz", "mtl", "png", "jpg"})
+  for (const char* kind : {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf", "model", "mtl", "png", "jpg"})
     std::filesystem::create_directories(folder / kind);
   for (const auto& [kind, seeds] : texts)
     for (std::size_t k = 0; k < seeds.size(); ++k)
       std::ofstream(folder / kind / (std::to_string(k) + "." + kind), std::ios::binary) << seeds[k];
-  for (const char* kind : {"ply", "obj", "stl", "off", "ply.gz"}) {
+  for (const char* kind : {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf"}) {
     write_mesh(folder / kind / (std::string("binary.") + kind), small_mesh(), Encoding::binary);
     write_mesh(folder / kind / (std::string("text.") + kind), small_mesh(), Encoding::ascii);
   }
+  write_mesh(folder / "glb" / "rich.glb", read_mesh(folder / "gltf" / "0.gltf").soup);
   for (const int channels : {3, 4}) {
     std::ofstream out(folder / "png" / (std::to_string(channels) + ".png"), std::ios::binary);
     write_png(out, small_picture(channels));

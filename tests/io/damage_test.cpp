@@ -35,6 +35,9 @@ std::vector<Sample> samples() {
   add("c.ply", Encoding::binary);
   add("c.ply", Encoding::ascii);
   add("c.off", Encoding::ascii);
+  add("c.glb", Encoding::binary);
+  add("c.gltf", Encoding::ascii);
+  add("c.3mf", Encoding::binary);
   std::string big =
       "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z\n"
       "element face 1\nproperty list uchar uchar vertex_indices\nproperty list char short junk\nend_header\n";

@@ -22,7 +22,7 @@ class Gzip : public ReadTest {};
 
 TEST_F(Gzip, EveryFormatGoesThroughIt) {
   const TriangleSoup soup = make_icosphere(4);
-  for (const char* name : {"a.ply", "a.stl", "a.obj", "a.off"}) {
+  for (const char* name : {"a.ply", "a.stl", "a.obj", "a.off", "a.glb", "a.gltf"}) {
     write_mesh(folder_ / name, soup);
     const std::string gz = std::string(name) + ".gz";
     write_mesh(folder_ / gz, soup);

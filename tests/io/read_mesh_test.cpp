@@ -44,7 +44,7 @@ TEST_F(ReadMesh, RefusesForeignContentInItsOwnWords) {
     expect_refused("PK\x03\x04rest", name, {"ZIP"});
     expect_refused("\x1F\x8Brest", name, {"compressed", "damaged"});
   }
-  expect_refused("hello world\n", "a.txt", {"not a mesh format", "PLY, STL, OBJ and OFF"});
+  expect_refused("hello world\n", "a.txt", {"not a mesh format", "PLY, STL, OBJ, OFF, glTF and 3MF"});
   expect_refused(std::string(1000, '\0'), "a.bin", {"not a mesh format"});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PLY: text and both binaries, all number types, colours, and each way of being broken.
+#include "io/write_mesh.h"
 #include "io_test_support.h"
 #include "mesh/scan_attributes.h"
 
@@ -223,6 +224,19 @@ TEST_F(ReadPly, BinaryMayEndWithPaddingButNotWithMoreRows) {
   EXPECT_EQ(read(good + "\n", "a.ply").soup.triangles.size(), 1U);
   EXPECT_EQ(read(good + std::string(100, '\0'), "a.ply").soup.triangles.size(), 1U);
   expect_refused(good + binary_body(false).substr(36), "a.ply", {"13 bytes more"});
+}
+
+/// GCC 12 can leave neighbouring doubles as they are that become floats and doubles again (io/single_precision.h).
+TEST_F(ReadPly, DigitsBeyondThoseOfFloatsAreSeenInEveryCoordinate) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  for (const char* first : {"0.1 0 0\n", "0 0.1 0\n", "0 0 0.1\n"}) {
+    const ImportedMesh mesh = read(head + first + "1 0 0\n0 1 0\n3 0 1 2\n", "a.ply");
+    EXPECT_EQ(mesh.soup.attributes->coordinates, ScalarType::float64) << first;
+    TriangleSoup soup = mesh.soup;
+    EXPECT_NEAR(largest_rounding("a.stl", soup, Encoding::binary), 1.4901161193847656e-09, 1e-15) << first;
+  }
 }
 
 }  // namespace

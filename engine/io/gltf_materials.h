@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Materials, textures and pictures of glTF: read into a MaterialTable, and written from one.
+#pragma once
+
+#include "io/gltf_document.h"
+#include "io/not_kept.h"
+#include "mesh/material_table.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// All materials of the file, as text that is written again, with what is shown of them. Null where there are none.
+/// Pictures at other texture coordinates than the first are left out, counted. @throws ReadError for damaged materials
+std::shared_ptr<const MaterialTable> read_gltf_materials(GltfDocument& document, std::vector<NotKept>& not_kept);
+
+/// What a glTF file has of a table: its materials with their textures, and the packed pictures. Pictures that cannot be
+/// read are left out.
+struct GltfMaterials {
+  nlohmann::json members;  ///< "materials", "textures", "samplers", "extensionsUsed", …; without "images"
+  std::string copyright;
+  std::vector<ScanPicture> images;  ///< with their bytes
+};
+GltfMaterials write_gltf_materials(const MaterialTable& table);
+
+}  // namespace loopmend
