@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -33,11 +34,15 @@ enum class Detail { summary, all };
 inline constexpr std::size_t most_loops_in_full = 50;  ///< of more there is a summary
 inline constexpr std::size_t largest_loops = 10;       ///< in a summary
 
+/// Whether it is told if the surface could be printed.
+enum class Check { no, printable };
+
 struct InfoCommand {
   std::filesystem::path input;
   std::string json;  ///< file or "-"; empty: a table for people
   CoincidentVertices coincident = CoincidentVertices::keep;
   Detail detail = Detail::summary;
+  Check check = Check::no;
 };
 
 struct FillCommand {
@@ -51,13 +56,16 @@ struct FillCommand {
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
   enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
-  enum class Repair { no, yes } repair = Repair::no;  ///< make an oriented manifold of the mesh first
-  std::vector<std::string> bridges;                   ///< "A,B": input vertices between which a strip is laid first
-  int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100
-  std::string report;                                 ///< file or "-"; empty: none
-  std::optional<double> max_seconds;                  ///< for the whole command, above 0
+  /// Make an oriented manifold of the mesh first; `cut_intersections` removes faces that cut others, too.
+  enum class Repair { no, manifold, cut_intersections } repair = Repair::no;
+  std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid first
+  int trim_rounds = 0;                       ///< rings of bad boundary triangles to be removed first, 0..100
+  std::string report;                        ///< file or "-"; empty: none
+  std::optional<double> max_seconds;         ///< for the whole command, above 0
   std::optional<double> max_memory_mb;  ///< of the whole process, above 0; without: nine tenths of what is available
   enum class WhenStopped { discard, keep_finished } when_stopped = WhenStopped::discard;  ///< by a signal
+  enum class Content { surface, patches } content = Content::surface;                     ///< what is written
+  Check check = Check::no;                                                                ///< of what is written
   WriteScanOptions write;
   Verbosity verbosity = Verbosity::normal;
   Detail detail = Detail::summary;

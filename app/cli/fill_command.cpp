@@ -3,17 +3,14 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
-#include "loop_selection.h"
 #include "open_model.h"
 #include "outputs.h"
+#include "prepared_scan.h"
 #include "report.h"
+#include "verdict.h"
 
 #include "core/version.h"
 #include "io/atomic_file.h"
-#include "pipeline/hand_bridge.h"
-#include "pipeline/paste.h"
-#include "repair/repair_surface.h"
-#include "repair/stitch_boundaries.h"
 #include "rim/trim_rim.h"
 
 #include <sys/resource.h>
@@ -111,56 +108,6 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
   return outcome;
 }
 
-/// What was done to the mesh before any loop was looked at.
-struct Preparation {
-  std::optional<StitchedSurface> stitched;  ///< without its soup
-  std::optional<RepairCounts> repaired;
-  std::size_t bridges = 0;
-  ModelRepairs before;           ///< of the mesh as it was read
-  std::size_t turned_faces = 0;  ///< in the mesh as it was read, where another mesh came out of it
-};
-
-/// @throws UsageError unless the text is two whole numbers of input vertices.
-std::pair<int, int> bridge_ends(const std::string& text, const SurfaceModel& model) {
-  int a = 0, b = 0, used = 0;
-  const int count = static_cast<int>(model.soup.points.size());
-  if (std::sscanf(text.c_str(), "%d,%d%n", &a, &b, &used) != 2 || used != static_cast<int>(text.size()))
-    throw UsageError("--bridge takes two input vertices such as 17,230, not '" + text + "'");
-  if (a < 0 || b < 0 || a >= count || b >= count)
-    throw UsageError("--bridge " + text + ": the mesh has " + std::to_string(count) + " vertices, numbered from 0");
-  return {a, b};
-}
-
-/// The mesh is replaced by the prepared one, with which the output is compared then.
-Preparation prepare(OpenedModel& opened, const FillCommand& command) {
-  Preparation done;
-  done.before = opened.model.repairs;
-  const auto replace = [&](TriangleSoup soup) {
-    done.turned_faces += opened.model.repairs.reoriented_faces;
-    opened.as_read = std::move(soup);
-    opened.model = model_of(command.input, opened.as_read);
-  };
-  if (command.stitch == FillCommand::Stitch::yes) {
-    done.stitched = stitch_boundaries(opened.model);
-    replace(std::move(done.stitched->soup));
-  }
-  if (command.repair == FillCommand::Repair::yes) {
-    RepairedSurface repaired = repair_surface(opened.as_read);
-    done.repaired = repaired.counts;
-    replace(std::move(repaired.soup));
-  }
-  for (const std::string& text : command.bridges) {
-    const auto [a, b] = bridge_ends(text, opened.model);
-    try {
-      replace(with_bridge(opened.model, a, b));
-    } catch (const InvalidArgument& error) {
-      throw UsageError("--bridge " + text + ": " + error.what());
-    }
-    ++done.bridges;
-  }
-  return done;
-}
-
 void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.stitched)
     std::fprintf(out, "Stitched: %s joined to others, %s split; the output is compared with the stitched mesh.\n",
@@ -177,10 +124,10 @@ void print_preparation(std::FILE* out, const Preparation& done) {
   }
   std::fprintf(
       out,
-      "Repaired: %zu edges and %zu vertices separated, %zu faces turned, %zu degenerate and %zu duplicate faces and "
-      "%zu crumbs (%zu faces) removed; the output is compared with the repaired mesh.\n",
-      c.separated_edges, c.separated_vertices, c.turned_faces, c.degenerate_faces, c.duplicate_faces, c.removed_pieces,
-      c.removed_faces);
+      "Repaired: %zu edges and %zu vertices separated, %zu faces turned, %zu degenerate, %zu duplicate and %zu "
+      "intersecting faces and %zu crumbs (%zu faces) removed; the output is compared with the repaired mesh.\n",
+      c.separated_edges, c.separated_vertices, c.turned_faces, c.degenerate_faces, c.duplicate_faces,
+      c.intersecting_faces, c.removed_pieces, c.removed_faces);
 }
 
 nlohmann::ordered_json preparation_json(const Preparation& done) {
@@ -193,8 +140,8 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
     json["repaired"] = {
         {"separated_edges", done.repaired->separated_edges}, {"separated_vertices", done.repaired->separated_vertices},
         {"turned_faces", done.repaired->turned_faces},       {"degenerate_faces", done.repaired->degenerate_faces},
-        {"duplicate_faces", done.repaired->duplicate_faces}, {"removed_pieces", done.repaired->removed_pieces},
-        {"removed_faces", done.repaired->removed_faces}};
+        {"duplicate_faces", done.repaired->duplicate_faces}, {"intersecting_faces", done.repaired->intersecting_faces},
+        {"removed_pieces", done.repaired->removed_pieces},   {"removed_faces", done.repaired->removed_faces}};
   if (done.bridges > 0) json["bridges"] = done.bridges;
   return json;
 }
@@ -257,33 +204,20 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
   std::fprintf(out, "; %s written in %.2f s\n", command.output.c_str(), seconds);
 }
 
-/// The selected loops are worked on; the others get a result that says they were left.
-std::vector<HoleResult> fill_selected(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                      const std::vector<LoopChoice>& choices, const FillCommand& command,
-                                      const CancelToken& cancel) {
-  std::vector<BoundaryLoop> selected;
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    if (choices[k].fill) selected.push_back(loops[k]);
-  std::map<int, HoleResult> filled;
-  if (!selected.empty()) {
-    ProgressLine progress(command.verbosity);
-    progress.say("filling " + std::to_string(selected.size()) + (selected.size() == 1 ? " loop" : " loops"));
-    const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
-    FillOptions options = command.fill;
-    options.on_cancel = FillOptions::OnCancel::keep_finished;  // otherwise a signal has ended the process
-    options.most_memory_mb = memory_left_for_patches(command.max_memory_mb);
-    for (HoleResult& result : fill_holes(model, selected, options, show, cancel))
-      filled[result.loop.number] = std::move(result);
-  }
-  const bool out_of_time = cancel.cancelled() && interrupt_exit_code() == 0;
-  std::vector<HoleResult> results;
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const auto done = filled.find(loops[k].number);
-    results.push_back(done != filled.end() ? std::move(done->second)
-                                           : open_hole(loops[k], PatchStatus::skipped, choices[k].why_not));
-    if (out_of_time && choices[k].fill && results.back().status == PatchStatus::skipped)
-      results.back().message = "not finished in the time that --max-time allows: left open";
-  }
+/// The chosen loops are worked on; the others get a result that says they were left.
+std::vector<HoleResult> fill_and_tell(PreparedScan& scan, const FillCommand& command, const CancelToken& cancel) {
+  ProgressLine progress(command.verbosity);
+  if (const std::size_t count = scan.chosen().size(); count > 0)
+    progress.say("filling " + counted(count, "loop", "loops"));
+  FillOptions options = command.fill;
+  options.on_cancel = FillOptions::OnCancel::keep_finished;  // otherwise a signal has ended the process
+  options.most_memory_mb = memory_left_for_patches(command.max_memory_mb);
+  const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
+  std::vector<HoleResult> results = fill_chosen(scan, options, show, cancel);
+  if (!cancel.cancelled() || interrupt_exit_code() != 0) return results;
+  for (std::size_t k = 0; k < results.size(); ++k)
+    if (scan.choices[k].fill && results[k].status == PatchStatus::skipped)
+      results[k].message = "not finished in the time that --max-time allows: left open";
   return results;
 }
 
@@ -294,72 +228,19 @@ nlohmann::ordered_json faces_json(const std::vector<BadRimFace>& faces) {
   return json;
 }
 
-/// What --trim-boundary did, or would find.
-struct RimWork {
-  std::vector<BadRimFace> removed;  ///< faces of the input
-  std::vector<BadRimFace> bad;      ///< left at the rims that are filled
-};
-
-/// Trims the rims of the loops that are to be filled, and chooses anew: what grew out of them.
-RimWork trim_chosen(OpenedModel& opened, std::vector<BoundaryLoop>& loops, std::vector<LoopChoice>& choices,
-                    const FillCommand& command) {
-  const int rounds = command.trim_rounds;
-  const auto chosen = [&] {
-    std::vector<BoundaryLoop> result;
-    for (std::size_t k = 0; k < loops.size(); ++k)
-      if (choices[k].fill) result.push_back(loops[k]);
-    return result;
-  };
-  RimWork work;
-  if (rounds == 0) {
-    work.bad = bad_rim_faces(opened.model, chosen());
-    return work;
-  }
-  TrimmedModel trimmed = trim_rim(opened.model, chosen(), rounds);
-  work.removed = std::move(trimmed.removed);
-  work.bad = bad_rim_faces(trimmed.model, trimmed.loops);
-  if (work.removed.empty()) return work;
-  std::vector<char> gone(opened.as_read.triangles.size(), 0);
-  for (const BadRimFace& bad : work.removed) gone[bad.face] = 1;
-  Triangles left;
-  for (std::size_t f = 0; f < gone.size(); ++f)
-    if (!gone[f]) left.push_back(opened.as_read.triangles[f]);
-  opened.as_read.triangles = std::move(left);
-  std::size_t turned = 0;
-  for (std::size_t f = 0; f < opened.as_read.triangles.size(); ++f)
-    turned += trimmed.model.soup.triangles[f] != opened.as_read.triangles[f];
-  trimmed.model.repairs.reoriented_faces = turned;
-  opened.model = std::move(trimmed.model);
-  loops = find_boundary_loops(opened.model);
-  choices.assign(loops.size(), {});
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const bool can_be_filled = loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim;
-    choices[k].fill = can_be_filled && std::any_of(trimmed.loops.begin(), trimmed.loops.end(),
-                                                   [&](const auto& loop) { return loop.number == loops[k].number; });
-    if (choices[k].fill) continue;
-    if (command.loops != "all" || command.at_vertices) {
-      choices[k].why_not = "not selected";
-      continue;
-    }
-    choices[k] = choose_unnamed(loops[k], command);
-    if (std::exchange(choices[k].fill, false)) choices[k].why_not = "not selected";
-  }
-  return work;
-}
-
-nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ModelRepairs& repairs,
-                                   const std::vector<HoleResult>& results, const RimWork& rims,
-                                   const Preparation& preparation) {
+/// @param bad  triangles that are left at the boundaries of the loops that are filled
+nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const PreparedScan& scan,
+                                   const std::vector<BadRimFace>& bad, const std::vector<HoleResult>& results) {
   nlohmann::ordered_json json;
   json["schema_version"] = report_schema_version;
   json["version"] = version();
   json["command_line"] = command.command_line;
-  json["input"] = input_json(command.input, import, repairs);
-  json["prepared"] = preparation_json(preparation);
-  json["trimmed_faces"] = faces_json(rims.removed);
-  json["bad_rim_faces"] = faces_json(rims.bad);
-  if (!rims.bad.empty() && command.trim_rounds == 0)
-    json["suggestion"] = counted(rims.bad.size(), "bad triangle", "bad triangles") +
+  json["input"] = input_json(command.input, import, scan.done.before);
+  json["prepared"] = preparation_json(scan.done);
+  json["trimmed_faces"] = faces_json(scan.trimmed);
+  json["bad_rim_faces"] = faces_json(bad);
+  if (!bad.empty() && command.trim_rounds == 0)
+    json["suggestion"] = counted(bad.size(), "bad triangle", "bad triangles") +
                          " at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
   for (const HoleResult& result : results) json["loops"].push_back(loop_json(result));
@@ -381,6 +262,13 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
   for (const std::string& remark : written.remarks) std::fprintf(out, "%s\n", remark.c_str());
 }
 
+/// The first reason, where there is one.
+std::string why_open(const std::vector<HoleResult>& results) {
+  for (const HoleResult& result : results)
+    if (!result.message.empty()) return " (loop " + std::to_string(result.loop.number) + ": " + result.message + ")";
+  return "";
+}
+
 }  // namespace
 
 int run_fill(const FillCommand& command) {
@@ -391,32 +279,43 @@ int run_fill(const FillCommand& command) {
       .writes_report("--report", command.report)
       .check();
   OpenedModel opened = open_model(command.input, command.coincident);
-  const Preparation preparation = prepare(opened, command);
-  SurfaceModel& model = opened.model;
-  std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  std::vector<LoopChoice> choices = choose_loops(model, loops, command);
-  const RimWork rims = trim_chosen(opened, loops, choices, command);
-
+  PreparedScan scan = prepare_scan(std::move(opened.as_read), std::move(opened.model), command);
+  const std::vector<BadRimFace> bad = bad_rim_faces(scan.model, scan.to_trim);
+  TriangleSoup& soup = scan.model.soup;
   const CancelToken cancel;
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);
-  const std::vector<HoleResult> results = fill_selected(model, loops, choices, command, cancel);
+  const std::vector<HoleResult> results = fill_and_tell(scan, command, cancel);
   const bool stopped = cancel.cancelled();
-  check_exterior(opened.as_read, model.soup, model.repairs.reoriented_faces);
+  const Outcome outcome = outcome_of(results, scan.choices);
+  WriteScanOptions options = command.write;
+  std::size_t exterior = scan.given.points.size();
+  if (command.content == FillCommand::Content::patches) {
+    if (outcome.filled == 0) {
+      std::fprintf(stderr, "loopmend: no loop was filled, so there are no patches and %s was not written%s.\n",
+                   command.output.c_str(), why_open(results).c_str());
+      return interrupt_exit_code() != 0 ? interrupt_exit_code() : exit_loops_failed;
+    }
+    options.written.assign(scan.given.triangles.size(), 0);
+    options.written.resize(soup.triangles.size(), 1);
+    exterior = 0;
+  }
   OutputTransaction outputs;
-  const WrittenScan written = write_scan(outputs, command.output, model.soup, command.write);
-  const OutputLosses losses = losses_of(command.output, model.soup, command.write.encoding, opened.import.not_kept,
-                                        opened.as_read.points.size());
-  const Outcome outcome = outcome_of(results, choices);
+  const WrittenScan written = write_scan(outputs, command.output, soup, options);
+  const OutputLosses losses = losses_of(command.output, soup, command.write.encoding, opened.import.not_kept, exterior);
+  std::optional<Watertightness> verdict;
+  if (command.check == Check::printable) verdict = watertightness(soup);
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  nlohmann::ordered_json json = fill_report(command, opened.import, preparation.before, results, rims, preparation);
+  nlohmann::ordered_json json = fill_report(command, opened.import, scan, bad, results);
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
   json["output"] = losses_json(losses);
+  json["output"]["content"] = command.content == FillCommand::Content::patches ? "patches" : "surface";
   json["output"]["beside"] = nlohmann::ordered_json::array();
   for (const std::filesystem::path& file : written.beside) json["output"]["beside"].push_back(file.string());
   json["output"]["painted_triangles"] = written.painted;
   json["output"]["remarks"] = written.remarks;
+  if (verdict) json["check"] = verdict_json(*verdict);
   json["stopped"] = stopped;
   json["peak_memory_mb"] = peak_memory_mb();
   json["total_seconds"] = seconds;
@@ -426,25 +325,26 @@ int run_fill(const FillCommand& command) {
     if (command.coincident == CoincidentVertices::weld)
       std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
                    counted(opened.import.vertices_welded, "vertex was", "vertices were").c_str());
-    print_preparation(out, preparation);
-    if (const std::size_t turned = preparation.turned_faces + model.repairs.reoriented_faces; turned > 0)
+    print_preparation(out, scan.done);
+    if (const std::size_t turned = scan.done.turned_faces + scan.model.repairs.reoriented_faces; turned > 0)
       std::fprintf(out, "%s turned round to agree with the neighbours.\n",
                    counted(turned, "face was", "faces were").c_str());
-    if (!rims.removed.empty())
+    if (!scan.trimmed.empty())
       std::fprintf(out, "%s removed at the boundaries.\n",
-                   counted(rims.removed.size(), "bad triangle was", "bad triangles were").c_str());
-    else if (!rims.bad.empty())
+                   counted(scan.trimmed.size(), "bad triangle was", "bad triangles were").c_str());
+    else if (!bad.empty())
       std::fprintf(out, "%s at the boundaries; --trim-boundary 3 would remove what is bad.\n",
-                   counted(rims.bad.size(), "bad triangle", "bad triangles").c_str());
-    if (loops.empty())
+                   counted(bad.size(), "bad triangle", "bad triangles").c_str());
+    if (scan.loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else
       print_summary(out, results, outcome, command, seconds);
+    if (verdict) print_verdict(out, *verdict);
     print_losses(out, command.output, losses);
     print_beside(out, written);
     print_import_losses(out, opened.import);
-    print_coincident(out, opened.import, loops);
-    if (outcome.in_vain()) print_cure(out, model.repairs, loops, command);
+    print_coincident(out, opened.import, scan.loops);
+    if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command);
   }
   if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;
   return outcome.exit_code();

@@ -4,11 +4,13 @@
 #include "open_model.h"
 #include "outputs.h"
 #include "report.h"
+#include "verdict.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace loopmend {
@@ -44,7 +46,7 @@ void print_not_kept(const OpenedModel& opened) {
     std::printf("  also holds: %s\n", to_string(carried).c_str());
   if (!opened.import.not_kept.empty())
     std::printf("  in no file that Loopmend writes: %s\n", to_string(opened.import.not_kept).c_str());
-  for (const char* format : {"PLY", "STL", "OBJ", "OFF"}) {
+  for (const char* format : {"PLY", "STL", "OBJ", "OFF", "GLB", "3MF"}) {
     const std::vector<NotKept> list = not_kept_by_format(std::string("x.") + format, opened.as_read);
     if (!list.empty()) std::printf("  not in %s: %s\n", format, to_string(list).c_str());
   }
@@ -90,6 +92,8 @@ int run_info(const InfoCommand& command) {
   const OpenedModel opened = open_model(command.input, command.coincident);
   const SurfaceModel& model = opened.model;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  std::optional<Watertightness> verdict;
+  if (command.check == Check::printable) verdict = watertightness(opened.as_read);
   if (!command.json.empty()) {
     nlohmann::ordered_json json;
     json["schema_version"] = report_schema_version;
@@ -100,6 +104,7 @@ int run_info(const InfoCommand& command) {
       nlohmann::ordered_json& vertices = json["loops"].back()["vertices"] = nlohmann::ordered_json::array();
       for (int v : loop.vertices) vertices.push_back(model.soup_vertex[static_cast<std::size_t>(v)]);
     }
+    if (verdict) json["check"] = verdict_json(*verdict);
     OutputTransaction outputs;
     commit_with_report(outputs, command.json, json);
     return exit_done;
@@ -108,6 +113,7 @@ int run_info(const InfoCommand& command) {
               opened.import.vertices, opened.import.faces);
   print_import(opened.import, model.repairs);
   print_not_kept(opened);
+  if (verdict) print_verdict(stdout, *verdict);
   if (loops.empty()) {
     std::printf("The surface is closed: it has no boundary loops.\n");
     return exit_done;

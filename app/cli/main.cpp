@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The `loopmend` command line: parses the words, calls one command, turns errors into one line and an exit code.
+#include "batch/batch_command.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "flow_words.h"
@@ -61,11 +62,18 @@ void add_verbose(CLI::App& command, Detail& detail) {
       "Print every loop; of more than 50 only counts and the largest are printed");
 }
 
+void add_check(CLI::App& command, Check& check, const char* what) {
+  command.add_flag_callback(
+      "--check", [&check] { check = Check::printable; }, what);
+}
+
 void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
-  info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
+  info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   add_weld(*info, command.coincident);
   info->add_option("--json", command.json, "Write JSON to FILE, or to standard output for -")->type_name("FILE|-");
+  add_check(*info, command.check,
+            "Tell whether the surface could be printed: open, non-manifold and reversed edges, intersections");
   add_verbose(*info, command.detail);
   info->footer("Example:\n  loopmend info scan.ply\n  loopmend info scan.ply --json -");
 }
@@ -73,15 +81,20 @@ void add_info(CLI::App& app, InfoCommand& command) {
 /// Options whose types need a word-to-value table or a lambda.
 struct FillWords {
   FlowWords flow;
-  bool include_outer_rim = false, stitch = false, repair = false, keep_partial = false;
+  bool include_outer_rim = false, stitch = false, repair = false, cut_intersections = false, keep_partial = false;
+  std::vector<std::string> bridges;  ///< "A,B"
   std::string islands = "join", texture = "grain", materials = "copy";
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   CLI::App* fill = app.add_subcommand("fill", "Fill boundary loops with smooth patches");
-  fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
+  fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   add_weld(*fill, command.coincident);
+  add_check(*fill, command.check, "Tell whether what was written could be printed, as 'info --check' does");
+  fill->add_flag_callback(
+      "--patches-only", [&command] { command.content = FillCommand::Content::patches; },
+      "Write the patches alone, without the scan");
   add_verbose(*fill, command.detail);
   fill->add_option("--loops", command.loops, "Loops by the numbers that 'info' prints, or 'all'")
       ->type_name("all|1,3,...")
@@ -101,8 +114,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "--repair", words.repair,
       "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, remove "
       "degenerate and duplicate faces and crumbs");
+  fill->add_flag("--cut-intersections", words.cut_intersections,
+                 "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled");
   fill->add_option(
-          "--bridge", command.bridges,
+          "--bridge", words.bridges,
           "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")
       ->type_name("A,B")
       ->expected(1)
@@ -147,6 +162,14 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "3 input unreadable; 4 output unwritable; 128 + signal: stopped, 130 by Ctrl-C.");
 }
 
+/// @throws UsageError unless the text is two whole numbers.
+std::pair<int, int> bridge_ends(const std::string& text) {
+  int a = 0, b = 0, used = 0;
+  if (std::sscanf(text.c_str(), "%d,%d%n", &a, &b, &used) != 2 || used != static_cast<int>(text.size()))
+    throw UsageError("--bridge takes two input vertices such as 17,230, not '" + text + "'");
+  return {a, b};
+}
+
 void take_words(const FillWords& words, FillCommand& command) {
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
   command.verbosity = words.flow.verbosity();
@@ -162,7 +185,30 @@ void take_words(const FillWords& words, FillCommand& command) {
   command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
   if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
   if (words.stitch) command.stitch = FillCommand::Stitch::yes;
-  if (words.repair) command.repair = FillCommand::Repair::yes;
+  if (words.repair) command.repair = FillCommand::Repair::manifold;
+  if (words.cut_intersections) command.repair = FillCommand::Repair::cut_intersections;
+  for (const std::string& text : words.bridges) command.bridges.push_back(bridge_ends(text));
+}
+
+/// @throws UsageError unless `loopmend fill` takes these options, and batch leaves them to the caller.
+void check_fill_options(const std::vector<std::string>& options) {
+  CLI::App app("", "loopmend");
+  FillCommand fill;
+  FillWords words;
+  add_fill(app, fill, words);
+  std::vector<std::string> all{"fill", "IN", "-o", "OUT"};
+  all.insert(all.end(), options.begin(), options.end());
+  std::reverse(all.begin(), all.end());  // as parse() takes them
+  try {
+    app.parse(all);
+  } catch (const CLI::Success&) {
+    throw UsageError("--help is no option of a batch's scans: see 'loopmend fill --help'");
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string("options of fill, behind -- or in a manifest: ") + error.what());
+  }
+  if (!words.flow.report.empty()) throw UsageError("--report is not for batch: every scan has a report of its own");
+  if (words.keep_partial)
+    throw UsageError("--keep-partial is not for batch: the next run fills again what was stopped");
 }
 
 void add_render(CLI::App& app, RenderCommand& command) {
@@ -231,6 +277,12 @@ int affordable_threads(int threads) {
                    std::to_string(least_work_memory >> 20) + " MB that the work needs are not left. Raise the limit.");
 }
 
+/// How many words are batch's own: those behind "--" are options of fill.
+int words_before_those_of_fill(int argc, char** argv) {
+  if (argc < 2 || std::string("batch") != argv[1]) return argc;
+  return static_cast<int>(std::find(argv, argv + argc, std::string("--")) - argv);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Loopmend closes holes in scanned meshes with patches whose curvature runs through the seam.",
                "loopmend");
@@ -249,8 +301,11 @@ int run(int argc, char** argv) {
   add_render(app, render);
   PaperCommands paper;
   paper.add_to(app);
+  BatchCommand batch;
+  add_batch(app, batch);
+  const int own_words = words_before_those_of_fill(argc, argv);
   try {
-    app.parse(argc, argv);
+    app.parse(own_words, argv);
   } catch (const CLI::Success& asked) {
     return app.exit(asked);  // --help, --version
   } catch (const CLI::ParseError& error) {
@@ -260,6 +315,11 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("info")) return run_info(info);
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
+  if (app.got_subcommand("batch")) {
+    if (own_words < argc) batch.fill_options.assign(argv + own_words + 1, argv + argc);
+    batch.command_line = quoted_command_line(argc, argv);
+    return run_batch(batch, check_fill_options);
+  }
   fill.fill.threads = affordable_threads(fill.fill.threads);
   fill.command_line = quoted_command_line(argc, argv);
   return with_thread_budget(fill.fill.threads, [&] {

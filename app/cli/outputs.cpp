@@ -15,6 +15,10 @@ std::string text_of(const nlohmann::ordered_json& report) {
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+bool is_gltf(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return equals_ignoring_case(extension, ".glb") || equals_ignoring_case(extension, ".gltf");
+}
 bool is_stl(const std::filesystem::path& path) { return equals_ignoring_case(path.extension().string(), ".stl"); }
 
 /// @throws WriteError unless the name ends in .png.
@@ -120,6 +124,9 @@ void print_losses(std::FILE* out, const std::filesystem::path& output, const Out
         "Binary STL holds single precision: vertices were moved by up to %.3g (mesh units), those of the scan by "
         "up to %.3g. Other formats and --ascii keep every digit.\n",
         losses.largest_rounding, losses.largest_exterior_rounding);
+  if (losses.largest_exterior_rounding > 0 && is_gltf(output))
+    std::fprintf(out, "glTF holds single precision: vertices of the scan were moved by up to %.3g (mesh units).\n",
+                 losses.largest_exterior_rounding);
 }
 
 void print_import_losses(std::FILE* out, const ImportReport& import) {

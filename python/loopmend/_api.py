@@ -174,7 +174,7 @@ def curvatures(vertices: ArrayLike, faces: ArrayLike) -> Curvatures:
 
 
 def read(path: Path, *, weld: bool = False) -> Mesh:
-    """Reads a mesh: PLY, STL, OBJ or OFF, also compressed with gzip. All of a file, or an error.
+    """Reads a mesh: PLY, STL, OBJ, OFF, glTF or 3MF, also compressed with gzip. All of a file, or an error.
 
     Parameters:
         path: of the file.
@@ -188,10 +188,10 @@ def read(path: Path, *, weld: bool = False) -> Mesh:
 
 def write(path: Path, vertices: ArrayLike, faces: ArrayLike, *, colors: Optional[ArrayLike] = None,
           ascii: bool = False) -> None:
-    """Writes a mesh. The format follows the extension: .ply, .stl, .obj or .off, with .gz after it compressed.
+    """Writes a mesh. The format follows the extension: .ply, .stl, .obj, .off, .glb, .gltf or .3mf, with .gz after it compressed.
 
     The file appears when it is complete; what stood there before stays until then. PLY holds float64, OBJ and OFF text with
-    17 digits; binary STL rounds to float32.
+    17 digits; binary STL and glTF round to float32.
 
     Parameters:
         path: of the file; its folder must exist.

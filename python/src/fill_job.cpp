@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill_job.h"
 
-#include "cli/loop_selection.h"
 #include "core/threads.h"
-#include "pipeline/hand_bridge.h"
-#include "pipeline/paste.h"
 
 #include <algorithm>
 #include <map>
@@ -15,97 +12,6 @@
 namespace loopmend {
 
 namespace {
-
-struct Preparation {
-  TriangleSoup given;  ///< what the output is compared with
-  SurfaceModel model;
-};
-
-Preparation prepared(FillJob& job, FilledScan& done) {
-  Preparation scan{std::move(job.soup), {}};
-  scan.model = make_surface_model(scan.given);
-  const auto replace = [&](TriangleSoup soup) {
-    done.turned_faces += scan.model.repairs.reoriented_faces;
-    scan.given = std::move(soup);
-    scan.model = make_surface_model(scan.given);
-  };
-  if (job.command.stitch == FillCommand::Stitch::yes) {
-    done.stitched = stitch_boundaries(scan.model);
-    replace(std::move(done.stitched->soup));
-  }
-  if (job.command.repair == FillCommand::Repair::yes) {
-    RepairedSurface repaired = repair_surface(scan.given);
-    done.repaired = repaired.counts;
-    replace(std::move(repaired.soup));
-  }
-  const auto count = static_cast<int>(scan.given.points.size());
-  for (const auto& [a, b] : job.bridges) {
-    if (a < 0 || b < 0 || a >= count || b >= count)
-      throw InvalidArgument("bridge (" + std::to_string(a) + ", " + std::to_string(b) + "): the mesh has " +
-                            std::to_string(count) + " vertices, numbered from 0");
-    replace(with_bridge(scan.model, a, b));
-  }
-  return scan;
-}
-
-std::vector<BoundaryLoop> chosen_of(const std::vector<BoundaryLoop>& loops, const std::vector<LoopChoice>& choices) {
-  std::vector<BoundaryLoop> chosen;
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    if (choices[k].fill) chosen.push_back(loops[k]);
-  return chosen;
-}
-
-bool names_loops(const FillCommand& command) { return command.loops != "all" || command.at_vertices; }
-
-/// Choices among the loops of a trimmed scan: what grew out of those chosen before.
-std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loops,
-                                           const std::vector<BoundaryLoop>& grown, const FillCommand& command) {
-  std::vector<LoopChoice> choices(loops.size());
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const bool can_be_filled = loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim;
-    choices[k].fill = can_be_filled && std::any_of(grown.begin(), grown.end(), [&](const BoundaryLoop& loop) {
-                        return loop.number == loops[k].number;
-                      });
-    if (choices[k].fill) continue;
-    if (!names_loops(command)) choices[k] = choose_unnamed(loops[k], command);
-    if (std::exchange(choices[k].fill, false) || names_loops(command)) choices[k].why_not = "not selected";
-  }
-  return choices;
-}
-
-void trim(Preparation& scan, std::vector<BoundaryLoop>& loops, std::vector<LoopChoice>& choices,
-          const FillCommand& command, FilledScan& done) {
-  TrimmedModel trimmed = trim_rim(scan.model, chosen_of(loops, choices), command.trim_rounds);
-  done.trimmed = std::move(trimmed.removed);
-  if (done.trimmed.empty()) return;
-  std::vector<char> gone(scan.given.triangles.size(), 0);
-  for (const BadRimFace& bad : done.trimmed) gone[static_cast<std::size_t>(bad.face)] = 1;
-  Triangles left;
-  for (std::size_t f = 0; f < gone.size(); ++f)
-    if (!gone[f]) left.push_back(scan.given.triangles[f]);
-  scan.given.triangles = std::move(left);
-  std::size_t turned = 0;
-  for (std::size_t f = 0; f < scan.given.triangles.size(); ++f)
-    turned += trimmed.model.soup.triangles[f] != scan.given.triangles[f];
-  trimmed.model.repairs.reoriented_faces = turned;
-  scan.model = std::move(trimmed.model);
-  loops = find_boundary_loops(scan.model);
-  choices = choices_after_trim(loops, trimmed.loops, command);
-}
-
-/// Those of the chosen loops, and for the others one that says why they were left.
-std::vector<HoleResult> with_those_left(std::vector<HoleResult> filled, const std::vector<BoundaryLoop>& loops,
-                                        const std::vector<LoopChoice>& choices) {
-  std::map<int, HoleResult> by_number;
-  for (HoleResult& result : filled) by_number[result.loop.number] = std::move(result);
-  std::vector<HoleResult> results;
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const auto done = by_number.find(loops[k].number);
-    results.push_back(done != by_number.end() ? std::move(done->second)
-                                              : open_hole(loops[k], PatchStatus::skipped, choices[k].why_not));
-  }
-  return results;
-}
 
 /// A patch in the soup: it was pasted as it is, its own vertices and faces in their order.
 struct PastedPatch {
@@ -190,17 +96,13 @@ void locate_parts(FilledScan& done) {
 
 FilledScan filled(FillJob& job, const OnFillProgress& progress, const CancelToken& cancel) {
   FilledScan done;
-  Preparation scan = prepared(job, done);
-  std::vector<BoundaryLoop> loops = find_boundary_loops(scan.model);
-  std::vector<LoopChoice> choices = choose_loops(scan.model, loops, job.command);
-  if (job.command.trim_rounds > 0) trim(scan, loops, choices, job.command, done);
-  const std::vector<BoundaryLoop> chosen = chosen_of(loops, choices);
-  std::vector<HoleResult> results;
-  if (!chosen.empty()) results = fill_holes(scan.model, chosen, job.command.fill, progress, cancel);
+  SurfaceModel model = make_surface_model(job.soup);
+  PreparedScan scan = prepare_scan(std::move(job.soup), std::move(model), job.command);
+  done.holes = fill_chosen(scan, job.command.fill, progress, cancel);
   if (cancel.cancelled()) return done;
-  done.holes = with_those_left(std::move(results), loops, choices);
-  check_exterior(scan.given, scan.model.soup, scan.model.repairs.reoriented_faces);
-  done.turned_faces += scan.model.repairs.reoriented_faces;
+  done.prepared = std::move(scan.done);
+  done.trimmed = std::move(scan.trimmed);
+  done.turned_faces = done.prepared.turned_faces + scan.model.repairs.reoriented_faces;
   done.given_vertices = scan.given.points.size();
   done.given_faces = scan.given.triangles.size();
   done.soup = std::move(scan.model.soup);

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One call of loopmend.fill(), without Python: the steps of run_fill() in app/cli/fill_command.cpp, between its files.
+// One call of loopmend.fill(), without Python.
 #pragma once
 
-#include "cli/commands.h"
-#include "pipeline/fill_holes.h"
-#include "repair/repair_surface.h"
-#include "repair/stitch_boundaries.h"
+#include "cli/prepared_scan.h"
 
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace loopmend {
 
 struct FillJob {
   TriangleSoup soup;
-  FillCommand command;                       ///< without files: which loops, what to prepare, and the fill's options
-  std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid first
+  FillCommand command;  ///< without files: which loops, what to prepare, and the fill's options
 };
 
 /// Where a hole's part of the patch is in the filled soup; empty where the hole was left open.
@@ -31,8 +25,7 @@ struct FilledScan {
   std::vector<NewPart> parts;                       ///< one for each of `holes`
   std::size_t given_vertices = 0, given_faces = 0;  ///< of the prepared scan: they come first in `soup`
   std::size_t turned_faces = 0;                     ///< to agree with their neighbours
-  std::optional<StitchedSurface> stitched;          ///< without its soup
-  std::optional<RepairCounts> repaired;
+  Preparation prepared;
   std::vector<BadRimFace> trimmed;  ///< faces of the scan as it was before trimming
 };
 

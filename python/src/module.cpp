@@ -63,7 +63,8 @@ FillCommand fill_command(const py::dict& options) {
   command.max_diameter = limit<double>(options, "max_diameter");
   if (option<bool>(options, "include_outer_rim")) command.outer_rim = FillCommand::OuterRim::include;
   if (option<bool>(options, "stitch")) command.stitch = FillCommand::Stitch::yes;
-  if (option<bool>(options, "repair")) command.repair = FillCommand::Repair::yes;
+  if (option<bool>(options, "repair")) command.repair = FillCommand::Repair::manifold;
+  command.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
   command.trim_rounds = whole_number(options, "trim_boundary", 100);
   command.fill.threads = whole_number(options, "threads", 1024);
   command.fill.islands = worded<FillOptions::Islands>(
@@ -73,8 +74,7 @@ FillCommand fill_command(const py::dict& options) {
 
 py::dict fill(const py::array& vertices, const py::array& faces, const py::object& colors, const py::dict& options,
               const py::object& on_progress) {
-  FillJob job{soup_of(vertices, faces, colors), fill_command(options),
-              option<std::vector<std::pair<int, int>>>(options, "bridges")};
+  FillJob job{soup_of(vertices, faces, colors), fill_command(options)};
   FilledScan done;
   run_interruptibly(
       [&](const CancelToken& cancel, const PostEvent& post) {

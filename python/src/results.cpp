@@ -49,12 +49,12 @@ py::list faces_of(const std::vector<BadRimFace>& faces) {
 /// Only what was asked for: {"stitched": {...}, "repaired": {...}}.
 py::dict preparation(const FilledScan& done) {
   py::dict counts;
-  if (done.stitched)
-    counts["stitched"] =
-        py::dict("joined_vertices"_a = done.stitched->joined_vertices, "split_faces"_a = done.stitched->split_faces,
-                 "removed_faces"_a = done.stitched->removed_faces);
-  if (done.repaired) {
-    const RepairCounts& repaired = *done.repaired;
+  if (done.prepared.stitched)
+    counts["stitched"] = py::dict("joined_vertices"_a = done.prepared.stitched->joined_vertices,
+                                  "split_faces"_a = done.prepared.stitched->split_faces,
+                                  "removed_faces"_a = done.prepared.stitched->removed_faces);
+  if (done.prepared.repaired) {
+    const RepairCounts& repaired = *done.prepared.repaired;
     counts["repaired"] =
         py::dict("separated_edges"_a = repaired.separated_edges, "separated_vertices"_a = repaired.separated_vertices,
                  "turned_faces"_a = repaired.turned_faces, "degenerate_faces"_a = repaired.degenerate_faces,

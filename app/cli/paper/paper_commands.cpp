@@ -13,7 +13,7 @@ constexpr const char* exit_codes_help =
 
 void add_blend(CLI::App& app, BlendCommand& command) {
   CLI::App* blend = app.add_subcommand("blend", "Join loops of one or several meshes by one smooth patch");
-  blend->add_option("IN", command.inputs, "Meshes to read (PLY, STL, OBJ, OFF)")->required();
+  blend->add_option("IN", command.inputs, "Meshes to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   blend->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   blend
       ->add_option("--loops", command.loops,
@@ -33,7 +33,7 @@ void add_blend(CLI::App& app, BlendCommand& command) {
 void add_interpolate(CLI::App& app, InterpolateCommand& command) {
   CLI::App* interpolate =
       app.add_subcommand("interpolate", "Find a smooth surface through the vertices of a polyhedron");
-  interpolate->add_option("POLY", command.input, "Polyhedron to read (PLY, STL, OBJ, OFF)")->required();
+  interpolate->add_option("POLY", command.input, "Polyhedron to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   interpolate->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   interpolate->add_option("--subdivide", command.subdivide, "Each triangle into 4^K")
       ->type_name("K")
@@ -53,7 +53,7 @@ void add_interpolate(CLI::App& app, InterpolateCommand& command) {
 
 void add_evolve(CLI::App& app, EvolveCommand& command) {
   CLI::App* evolve = app.add_subcommand("evolve", "Evolve a region of a mesh with its surroundings fixed");
-  evolve->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF)")->required();
+  evolve->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   evolve->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   evolve->add_option("--region", command.region, "File of the region's vertex numbers, 0-based")->type_name("FILE");
   evolve->add_option("--where", command.where, "The region by a condition on x, y, z, H or K, such as z>0.725")

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ledger.h"
+
+#include "cli/commands.h"
+#include "core/version.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace loopmend {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int ledger_version = 1;
+
+/// Bytes that are no UTF-8, as a name may have, become the same mark everywhere.
+std::string text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string key_of(const std::string& name) { return text(Json(name)); }
+
+Json json_of(const std::optional<FileState>& state) {
+  return state ? Json{{"size", state->size}, {"modified", state->modified}} : Json(nullptr);
+}
+
+std::optional<FileState> file_state(const Json& json) {
+  if (json.is_null()) return {};
+  return FileState{json.at("size").get<std::uintmax_t>(), json.at("modified").get<std::int64_t>()};
+}
+
+/// It stays the same when input and results are moved together.
+std::string seen_from(const fs::path& folder, const fs::path& input) {
+  std::error_code error;
+  const fs::path seen = fs::proximate(fs::weakly_canonical(input, error), fs::weakly_canonical(folder, error), error);
+  return Json::parse(key_of(seen.empty() ? input.generic_string() : seen.generic_string())).get<std::string>();
+}
+
+}  // namespace
+
+ScanFiles files_of(const fs::path& folder, const std::string& name) {
+  return {folder / "filled" / name, folder / "reports" / (name + ".json"), folder / "pictures" / (name + ".png")};
+}
+
+std::optional<FileState> state_of(const fs::path& path) {
+  struct stat facts {};
+  if (::stat(path.c_str(), &facts) != 0) return {};
+  constexpr std::int64_t second = 1'000'000'000;
+  return FileState{static_cast<std::uintmax_t>(facts.st_size), facts.st_mtim.tv_sec * second + facts.st_mtim.tv_nsec};
+}
+
+Ledger::Ledger(const fs::path& folder) : folder_(folder), path_(folder / "batch.jsonl") {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WriteError(folder, error.message(), "Choose another folder for -o.");
+  file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file_ < 0) throw WriteError(path_, std::strerror(errno), "Choose another folder for -o.");
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    const bool busy = errno == EWOULDBLOCK;
+    close(file_);
+    if (busy) throw UsageError("another batch is at work in " + folder.string() + ": wait for its end, or stop it");
+    throw WriteError(path_, "the file system cannot lock the file", "Choose a folder on another one.");
+  }
+  try {
+    read();
+  } catch (...) {
+    close(file_);
+    throw;
+  }
+}
+
+Ledger::~Ledger() { close(file_); }
+
+void Ledger::read() {
+  std::ostringstream content;
+  content << std::ifstream(path_, std::ios::binary).rdbuf();
+  std::string all = content.str();
+  const std::size_t whole = all.rfind('\n') == std::string::npos ? 0 : all.rfind('\n') + 1;
+  std::istringstream lines(all.substr(0, whole));
+  int number = 0;
+  try {
+    for (std::string line; std::getline(lines, line);) {
+      const Json json = Json::parse(line);
+      if (++number == 1) {
+        if (json.at("loopmend_batch").get<int>() != ledger_version) throw std::runtime_error("another version");
+      } else if (json.contains("summary")) {
+        summary_is_ours_ = true;
+      } else if (json.contains("begun")) {
+        entries_[text(json["begun"])] = std::nullopt;
+      } else {
+        entries_[text(json.at("filled"))] = LedgerEntry{json.at("input").get<std::string>(),
+                                                        file_state(json.at("input_file")),
+                                                        file_state(json.at("mesh")),
+                                                        file_state(json.at("report")),
+                                                        json.at("options").get<std::vector<std::string>>(),
+                                                        json.at("version").get<std::string>(),
+                                                        json.at("code").get<int>(),
+                                                        json.at("seconds").get<double>()};
+      }
+    }
+  } catch (const std::exception&) {
+    throw UsageError(path_.string() + ", line " + std::to_string(std::max(1, number)) +
+                     ": not what batch writes there: move the file away, or choose another folder for -o");
+  }
+  if (number == 0 && all.size() > 200)
+    throw UsageError(path_.string() + " is no record of a batch: choose another folder for -o");
+  if (whole < all.size() && ftruncate(file_, static_cast<off_t>(whole)) != 0)
+    throw WriteError(path_, std::strerror(errno), "");
+  if (number == 0) append({{"loopmend_batch", ledger_version}});
+}
+
+void Ledger::append(const Json& json) {
+  const std::string line = text(json) + "\n";
+  std::size_t written = 0;
+  while (written < line.size()) {
+    const ssize_t n = write(file_, line.data() + written, line.size() - written);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw WriteError(path_, std::strerror(errno), "Is the disk full?");
+    written += static_cast<std::size_t>(n);
+  }
+  if (fdatasync(file_) != 0) throw WriteError(path_, std::strerror(errno), "Is the disk full?");
+}
+
+std::optional<LedgerEntry> Ledger::complete(const Scan& scan) const {
+  const auto found = entries_.find(key_of(scan.name));
+  if (found == entries_.end() || !found->second) return {};
+  const LedgerEntry& entry = *found->second;
+  const ScanFiles files = files_of(folder_, scan.name);
+  const bool is_so = entry.input == seen_from(folder_, scan.input) && entry.version == version() &&
+                     text(entry.options) == text(scan.options) && entry.input_file &&
+                     entry.input_file == state_of(scan.input) && entry.mesh && entry.mesh == state_of(files.mesh) &&
+                     entry.report && entry.report == state_of(files.report);
+  return is_so ? found->second : std::nullopt;
+}
+
+std::optional<fs::path> Ledger::foreign_file(const std::string& name) const {
+  const ScanFiles files = files_of(folder_, name);
+  const auto found = entries_.find(key_of(name));
+  const bool begun = found != entries_.end();
+  const auto is_foreign = [&](const fs::path& path, std::optional<FileState> LedgerEntry::*written) {
+    const auto now = state_of(path);
+    if (!now) return false;
+    return !begun || (found->second && (*found->second).*written != now);
+  };
+  if (is_foreign(files.mesh, &LedgerEntry::mesh)) return files.mesh;
+  if (is_foreign(files.report, &LedgerEntry::report)) return files.report;
+  if (!begun && state_of(files.picture)) return files.picture;
+  return {};
+}
+
+std::optional<fs::path> Ledger::foreign_summary() const {
+  for (const char* name : {"summary.csv", "summary.html"})
+    if (!summary_is_ours_ && state_of(folder_ / name)) return folder_ / name;
+  return {};
+}
+
+void Ledger::begin(const std::string& name) {
+  append({{"begun", name}});
+  entries_[key_of(name)] = std::nullopt;
+}
+
+void Ledger::begin_summary() {
+  if (!summary_is_ours_) append({{"summary", true}});
+  summary_is_ours_ = true;
+}
+
+LedgerEntry Ledger::finish(const Scan& scan, const std::optional<FileState>& input_file, int code, double seconds) {
+  const ScanFiles files = files_of(folder_, scan.name);
+  LedgerEntry entry{seen_from(folder_, scan.input),
+                    input_file,
+                    state_of(files.mesh),
+                    state_of(files.report),
+                    scan.options,
+                    version(),
+                    code,
+                    seconds};
+  append({{"filled", scan.name},
+          {"input", entry.input},
+          {"input_file", json_of(entry.input_file)},
+          {"options", entry.options},
+          {"version", entry.version},
+          {"code", code},
+          {"seconds", seconds},
+          {"mesh", json_of(entry.mesh)},
+          {"report", json_of(entry.report)}});
+  entries_[key_of(scan.name)] = entry;
+  return entry;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scan_runs.h"
+
+#include "child.h"
+#include "cli/bounds.h"
+#include "cli/exit_codes.h"
+#include "cli/outputs.h"
+#include "core/error.h"
+#include "core/threads.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <list>
+#include <system_error>
+#include <thread>
+
+namespace loopmend {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto patience = std::chrono::seconds(5);            ///< with a child that was asked to end
+constexpr auto between_looks = std::chrono::milliseconds(5);  ///< at the children
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A path that no program takes for an option.
+std::string as_argument(const fs::path& path) {
+  return path.string().starts_with("-") ? "./" + path.string() : path.string();
+}
+
+bool names(const std::vector<std::string>& options, const std::string& option) {
+  return std::any_of(options.begin(), options.end(),
+                     [&](const std::string& word) { return word == option || word.starts_with(option + "="); });
+}
+
+/// The last line that the child wrote, without the names of program and input; what its end tells where it wrote none.
+std::string reason_of(const ChildEnd& end, const fs::path& input) {
+  std::string said = end.said;
+  while (!said.empty() && (said.back() == '\n' || said.back() == ' ')) said.pop_back();
+  const std::string name = "loopmend: ";
+  if (const std::size_t line = said.rfind("\n" + name); line != std::string::npos) said.erase(0, line + 1);
+  for (const std::string& known : {name, as_argument(input) + ": "})
+    if (said.starts_with(known)) said.erase(0, known.size());
+  if (!said.empty()) return said;
+  if (end.code == 128 + 9) return "its process was killed (SIGKILL), as the system does where memory runs out";
+  if (end.code > 128) return "its process was ended by signal " + std::to_string(end.code - 128);
+  return "its process ended with exit code " + std::to_string(end.code);
+}
+
+class ScanRuns {
+ public:
+  ScanRuns(const std::vector<Scan>& scans, const BatchCommand& command, Ledger& ledger)
+      : scans_(scans),
+        command_(command),
+        ledger_(ledger),
+        settings_(settings_of(command, scans.size())),
+        ends_(scans.size()),
+        progress_(command.verbosity) {}
+
+  std::vector<ScanEnd> run(const CancelToken& cancel) {
+    std::size_t next = 0;
+    while (true) {
+      while (!cancel.cancelled() && next < scans_.size() && running_.size() < static_cast<std::size_t>(settings_.jobs))
+        start(next++);
+      if (cancel.cancelled() && !running_.empty()) stop();
+      if (running_.empty()) break;
+      for (auto one = running_.begin(); one != running_.end();) {
+        const auto end = one->child.end();
+        if (!end) {
+          ++one;
+          continue;
+        }
+        const std::size_t scan = one->scan;
+        const bool was_picture = one->is_picture;
+        const auto input = one->input;
+        const double seconds = seconds_since(one->since);
+        one = running_.erase(one);
+        if (was_picture)
+          end_picture(scan, *end, cancel);
+        else
+          end_fill(scan, *end, input, seconds, cancel);
+      }
+      std::this_thread::sleep_for(between_looks);
+    }
+    return std::move(ends_);
+  }
+
+ private:
+  struct Running {
+    std::size_t scan;
+    bool is_picture;
+    std::optional<FileState> input;  ///< before the work
+    Clock::time_point since;
+    Child child;
+    Running(std::size_t which, bool picture, const std::optional<FileState>& file,
+            const std::vector<std::string>& words)
+        : scan(which),
+          is_picture(picture),
+          input(file),
+          since(Clock::now()),
+          child(words) {}
+  };
+
+  ScanFiles files(std::size_t k) const { return files_of(command_.output, scans_[k].name); }
+
+  void start(std::size_t k) {
+    const Scan& scan = scans_[k];
+    if (!scan.trouble.empty()) return refuse(k, scan.trouble);
+    const auto entry = ledger_.complete(scan);
+    const bool again = command_.again == BatchCommand::Again::all ||
+                       (command_.again == BatchCommand::Again::open && entry && entry->code != exit_done);
+    if (entry && !again) {
+      ends_[k] = {ScanEnd::State::as_before, entry->code, {}, entry->seconds, {}};
+      if (!make_picture(k)) finished();
+      return;
+    }
+    if (const auto file = ledger_.foreign_file(scan.name)) {
+      if (command_.existing == BatchCommand::Existing::keep)
+        return refuse(k, file->string() +
+                             " is there, and no batch wrote it, or it has changed since: move it away, or "
+                             "give --overwrite");
+      progress_.say(file->string() + " is overwritten, though no batch wrote it");
+    }
+    ledger_.begin(scan.name);
+    running_.emplace_back(k, false, state_of(scan.input), fill_words(k));
+  }
+
+  std::vector<std::string> fill_words(std::size_t k) const {
+    const Scan& scan = scans_[k];
+    const ScanFiles to = files(k);
+    for (const fs::path& folder : {to.mesh.parent_path(), to.report.parent_path()}) {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      if (error) throw WriteError(folder, error.message(), "Choose another folder for -o.");
+    }
+    std::vector<std::string> words{"fill",     as_argument(scan.input), "-o",     as_argument(to.mesh),
+                                   "--report", as_argument(to.report),  "--quiet"};
+    if (!names(scan.options, "--threads")) words.insert(words.end(), {"--threads", std::to_string(settings_.threads)});
+    if (settings_.max_memory && !names(scan.options, "--max-memory"))
+      words.insert(words.end(), {"--max-memory", std::to_string(static_cast<long long>(*settings_.max_memory))});
+    words.insert(words.end(), scan.options.begin(), scan.options.end());
+    return words;
+  }
+
+  void end_fill(std::size_t k, const ChildEnd& end, const std::optional<FileState>& input, double seconds,
+                const CancelToken& cancel) {
+    ScanEnd& result = ends_[k];
+    result.code = end.code;
+    result.seconds = seconds;
+    if (end.code == exit_done || end.code == exit_loops_failed) {
+      ledger_.finish(scans_[k], input, end.code, seconds);
+      result.state = ScanEnd::State::filled;
+      remove(files(k).picture);
+      if (cancel.cancelled() || !make_picture(k)) finished();
+      return;
+    }
+    if (cancel.cancelled()) return;  // waits for the next run
+    // What an earlier run made belongs to another input or to other options.
+    const ScanFiles stale = files(k);
+    bool removed = false;
+    for (const fs::path& file : {stale.mesh, stale.report, stale.picture}) removed = remove(file) || removed;
+    refuse(k, reason_of(end, scans_[k].input) + (removed ? " What an earlier run made of it was removed." : ""));
+  }
+
+  static bool remove(const fs::path& file) {
+    std::error_code error;
+    return fs::remove(file, error);
+  }
+
+  /// @returns false where none is wanted, or there is one.
+  bool make_picture(std::size_t k) {
+    const bool wanted = command_.pictures == BatchCommand::Pictures::all ||
+                        (command_.pictures == BatchCommand::Pictures::open && ends_[k].code != exit_done);
+    const fs::path picture = files(k).picture;
+    if (!wanted || state_of(picture)) return false;
+    std::error_code error;
+    fs::create_directories(picture.parent_path(), error);  // render tells what is wrong
+    running_.emplace_back(k, true, std::nullopt,
+                          std::vector<std::string>{"render", as_argument(scans_[k].input), as_argument(files(k).mesh),
+                                                   "-o", as_argument(picture), "--size", "480x240"});
+    return true;
+  }
+
+  void end_picture(std::size_t k, const ChildEnd& end, const CancelToken& cancel) {
+    if (end.code != exit_done)
+      ends_[k].picture_trouble =
+          cancel.cancelled() ? "the batch was stopped before it was made" : reason_of(end, scans_[k].input);
+    finished();
+  }
+
+  void refuse(std::size_t k, const std::string& why) {
+    ends_[k].state = ScanEnd::State::error;
+    ends_[k].why = why;
+    progress_.say(scans_[k].input.string() + ": " + why);
+    finished();
+  }
+
+  void finished() { progress_.show(++done_, static_cast<int>(scans_.size()), "scans"); }
+
+  void stop() {
+    if (!stopped_) {
+      stopped_ = Clock::now();
+      for (const Running& one : running_) one.child.stop();
+    } else if (Clock::now() - *stopped_ > patience) {
+      for (const Running& one : running_) one.child.kill();
+    }
+  }
+
+  const std::vector<Scan>& scans_;
+  const BatchCommand& command_;
+  Ledger& ledger_;
+  RunSettings settings_;
+  std::vector<ScanEnd> ends_;
+  std::list<Running> running_;
+  ProgressLine progress_;
+  int done_ = 0;
+  std::optional<Clock::time_point> stopped_;
+};
+
+}  // namespace
+
+RunSettings settings_of(const BatchCommand& command, std::size_t scans) {
+  const int cores = thread_budget();
+  RunSettings settings;
+  settings.jobs = static_cast<int>(std::min(scans, static_cast<std::size_t>(command.jobs > 0 ? command.jobs : cores)));
+  settings.threads = std::max(1, cores / settings.jobs);
+  const double memory = memory_left_for_patches({}) / settings.jobs;
+  if (std::isfinite(memory) && settings.jobs > 1) settings.max_memory = std::max(1.0, std::floor(memory));
+  return settings;
+}
+
+std::vector<ScanEnd> fill_scans(const std::vector<Scan>& scans, const BatchCommand& command, Ledger& ledger,
+                                const CancelToken& cancel) {
+  return ScanRuns(scans, command, ledger).run(cancel);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "summary.h"
+
+#include "cli/exit_codes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+
+namespace loopmend {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr std::size_t most_remarks = 6;  ///< of a scan, in its row; the report has all
+
+std::string number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string number(const std::optional<double>& value) { return value ? number("%.4g", *value) : std::string(); }
+
+void take_larger(std::optional<double>& largest, const Json& value) {
+  if (value.is_number()) largest = std::max(largest.value_or(0), value.get<double>());
+}
+
+std::string joined(const std::vector<std::string>& parts, const char* between) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k) text.append(k > 0 ? between : "").append(parts[k]);
+  return text;
+}
+
+/// "loops 2, 5: " and what is said of them.
+std::string with_loops(const std::string& message, const std::vector<int>& loops) {
+  constexpr std::size_t most_numbers = 8;
+  std::vector<std::string> numbers;
+  for (std::size_t k = 0; k < std::min(loops.size(), most_numbers); ++k) numbers.push_back(std::to_string(loops[k]));
+  std::string text = loops.size() == 1 ? "loop " : "loops ";
+  text += joined(numbers, ", ");
+  if (loops.size() > most_numbers) text += " and " + std::to_string(loops.size() - most_numbers) + " more";
+  return text + ": " + message;
+}
+
+/// @throws nlohmann::json::exception where it is no report of fill.
+ScanFigures figures_of(const Json& report) {
+  ScanFigures figures;
+  figures.vertices = report.at("input").at("vertices").get<std::size_t>();
+  figures.faces = report.at("input").at("faces").get<std::size_t>();
+  figures.seconds = report.at("total_seconds").get<double>();
+  figures.memory = report.at("peak_memory_mb").get<double>();
+  std::vector<std::pair<std::string, std::vector<int>>> said;
+  for (const Json& loop : report.at("loops")) {
+    const std::string status = loop.at("status").get<std::string>(), message = loop.at("message").get<std::string>();
+    ++figures.loops;
+    const bool is_open = status == "failed" || status == "skipped";
+    if (is_open) {
+      ++(status == "failed" ? figures.failed : figures.left);
+    } else {
+      ++figures.filled;
+      figures.doubtful += status == "doubtful";
+      figures.new_vertices += loop.at("free_vertices").get<long>();
+      take_larger(figures.angle_rms, loop.at("seam_after").at("g1_rms_deg"));
+      take_larger(figures.angle_max, loop.at("seam_after").at("g1_max_deg"));
+    }
+    if (!is_open && status != "doubtful") continue;
+    const std::string words = status + (message.empty() ? "" : ", " + message);
+    auto known = std::find_if(said.begin(), said.end(), [&](const auto& one) { return one.first == words; });
+    if (known == said.end()) known = said.insert(said.end(), {words, {}});
+    known->second.push_back(loop.at("number").get<int>());
+  }
+  std::vector<std::string> remarks;
+  for (std::size_t k = 0; k < std::min(said.size(), most_remarks); ++k)
+    remarks.push_back(with_loops(said[k].first, said[k].second));
+  if (said.size() > most_remarks) remarks.emplace_back("and more, see the report");
+  figures.remarks = joined(remarks, "; ");
+  return figures;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+const char* SummaryRow::status() const {
+  if (end->state == ScanEnd::State::error) return "error";
+  if (end->state == ScanEnd::State::waiting) return "waiting";
+  return end->code == exit_done && figures ? "filled" : "look";
+}
+
+std::string SummaryRow::remark() const {
+  std::vector<std::string> parts;
+  if (!end->why.empty()) parts.push_back(end->why);
+  if (end->state == ScanEnd::State::waiting) parts.emplace_back("the batch was stopped before this scan was done");
+  if (end->has_mesh() && !figures) parts.emplace_back("the report cannot be read");
+  if (figures && end->code != exit_done && figures->failed == 0 && figures->doubtful == 0)
+    parts.emplace_back(figures->filled > 0 ? "not everything was finished" : "nothing was filled");
+  if (figures && !figures->remarks.empty()) parts.push_back(figures->remarks);
+  if (!end->picture_trouble.empty()) parts.push_back("no picture: " + end->picture_trouble);
+  return joined(parts, "; ");
+}
+
+std::vector<SummaryRow> summary_rows(const fs::path& folder, const std::vector<Scan>& scans,
+                                     const std::vector<ScanEnd>& ends) {
+  std::vector<SummaryRow> rows;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    SummaryRow row{&scans[k], &ends[k], {}, {}};
+    const ScanFiles files = files_of(folder, scans[k].name);
+    if (ends[k].has_mesh()) {
+      try {
+        std::ifstream report(files.report);
+        row.figures = figures_of(Json::parse(report));
+      } catch (const Json::exception&) {  // the row says so
+      }
+      if (state_of(files.picture)) row.picture = "pictures/" + scans[k].name + ".png";
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+SummaryCounts counts_of(const std::vector<SummaryRow>& rows) {
+  SummaryCounts counts;
+  for (const SummaryRow& row : rows) {
+    const std::string status = row.status();
+    ++(status == "filled"  ? counts.filled
+       : status == "look"  ? counts.look
+       : status == "error" ? counts.error
+                           : counts.waiting);
+    counts.as_before += row.end->state == ScanEnd::State::as_before;
+  }
+  return counts;
+}
+
+std::string summary_csv(const std::vector<SummaryRow>& rows) {
+  std::string csv =
+      "scan,input,status,exit_code,this_run,vertices,faces,loops,filled,doubtful,failed,left,new_vertices,seam_angle_"
+      "rms_deg,"
+      "seam_angle_max_deg,seconds,fill_seconds,peak_memory_mb,mesh,report,picture,remark\n";
+  for (const SummaryRow& row : rows) {
+    const std::string& name = row.scan->name;
+    std::vector<std::string> fields{name, row.scan->input.generic_string(), row.status(),
+                                    row.end->state == ScanEnd::State::waiting ? "" : std::to_string(row.end->code),
+                                    row.end->state == ScanEnd::State::as_before ? "no" : "yes"};
+    if (row.figures) {
+      const ScanFigures& f = *row.figures;
+      for (const long count : {static_cast<long>(f.vertices), static_cast<long>(f.faces), static_cast<long>(f.loops),
+                               static_cast<long>(f.filled), static_cast<long>(f.doubtful), static_cast<long>(f.failed),
+                               static_cast<long>(f.left), f.new_vertices})
+        fields.push_back(std::to_string(count));
+      fields.insert(fields.end(), {number(f.angle_rms), number(f.angle_max), number("%.3f", row.end->seconds),
+                                   number("%.3f", f.seconds), number("%.0f", f.memory)});
+    } else {
+      fields.resize(fields.size() + 13);
+    }
+    const bool has_mesh = row.end->has_mesh();
+    fields.insert(fields.end(), {has_mesh ? "filled/" + name : "", has_mesh ? "reports/" + name + ".json" : "",
+                                 row.picture, row.remark()});
+    for (std::string& field : fields) field = csv_field(field);
+    csv += joined(fields, ",") + "\n";
+  }
+  return csv;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prepared_scan.h"
+
+#include "open_model.h"
+
+#include "pipeline/hand_bridge.h"
+#include "pipeline/paste.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace loopmend {
+
+namespace {
+
+/// @param a, b  vertices of the mesh as it was read.
+TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
+  const std::string name = "bridge (" + std::to_string(a) + ", " + std::to_string(b) + "): ";
+  const int count = static_cast<int>(model.soup.points.size());
+  if (a < 0 || b < 0 || a >= count || b >= count)
+    throw InvalidArgument(name + "the mesh has " + std::to_string(count) + " vertices, numbered from 0");
+  try {
+    return with_bridge(model, a, b);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(name + error.what());
+  }
+}
+
+void prepare(PreparedScan& scan, const FillCommand& command) {
+  scan.done.before = scan.model.repairs;
+  const auto replace = [&](TriangleSoup soup) {
+    scan.done.turned_faces += scan.model.repairs.reoriented_faces;
+    scan.given = std::move(soup);
+    scan.model = command.input.empty() ? make_surface_model(scan.given) : model_of(command.input, scan.given);
+  };
+  if (command.stitch == FillCommand::Stitch::yes) {
+    scan.done.stitched = stitch_boundaries(scan.model);
+    replace(std::move(scan.done.stitched->soup));
+  }
+  if (command.repair != FillCommand::Repair::no) {
+    std::set<Defect> defects = harmless_repairs;
+    if (command.repair == FillCommand::Repair::cut_intersections) defects.insert(Defect::intersections);
+    RepairedSurface repaired = repair_surface(scan.given, defects);
+    scan.done.repaired = repaired.counts;
+    replace(std::move(repaired.soup));
+  }
+  for (const auto& [a, b] : command.bridges) {
+    replace(bridged(scan.model, a, b));
+    ++scan.done.bridges;
+  }
+}
+
+/// Choices among the loops of a trimmed scan: what grew out of those chosen before.
+std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loops,
+                                           const std::vector<BoundaryLoop>& grown, const FillCommand& command) {
+  const bool named = command.loops != "all" || command.at_vertices;
+  std::vector<LoopChoice> choices(loops.size());
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const bool can_be_filled = loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim;
+    choices[k].fill = can_be_filled && std::any_of(grown.begin(), grown.end(), [&](const BoundaryLoop& loop) {
+                        return loop.number == loops[k].number;
+                      });
+    if (choices[k].fill) continue;
+    if (!named) choices[k] = choose_unnamed(loops[k], command);
+    if (std::exchange(choices[k].fill, false) || named) choices[k].why_not = "not selected";
+  }
+  return choices;
+}
+
+/// Trims the boundaries of the loops that are to be filled, and chooses anew: what grew out of them.
+void trim(PreparedScan& scan, const FillCommand& command) {
+  TrimmedModel trimmed = trim_rim(scan.model, scan.chosen(), command.trim_rounds);
+  scan.trimmed = std::move(trimmed.removed);
+  scan.to_trim = trimmed.loops;
+  if (scan.trimmed.empty()) return;
+  std::vector<char> gone(scan.given.triangles.size(), 0);
+  for (const BadRimFace& bad : scan.trimmed) gone[static_cast<std::size_t>(bad.face)] = 1;
+  Triangles left;
+  for (std::size_t f = 0; f < gone.size(); ++f)
+    if (!gone[f]) left.push_back(scan.given.triangles[f]);
+  scan.given.triangles = std::move(left);
+  std::size_t turned = 0;
+  for (std::size_t f = 0; f < scan.given.triangles.size(); ++f)
+    turned += trimmed.model.soup.triangles[f] != scan.given.triangles[f];
+  trimmed.model.repairs.reoriented_faces = turned;
+  scan.model = std::move(trimmed.model);
+  scan.loops = find_boundary_loops(scan.model);
+  scan.choices = choices_after_trim(scan.loops, trimmed.loops, command);
+}
+
+}  // namespace
+
+std::vector<BoundaryLoop> PreparedScan::chosen() const {
+  std::vector<BoundaryLoop> result;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (choices[k].fill) result.push_back(loops[k]);
+  return result;
+}
+
+PreparedScan prepare_scan(TriangleSoup as_read, SurfaceModel model, const FillCommand& command) {
+  PreparedScan scan;
+  scan.given = std::move(as_read);
+  scan.model = std::move(model);
+  prepare(scan, command);
+  scan.loops = find_boundary_loops(scan.model);
+  scan.choices = choose_loops(scan.model, scan.loops, command);
+  scan.to_trim = scan.chosen();
+  if (command.trim_rounds > 0) trim(scan, command);
+  return scan;
+}
+
+std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillOptions& options, const OnFillProgress& progress,
+                                    const CancelToken& cancel) {
+  const std::vector<BoundaryLoop> chosen = scan.chosen();
+  std::map<int, HoleResult> filled;
+  if (!chosen.empty())
+    for (HoleResult& result : fill_holes(scan.model, chosen, options, progress, cancel))
+      filled[result.loop.number] = std::move(result);
+  if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
+  check_exterior(scan.given, scan.model.soup, scan.model.repairs.reoriented_faces);
+  std::vector<HoleResult> results;
+  for (std::size_t k = 0; k < scan.loops.size(); ++k) {
+    const auto done = filled.find(scan.loops[k].number);
+    results.push_back(done != filled.end() ? std::move(done->second)
+                                           : open_hole(scan.loops[k], PatchStatus::skipped, scan.choices[k].why_not));
+  }
+  return results;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a fill does between its files: prepare the scan, choose its loops, fill them. `loopmend fill` and the Python module
+// call the same, so that the same options give the same bits.
+#pragma once
+
+#include "loop_selection.h"
+
+#include "repair/repair_surface.h"
+#include "repair/stitch_boundaries.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+/// What was done to the mesh before any loop was looked at.
+struct Preparation {
+  std::optional<StitchedSurface> stitched;  ///< without its soup
+  std::optional<RepairCounts> repaired;
+  std::size_t bridges = 0;
+  ModelRepairs before;           ///< of the mesh as it was read
+  std::size_t turned_faces = 0;  ///< in the mesh as it was read, where another mesh came out of it
+};
+
+struct PreparedScan {
+  TriangleSoup given;  ///< the prepared mesh, with which the output is compared
+  SurfaceModel model;
+  Preparation done;
+  std::vector<BoundaryLoop> loops;
+  std::vector<LoopChoice> choices;    ///< one for each loop
+  std::vector<BadRimFace> trimmed;    ///< faces of the mesh as it was before --trim-boundary
+  std::vector<BoundaryLoop> to_trim;  ///< the loops that are filled, and those that trimming left no hole
+
+  std::vector<BoundaryLoop> chosen() const;
+};
+
+/// Stitches, repairs, bridges and trims as the command asks, then finds and chooses the loops.
+/// @param as_read  the mesh, before any face was turned. @param model  made of it
+/// @throws ReadError or InvalidArgument where no usable face is left (the former where the command names a file); UsageError,
+/// InvalidArgument for loops, vertices or bridges that there are not.
+PreparedScan prepare_scan(TriangleSoup as_read, SurfaceModel model, const FillCommand& command);
+
+/// Fills the chosen loops into the scan's model, and compares what was given, bit for bit.
+/// @returns one result for each loop, in the order of their numbers; those that were left say why. Nothing when cancelled, unless
+/// the options keep what was finished.
+std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillOptions& options, const OnFillProgress& progress,
+                                    const CancelToken& cancel);
+
+}  // namespace loopmend
