@@ -56,7 +56,7 @@ void ExportDialog::show_verdict() {
   if (content() == ExportContent::patches)
     verdict_->setText(tr("Patches by themselves are open surfaces."));
   else if (check_.result())
-    verdict_->setText(labels::verdict(*check_.result()) + tr(". Lengths are in the units of the scan."));
+    verdict_->setText(labels::verdict_in_full(*check_.result()) + tr(". Lengths are in the units of the scan."));
   else
     verdict_->setText(tr("Looking for open edges and intersections\u2026"));
   verdict_->setToolTip(check_.result() ? labels::verdict_help(*check_.result()) : QString());

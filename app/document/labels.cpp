@@ -274,6 +274,12 @@ QString verdict(const Watertightness& surface) {
   return words.size() > 1 ? tr("Not watertight: %1 and more").arg(first) : tr("Not watertight: %1").arg(first);
 }
 
+QString verdict_in_full(const Watertightness& surface) {
+  if (surface.printable()) return verdict(surface);
+  const QString all = faults_in_words(surface).join(QStringLiteral(", "));
+  return surface.encloses() ? tr("Watertight, not ready to print: %1").arg(all) : tr("Not watertight: %1").arg(all);
+}
+
 QString verdict_help(const Watertightness& surface) {
   QStringList lines = faults_in_words(surface);
   lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%n piece(s) of surface"), static_cast<int>(surface.pieces));

@@ -48,6 +48,8 @@ QString import_summary(const OpenedScan& scan);
 
 /// "Watertight, ready to print", or what stands against it, most important first.
 QString verdict(const Watertightness& surface);
+/// With everything that stands against it.
+QString verdict_in_full(const Watertightness& surface);
 /// All that stands against it, pieces and volume, in lines.
 QString verdict_help(const Watertightness& surface);
 

@@ -76,4 +76,25 @@ void save_window_layout(const WindowLayout& layout) {
   stored.setValue(QStringLiteral("window/docks"), layout.docks);
 }
 
+Look load_look() {
+  const QSettings stored = settings();
+  const auto whole = [&stored](const char* key, int fallback, int low, int high) {
+    return std::clamp(stored.value(QLatin1String(key), fallback).toInt(), low, high);
+  };
+  Look look;
+  look.shading = static_cast<Shading>(whole("look/shading", 0, 0, static_cast<int>(Shading::isophotes)));
+  look.edges = static_cast<Edges>(whole("look/edges", static_cast<int>(look.edges), 0, 1));
+  look.seams = static_cast<Seams>(whole("look/seams", static_cast<int>(look.seams), 0, 1));
+  look.stripes = whole("look/stripes", look.stripes, 3, 40);
+  return look;
+}
+
+void save_look(const Look& look) {
+  QSettings stored = settings();
+  if (look.shading != Shading::scan) stored.setValue(QStringLiteral("look/shading"), static_cast<int>(look.shading));
+  stored.setValue(QStringLiteral("look/edges"), static_cast<int>(look.edges));
+  stored.setValue(QStringLiteral("look/seams"), static_cast<int>(look.seams));
+  stored.setValue(QStringLiteral("look/stripes"), look.stripes);
+}
+
 }  // namespace loopmend

@@ -2,6 +2,8 @@
 // What a person has chosen once and for all. Kept in the user's configuration.
 #pragma once
 
+#include "scene/look.h"
+
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
@@ -33,5 +35,10 @@ struct WindowLayout {
 };
 WindowLayout load_window_layout();
 void save_window_layout(const WindowLayout& layout);
+
+/// How surfaces were shown when the window was closed. Without the colour map, which is a preference, ranges in the units of one
+/// scan, and a scan's own colours, which are shown where there are some.
+Look load_look();
+void save_look(const Look& look);
 
 }  // namespace loopmend

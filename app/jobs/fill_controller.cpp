@@ -487,7 +487,7 @@ void FillController::reject(const std::set<int>& patch_ids) {
     loops.insert(patch->loops.begin(), patch->loops.end());
     pairs.push_back({*patch, std::nullopt});
   }
-  push(std::move(pairs), tr("Reject %1").arg(labels::holes(document_, loops)));
+  push(std::move(pairs), tr("Discard %1").arg(labels::holes(document_, loops)));
 }
 
 void FillController::scrub_to(const std::set<int>& patch_ids, std::size_t place) {

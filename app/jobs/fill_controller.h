@@ -17,6 +17,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <map>
 #include <optional>
 #include <set>
 
@@ -49,6 +50,13 @@ struct FillChoice {
   bool operator==(const FillChoice&) const = default;
 };
 
+/// A session to be opened.
+struct SessionFile {
+  QString path;
+  QString shown_as;  ///< what the scene is called where it is a copy that survived a crash; empty: `path` itself
+  std::map<QString, QString> moved;  ///< scans that are not where the session names them, and where they are now
+};
+
 class FillController : public QObject {
   Q_OBJECT
 
@@ -66,8 +74,8 @@ class FillController : public QObject {
   void replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text);
   /// Surfaces that were made, as another scene. Nothing of it counts as work.
   void open_made(const std::vector<OpenedScanPtr>& scans);
-  /// @param shown_as  what the scene is called when it comes from a copy that survived a crash; empty: `path` itself.
-  void open_session(const QString& path, const QString& shown_as = {});
+  /// Where a scan of it is not found, scan_missing() is told and nothing changes.
+  void open_session(const SessionFile& session);
   void save_session(const QString& path);
   /// All scans and patches as one mesh; the format follows the extension. Patches that cut are left out unless accepted.
   void export_to(const QString& path, ExportContent content = ExportContent::scene);
@@ -117,8 +125,9 @@ class FillController : public QObject {
   void failed(const QString& words);
   void notice(const QString& words);
   void logged(const QString& words);
-  void file_opened(const QString& path);    ///< a scan or a session
-  void session_saved(const QString& path);  ///< or restored from there
+  void file_opened(const QString& path);                               ///< a scan or a session
+  void session_saved(const QString& path);                             ///< or restored from there
+  void scan_missing(const SessionFile& session, const QString& scan);  ///< the place that the session names
   void view_restored(const SessionView& view);
 
  private:
@@ -145,7 +154,7 @@ class FillController : public QObject {
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
   void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);
-  Restored restore(const QString& path, const JobPtr& job) const;
+  Restored restore(const SessionFile& file, const JobPtr& job) const;
   void on_restored(Restored restored, const QString& path, const QString& shown_as);
   std::vector<FillTask> fill_tasks(const std::set<int>& loops, const FillChoice& choice);
   void on_judged(OpenPatch patch, PatchStatePtr state);

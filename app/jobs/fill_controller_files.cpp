@@ -94,11 +94,24 @@ struct FillController::Restored {
   std::vector<OpenedScanPtr> scans;
   std::vector<OpenPatch> patches;  ///< loops by index within their scan; ids not set
   std::optional<SessionView> view;
+  QString missing;  ///< a scan that is not where the session names it: nothing else was read
 };
 
-FillController::Restored FillController::restore(const QString& path, const JobPtr& job) const {
-  const Session session = session_from_file(path);
+FillController::Restored FillController::restore(const SessionFile& file, const JobPtr& job) const {
+  const QString& path = file.path;
+  Session session = session_from_file(path);
   Restored restored;
+  for (SessionScan& wanted : session.scans) {
+    if (const auto moved = file.moved.find(wanted.path); moved != file.moved.end()) wanted.path = moved->second;
+    if (wanted.made || wanted.path.isEmpty() || QFileInfo::exists(wanted.path)) continue;
+    restored.missing = wanted.path;
+    for (const auto& [old_place, place] : file.moved) {  // what lay together was moved together
+      wanted.path = QFileInfo(place).dir().filePath(QFileInfo(restored.missing).fileName());
+      if (QFileInfo::exists(wanted.path)) break;
+    }
+    if (!QFileInfo::exists(wanted.path)) return restored;
+    restored.missing.clear();
+  }
   restored.view = session.view;
   std::optional<Vec3> origin;
   for (const SessionScan& wanted : session.scans) {
@@ -148,13 +161,20 @@ FillController::Restored FillController::restore(const QString& path, const JobP
   return restored;
 }
 
-void FillController::open_session(const QString& path, const QString& shown_as) {
+void FillController::open_session(const SessionFile& session) {
   if (busy()) cancel();
-  const JobPtr job = begin(Activity::opening, tr("Opening %1").arg(QFileInfo(path).fileName()));
-  tasks_.start([this, job, path, shown_as] {
+  const JobPtr job = begin(Activity::opening, tr("Opening %1").arg(QFileInfo(session.path).fileName()));
+  tasks_.start([this, job, session] {
     try {
-      auto restored = std::make_shared<Restored>(restore(path, job));
-      job->post([this, restored, path, shown_as] { on_restored(*restored, path, shown_as); });
+      auto restored = std::make_shared<Restored>(restore(session, job));
+      if (!restored->missing.isEmpty()) {
+        job->post([this, session, scan = restored->missing] {
+          end();
+          Q_EMIT scan_missing(session, scan);
+        });
+        return;
+      }
+      job->post([this, restored, session] { on_restored(*restored, session.path, session.shown_as); });
       for (const OpenedScanPtr& scan : restored->scans) {
         if (!scan->shape->H.empty()) continue;
         const auto shape = colored_shape(*scan, job->token());

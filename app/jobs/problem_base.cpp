@@ -72,7 +72,7 @@ BoundaryLoop loop_in_base(const ProblemBase& base, std::size_t part, const Opene
     if (points == wanted) return candidate;
   }
   throw InvalidArgument("loop " + std::to_string(loop.number) + " of " + scan.name.toStdString() +
-                        " is filled already: reject its patch, or choose another loop");
+                        " is filled already: discard its patch, or choose another loop");
 }
 
 }  // namespace loopmend

@@ -44,7 +44,7 @@ PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanSite& site) 
   marked->status = PatchStatus::invalid;
   marked->message =
       cuts ? "It cuts the surface or itself in " + std::to_string(validity.intersections) +
-                 " places; the command line leaves such a hole open. Run a flow, or reject it and try another density."
+                 " places; the command line leaves such a hole open. Run a flow, or discard it and try another density."
            : "It folds over itself where the initial patch did not; the command line would keep the initial patch. Go "
              "back a few "
              "steps, or take smaller ones.";

@@ -54,7 +54,7 @@ void DecisionBox::build() {
           tr("Go back to any recorded state, from the initial patch on the left to the latest"));
   place_ = make_note("timelinePlace");
   accept_ = make_button("accept", tr("&Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
-  reject_ = make_button("reject", tr("R&eject"), tr("Throw this patch away; the hole is open again (Delete)"));
+  reject_ = make_button("reject", tr("&Discard"), tr("Throw this patch away; the hole is open again (Delete)"));
   copy_ = make_button("copyCommand", tr("&Copy command line"),
                       tr("Copy the commands that fill these holes in just this way, for a terminal or a script"));
   grid->addWidget(place_, 0, 0, 1, 2);

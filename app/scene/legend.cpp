@@ -63,7 +63,8 @@ void style(vtkTextActor* text) {
   vtkTextProperty* look = text->GetTextProperty();
   look->SetFontFamilyToArial();
   look->ItalicOff();
-  look->ShadowOff();
+  look->ShadowOn();  // readable over a surface, too
+  look->SetShadowOffset(1, -1);
   look->BoldOff();
   look->SetJustificationToLeft();
   look->SetVerticalJustificationToCentered();
@@ -84,7 +85,7 @@ Legend::Legend(vtkLookupTable* table) : table_(table) {
 Legend::~Legend() = default;
 
 void Legend::each_part(const auto& act) {
-  for (vtkActor2D* part : {ground_.Get(), bar_.Get(), ticks_.Get()}) act(part);
+  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) act(part);
   for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()}) act(text);
   for (auto& label : labels_) act(label.Get());
 }
@@ -109,7 +110,7 @@ void Legend::hide() {
 void Legend::show_only(Kind kind) {
   hide();
   switch (kind) {
-    case Kind::areas: ground_->VisibilityOn(); break;
+    case Kind::areas: ticks_->VisibilityOn(); break;
     case Kind::colored_areas: bar_->VisibilityOn(); break;
     case Kind::letters: title_->VisibilityOn(); break;
   }
@@ -124,30 +125,15 @@ void Legend::set_words(const LegendWords& words) {
   bottom_->SetInput(words.bottom.c_str());
 }
 
-/// Of the widest line, device pixels.
-double Legend::text_width() const {
-  double widest = 106 * ratio_;
-  if (!renderer_ || !renderer_->GetRenderWindow()) return widest;
-  for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()}) {
-    double size[2] = {0, 0};
-    text->GetSize(renderer_, size);
-    widest = std::max(widest, size[0]);
-  }
-  return widest;
-}
-
 void Legend::set_pixel_ratio(double ratio) { ratio_ = ratio; }
 
 void Legend::set_ink(double brightness) {
   const auto ink = [](vtkTextActor* text, double g) { text->GetTextProperty()->SetColor(g, g, g); };
-  const double soft = brightness < 0.5 ? brightness + 0.22 : brightness - 0.22;
+  const double soft = brightness < 0.5 ? brightness + 0.12 : brightness - 0.12;
   ink(title_, brightness);
   for (vtkTextActor* text : {unit_.Get(), top_.Get(), bottom_.Get()}) ink(text, soft);
   for (auto& label : labels_) ink(label, brightness);
   ticks_->GetProperty()->SetColor(brightness, brightness, brightness);
-  const double ground = brightness < 0.5 ? 0.955 : 0.15;
-  ground_->GetProperty()->SetColor(ground, ground, ground);
-  ground_->GetProperty()->SetOpacity(0.62);
 }
 
 void Legend::lay_out(int width, int height) {
@@ -160,7 +146,6 @@ void Legend::lay_out(int width, int height) {
   const double bar_top = top - 64 * ratio_, bottom = bar_top - bar_height;
   build_bar(right - bar_width, bottom, bar_width, bar_height);
   place(bottom_, right, bottom - 18 * ratio_, 11);
-  build_ground(right - text_width() - 12 * ratio_, bottom - 30 * ratio_, right + 8 * ratio_, top + 8 * ratio_);
   const double range = table_->GetRange()[1];
   for (int i = 0; i < label_count; ++i) {
     const double t = static_cast<double>(i) / (label_count - 1);
@@ -178,13 +163,6 @@ void Legend::place(vtkTextActor* text, double x, double y, int logical_size) {
   text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(logical_size * ratio_ * plain_dpi / dpi)));
   text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   text->SetPosition(std::lround(x), std::lround(y));
-}
-
-void Legend::build_ground(double left, double bottom, double right, double top) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  quad(points, cells, left, bottom, right, top);
-  use(ground_, points, cells, nullptr);
 }
 
 void Legend::build_bar(double left, double bottom, double width, double height) {

@@ -38,7 +38,7 @@ class Legend {
   bool is_shown() const;
   void set_words(const LegendWords& words);
   void set_pixel_ratio(double ratio);
-  /// Text in dark or light, over a pale or dark ground, to suit the background.
+  /// Text in dark or light, to suit the background.
   void set_ink(double brightness);
   /// Places it at the right edge and reads the range from the table. Call when size or range changed.
   void lay_out(int width, int height);
@@ -46,9 +46,7 @@ class Legend {
   static constexpr int width_px = 150;  ///< logical pixels that it takes at the right edge
 
  private:
-  void build_ground(double left, double bottom, double right, double top);
   void build_bar(double left, double bottom, double width, double height);
-  double text_width() const;
   void each_part(const auto& act);
   void place(vtkTextActor* text, double x, double y, int logical_size);
 
@@ -56,7 +54,7 @@ class Legend {
   double ratio_ = 1;
   vtkLookupTable* table_;
   vtkRenderer* renderer_ = nullptr;
-  vtkNew<vtkActor2D> ground_, bar_, ticks_;
+  vtkNew<vtkActor2D> bar_, ticks_;
   vtkNew<vtkTextActor> title_, unit_, top_, bottom_;
   std::array<vtkNew<vtkTextActor>, label_count> labels_;
 };

@@ -80,7 +80,7 @@ QString BlendBox::wanting() const {
     const LoopKind kind = document_.loop(loop).kind;
     if (kind != LoopKind::hole && kind != LoopKind::outer_rim)
       return tr("Only holes and outer rims can be joined, not a loop of the kind: %1.").arg(labels::kind(kind));
-    if (document_.patch_of(loop)) return tr("A selected hole is filled: reject its patch first.");
+    if (document_.patch_of(loop)) return tr("A selected hole is filled: discard its patch first.");
   }
   return loops().size() < 2 ? tr("Select at least two boundaries.") : QString();
 }

@@ -15,8 +15,9 @@ class BridgeTool : public QObject, public ViewTool {
  public:
   explicit BridgeTool(const Document& document, QObject* parent = nullptr);
 
-  /// Whether the first of the two vertices is picked.
-  bool is_begun() const { return begun_ >= 0; }
+  /// The soup point of the first of the two vertices; −1 while none is picked.
+  int begun_point() const { return begun_ < 0 ? -1 : seats_[static_cast<std::size_t>(begun_)].soup_point; }
+  bool is_begun() const { return begun_point() >= 0; }
   void clear();
 
   bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) override;

@@ -35,6 +35,7 @@ FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& contro
     Q_EMIT recent_changed();
     if (auto act = std::exchange(after_saving_, nullptr)) act();
   });
+  connect(&controller_, &FillController::scan_missing, this, &FileDesk::offer_to_locate);
   connect(&controller_, &FillController::failed, this, [this] { after_saving_ = nullptr; });
 }
 
@@ -60,7 +61,7 @@ void FileDesk::open(const QStringList& paths, OpenMode mode) {
   if (files.isEmpty()) return;
   const bool session = is_session_path(files.first());
   const auto act = [this, files, mode, session] {
-    session ? controller_.open_session(files.first()) : controller_.open(files, mode);
+    session ? controller_.open_session({files.first(), {}, {}}) : controller_.open(files, mode);
   };
   if (mode == OpenMode::add && !session) {
     act();
@@ -78,9 +79,10 @@ void FileDesk::when_safe(const std::function<void()>& act) {
 }
 
 void FileDesk::ask_open(OpenMode mode) {
-  const QStringList paths = QFileDialog::getOpenFileNames(
-      window_, mode == OpenMode::add ? tr("Add scans to the scene") : tr("Open"), {},
-      tr("Scans and sessions (*.ply *.stl *.obj *.off *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
+  const QStringList paths =
+      QFileDialog::getOpenFileNames(window_, mode == OpenMode::add ? tr("Add scans to the scene") : tr("Open"), {},
+                                    tr("Scans and sessions (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend "
+                                       "*.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;All files (*)"));
   open(paths, mode);
 }
 
@@ -94,11 +96,15 @@ QString FileDesk::proposal(const QString& ending) const {
 
 void FileDesk::ask_export() {
   // In the scan's own format, which has room for all that the scan holds.
-  const QStringList filters = tr("PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)").split(QStringLiteral(";;"));
+  const QStringList filters =
+      tr("PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)")
+          .split(QStringLiteral(";;"));
   const std::string own = document_.first_scan().import.format;
-  const int format = std::max(0, static_cast<int>(QStringList{QStringLiteral("PLY"), QStringLiteral("STL"),
-                                                              QStringLiteral("OBJ"), QStringLiteral("OFF")}
-                                                      .indexOf(QString::fromStdString(own))));
+  const int format =
+      std::max(0, static_cast<int>(QStringList{QStringLiteral("PLY"), QStringLiteral("STL"), QStringLiteral("OBJ"),
+                                               QStringLiteral("OFF"), QStringLiteral("glTF"),
+                                               QStringLiteral("glTF text"), QStringLiteral("3MF")}
+                                       .indexOf(QString::fromStdString(own))));
   const QString chosen = filters.value(format);
   const QString ending = chosen.section(QStringLiteral("*"), 1).chopped(1);
   ExportDialog dialog(check_, proposal(QStringLiteral("-filled") + ending), filters, chosen, window_);
@@ -181,10 +187,23 @@ void FileDesk::offer_recovery() {
                     disconnect(*done);
                     if (document_.has_work()) Q_EMIT recovered(newest);
                   });
-                  controller_.open_session(newest.path, tr("recovered work"));
+                  controller_.open_session({newest.path, tr("recovered work"), {}});
                 }},
                {tr("&Discard"), "answerDiscard", [newest] { Autosave::discard(newest); }},
                {tr("&Later"), "answerLater", [] {}}});
+}
+
+void FileDesk::offer_to_locate(const SessionFile& session, const QString& scan) {
+  const auto locate = [this, session, scan] {
+    const QString place = QFileDialog::getOpenFileName(window_, tr("Where is %1?").arg(QFileInfo(scan).fileName()),
+                                                       QFileInfo(session.path).path());
+    if (place.isEmpty()) return;
+    SessionFile found = session;
+    found.moved[scan] = place;
+    controller_.open_session(found);
+  };
+  banner_.ask(tr("%1 needs %2, which is not there any more.").arg(QFileInfo(session.path).fileName(), scan),
+              {{tr("&Locate\u2026"), "answerLocate", locate}, {tr("&Cancel"), "answerCancel", [] {}}});
 }
 
 void FileDesk::show_recent(QMenu* menu) {

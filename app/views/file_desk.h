@@ -58,6 +58,7 @@ class FileDesk : public QObject {
  private:
   void act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act);
   QString proposal(const QString& ending) const;
+  void offer_to_locate(const SessionFile& session, const QString& scan);
 
   Document& document_;
   UndoHistory& undo_;

@@ -277,9 +277,15 @@ void MainWindow::restore_layout() {
   const WindowLayout layout = load_window_layout();
   restoreGeometry(layout.geometry);
   restoreState(layout.docks);
+  Look look = load_look();
+  look.map = look_->look().map;
+  look_->set_look(look);
 }
 
-void MainWindow::keep_layout() const { save_window_layout({saveGeometry(), saveState()}); }
+void MainWindow::keep_layout() const {
+  save_window_layout({saveGeometry(), saveState()});
+  save_look(look_->look());
+}
 
 void MainWindow::offer_recovery() { files_->offer_recovery(); }
 

@@ -4,6 +4,7 @@
 
 #include "document/document.h"
 #include "document/hole_selection.h"
+#include "scene/legend.h"
 #include "scene/mesh_scene.h"
 #include "views/camera_flight.h"
 #include "views/loop_picker.h"
@@ -98,6 +99,12 @@ struct MeshView::Impl {
     return at < depth->GetNumberOfValues() ? depth->GetValue(at) : 1;
   }
 
+  /// Without a strip at either side, where a legend is shown: Frame keeps the scene off its bar and numbers.
+  double aspect_beside_legend() const {
+    const int strips = is_colored(look.shading) ? Legend::width_px : 0;
+    const int least = canvas->width() / 2;
+    return static_cast<double>(std::max(least, canvas->width() - strips)) / std::max(1, canvas->height());
+  }
   double aspect() const { return static_cast<double>(canvas->width()) / std::max(1, canvas->height()); }
 };
 

@@ -260,7 +260,7 @@ void MeshView::frame() {
   stand.radius = 0.42 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm();
   stand.direction = (now.position - now.focus).normalized();
   stand.up = now.up;
-  stand.aspect = impl_->aspect();
+  stand.aspect = impl_->aspect_beside_legend();
   place_camera(impl_->camera(), stand);
   redraw();
 }

@@ -128,7 +128,7 @@ const Spec specs[] = {
      nullptr},
     {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep the patch as it is, or take it up again"), "A", nullptr},
-    {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "R&eject"),
+    {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Discard"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Throw the patch away; the hole is open again"), "Del", nullptr},
     {"copyAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Copy command line"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Copy the commands that do the same"), "Ctrl+Shift+C", nullptr},

@@ -235,10 +235,6 @@
             <translation>Nur Löcher und Außenränder lassen sich verbinden, nicht ein Rand der Art: %1.</translation>
         </message>
         <message>
-            <source>A selected hole is filled: reject its patch first.</source>
-            <translation>Ein ausgewähltes Loch ist gefüllt: zuerst seinen Flicken verwerfen.</translation>
-        </message>
-        <message>
             <source>Selected: %1</source>
             <translation>Ausgewählt: %1</translation>
         </message>
@@ -253,6 +249,10 @@
         <message>
             <source>No boundary is selected.</source>
             <translation>Kein Rand ist ausgewählt.</translation>
+        </message>
+        <message>
+            <source>A selected hole is filled: discard its patch first.</source>
+            <translation>Ein ausgewähltes Loch ist gefüllt: zuerst seinen Flicken verwerfen.</translation>
         </message>
     </context>
     <context>
@@ -671,10 +671,6 @@
             <translation>Den Flicken so lassen; kein Fluss bewegt ihn mehr (A)</translation>
         </message>
         <message>
-            <source>R&amp;eject</source>
-            <translation>V&amp;erwerfen</translation>
-        </message>
-        <message>
             <source>Throw this patch away; the hole is open again (Delete)</source>
             <translation>Den Flicken wegwerfen; das Loch ist wieder offen (Entf)</translation>
         </message>
@@ -725,6 +721,10 @@
         <message>
             <source>3  Review, decide</source>
             <translation>3  Zurückschauen, entscheiden</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Verwerfen</translation>
         </message>
     </context>
     <context>
@@ -903,12 +903,12 @@
             <translation>Es gibt Arbeit, die weder gesichert noch exportiert ist.</translation>
         </message>
         <message>
-            <source>Scans and sessions (*.ply *.stl *.obj *.off *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF);;All files (*)</source>
-            <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF);;Alle Dateien (*)</translation>
+            <source>Scans and sessions (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;All files (*)</source>
+            <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;Alle Dateien (*)</translation>
         </message>
         <message>
-            <source>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</source>
-            <translation>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off)</translation>
+            <source>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</source>
+            <translation>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</translation>
         </message>
         <message numerus="yes">
             <source>%n of the patches are initial patches: no flow has smoothed them yet.</source>
@@ -928,6 +928,18 @@
         <message>
             <source>%1 holds work that is neither saved nor exported.</source>
             <translation>%1 enthält Arbeit, die weder gespeichert noch exportiert ist.</translation>
+        </message>
+        <message>
+            <source>Where is %1?</source>
+            <translation>Wo ist %1?</translation>
+        </message>
+        <message>
+            <source>%1 needs %2, which is not there any more.</source>
+            <translation>%1 braucht %2; dort ist die Datei nicht mehr.</translation>
+        </message>
+        <message>
+            <source>&amp;Locate…</source>
+            <translation>&amp;Suchen…</translation>
         </message>
     </context>
     <context>
@@ -1132,10 +1144,6 @@
             <translation>Wieder öffnen: %1</translation>
         </message>
         <message>
-            <source>Reject %1</source>
-            <translation>Verwerfen: %1</translation>
-        </message>
-        <message>
             <source>Go back on %1</source>
             <translation>Zurückgehen: %1</translation>
         </message>
@@ -1317,6 +1325,10 @@
         <message>
             <source>%1: %2. Ctrl+Z takes it back.</source>
             <translation>%1: %2. Strg+Z nimmt es zurück.</translation>
+        </message>
+        <message>
+            <source>Discard %1</source>
+            <translation>Verwerfen: %1</translation>
         </message>
     </context>
     <context>
@@ -3153,8 +3165,8 @@
             <translation>Einen Scan öffnen oder hier ablegen</translation>
         </message>
         <message>
-            <source>PLY, STL, OBJ or OFF; or a saved session</source>
-            <translation>PLY, STL, OBJ oder OFF; oder eine gesicherte Sitzung</translation>
+            <source>PLY, STL, OBJ, OFF, glTF or 3MF; or a saved session</source>
+            <translation>PLY, STL, OBJ, OFF, glTF oder 3MF; oder eine gesicherte Sitzung</translation>
         </message>
         <message>
             <source>&amp;Open…</source>
@@ -3440,10 +3452,6 @@
             <translation>Den Flicken so lassen oder wieder aufnehmen</translation>
         </message>
         <message>
-            <source>R&amp;eject</source>
-            <translation>V&amp;erwerfen</translation>
-        </message>
-        <message>
             <source>Throw the patch away; the hole is open again</source>
             <translation>Den Flicken wegwerfen; das Loch ist wieder offen</translation>
         </message>
@@ -3658,6 +3666,10 @@
         <message>
             <source>See what is wrong with the scan, and mend it</source>
             <translation>Sehen, was am Scan nicht stimmt, und es beheben</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Verwerfen</translation>
         </message>
     </context>
     <context>

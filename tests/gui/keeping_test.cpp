@@ -610,6 +610,8 @@ void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
              qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
     shown.window.resize(1200, 700);
     part<QDockWidget>(shown.window, "inspectDock")->hide();
+    trigger(shown.window, "zebra");
+    trigger(shown.window, "wireframe");
     settle(200);
     shown.window.keep_layout();
   }
@@ -619,6 +621,8 @@ void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
   settle(200);
   QCOMPARE(next.size(), QSize(1200, 700));
   QVERIFY(part<QDockWidget>(next, "inspectDock")->isHidden());
+  QVERIFY(next.findChild<QAction*>(QStringLiteral("zebra"), Qt::FindDirectChildrenOnly)->isChecked());
+  QVERIFY(next.findChild<QAction*>(QStringLiteral("wireframe"), Qt::FindDirectChildrenOnly)->isChecked());
 }
 
 void KeepingTest::sides_projection_and_zoom_to_the_cursor() {

@@ -16,6 +16,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QProcess>
@@ -24,6 +25,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include <csignal>
 
@@ -52,6 +54,7 @@ class StoryTest : public QObject {
   void crash_and_recover();
   void command_line_repeats_the_window();
   void session_keeps_everything();
+  void a_session_without_its_scan_is_told_where_it_is();
   void several_scans_are_one_scene();
 
  private:
@@ -320,6 +323,42 @@ void StoryTest::session_keeps_everything() {
     QVERIFY(part<Banner>(shown.window, "banner")->text().contains(QStringLiteral("broken.loopmend")));
     QCOMPARE(document.patches().size(), std::size_t(2));
   }
+}
+
+void StoryTest::a_session_without_its_scan_is_told_where_it_is() {
+  QTemporaryDir before, now;
+  const QString path = folder_.filePath(QStringLiteral("moved.loopmend"));
+  const QString one = write_sheet_with_holes(before.filePath(QStringLiteral("one.ply")), 1);
+  const QString two = write_sheet_with_holes(before.filePath(QStringLiteral("two.ply")), 2);
+  {
+    Shown shown({one, two});
+    shown.window.selection().select({first_hole(shown.window.document())});
+    press(shown.window, "fill");
+    QVERIFY(wait_idle(shown.window));
+    shown.window.controller().save_session(path);
+    QVERIFY(wait_idle(shown.window));
+    QVERIFY(shown.window.close());
+  }
+  for (const char* name : {"one.ply", "two.ply"})
+    QVERIFY(QFile::rename(before.filePath(QLatin1String(name)), now.filePath(QLatin1String(name))));
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  window.open(path);
+  QVERIFY(wait_idle(window));
+  QVERIFY(part<Banner>(window, "banner")->text().contains(one));
+  QCOMPARE(window.document().patches().size(), std::size_t(0));  // what was open still is
+  QTimer::singleShot(500, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    name->setText(now.filePath(QStringLiteral("one.ply")));
+    QTest::keyClick(name, Qt::Key_Return);
+    if (dialog->isVisible()) dialog->reject();  // it is modal: the test would hang
+  });
+  press(window, "answerLocate");  // the other scan is found beside it
+  QVERIFY(wait_idle(window));
+  QCOMPARE(window.document().scans().size(), std::size_t(2));
+  QCOMPARE(window.document().patches().size(), std::size_t(1));
 }
 
 void StoryTest::several_scans_are_one_scene() {

@@ -4,12 +4,14 @@
 #include "driver.h"
 
 #include "compare/compare_controller.h"
+#include "dialogs/repair_dialog.h"
 #include "document/language.h"
 #include "document/preferences.h"
 #include "jobs/load_scan.h"
 #include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
+#include "views/file_desk.h"
 #include "views/tool_controller.h"
 
 #include <QAction>
@@ -27,7 +29,9 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -274,6 +278,39 @@ void show_bridge(MainWindow& window) {
   window.tools().take(Tool::none);
 }
 
+/// A ball with a duplicate triangle, a crumb beside it, and a spike through its other side.
+TriangleSoup faulty_ball() {
+  TriangleSoup ball = make_icosphere(4);
+  ball.triangles.push_back(ball.triangles.front());
+  *std::max_element(ball.points.begin(), ball.points.end(),
+                    [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) = {0.02, 0.03, -1.3};
+  const int crumb = static_cast<int>(ball.points.size());
+  for (const Vec3& at : {Vec3(1.3, 0, 0), Vec3(1.31, 0, 0), Vec3(1.3, 0.01, 0)}) ball.points.push_back(at);
+  ball.triangles.push_back({crumb, crumb + 1, crumb + 2});
+  return ball;
+}
+
+void show_mending(MainWindow& window) {
+  show_example(window, faulty_ball(), QStringLiteral("ball"));
+  wait_until([&] { return window.print_check().result().has_value(); }, 60);
+  shoot(window, "verdict");
+  press(window, "repair");
+  auto* repair = window.findChild<RepairDialog*>();
+  if (!repair) return;
+  wait_until([&] { return repair->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled(); }, 60);
+  settle(300);
+  save(repair->grab(), "repair");
+  repair->close();
+  QTimer::singleShot(1500, &window, [] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (!dialog) return;
+    save(dialog->grab(), "export");
+    dialog->close();
+  });
+  window.findChild<FileDesk*>()->ask_export();
+  settle(200);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -307,6 +344,7 @@ int main(int argc, char** argv) {
     show_points(window);
     show_blend(window);
     show_bridge(window);
+    show_mending(window);
     window.autosave().finish();
     return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
   }
@@ -319,6 +357,7 @@ int main(int argc, char** argv) {
   show_points(window);
   show_blend(window);
   show_bridge(window);
+  show_mending(window);
   window.autosave().finish();
   return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
 }

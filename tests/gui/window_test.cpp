@@ -137,9 +137,15 @@ void WindowTest::whole_story(const QString& path) {
   const int loop = largest_hole(window);
   QVERIFY(loop >= 0);
   window.view().fly_to(loop);
-  settle(700);
-  const QPoint at = visible_point(window, loop);
-  QVERIFY2(at.x() >= 0, "no vertex of the loop can be hovered");
+  QPoint at;
+  QVERIFY2(wait_until(
+               [&] {
+                 settle(700);  // the flight
+                 at = visible_point(window, loop);
+                 return at.x() >= 0;
+               },
+               20),
+           "no vertex of the loop can be hovered");
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, at);
   QCOMPARE(window.selection().selected(), std::set<int>{loop});
   const QTableView* table = part<QTableView>(window, "holesTable");
