@@ -77,7 +77,7 @@ macro(package component name depends description)
   set(CPACK_COMPONENT_${upper}_DESCRIPTION "${description}")
   install(FILES ${debian}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/${name} COMPONENT ${component})
 endmacro()
-package(application loopmend "loopmend-cli (= ${PROJECT_VERSION})"
+package(application loopmend "loopmend-cli (= ${PROJECT_VERSION}), qttranslations5-l10n"
 "The window shows scans, their boundary loops, and patches that a geometric
 flow shapes while you watch. It gives figures for the seam, compares flows,
 and exports STL, PLY, OBJ, OFF, glTF and 3MF.")

@@ -214,10 +214,7 @@ std::vector<HoleResult> fill_and_tell(PreparedScan& scan, const FillCommand& com
   options.most_memory_mb = memory_left_for_patches(command.max_memory_mb);
   const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
   std::vector<HoleResult> results = fill_chosen(scan, options, show, cancel);
-  if (!cancel.cancelled() || interrupt_exit_code() != 0) return results;
-  for (std::size_t k = 0; k < results.size(); ++k)
-    if (scan.choices[k].fill && results[k].status == PatchStatus::skipped)
-      results[k].message = "not finished in the time that --max-time allows: left open";
+  if (cancel.cancelled() && interrupt_exit_code() == 0) tell_out_of_time(scan, results);
   return results;
 }
 

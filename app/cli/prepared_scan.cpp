@@ -130,4 +130,10 @@ std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillOptions& optio
   return results;
 }
 
+void tell_out_of_time(const PreparedScan& scan, std::vector<HoleResult>& results) {
+  for (std::size_t k = 0; k < results.size(); ++k)
+    if (scan.choices[k].fill && results[k].status == PatchStatus::skipped)
+      results[k].message = "not finished in the time that --max-time allows: left open";
+}
+
 }  // namespace loopmend

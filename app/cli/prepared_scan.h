@@ -47,4 +47,7 @@ PreparedScan prepare_scan(TriangleSoup as_read, SurfaceModel model, const FillCo
 std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillOptions& options, const OnFillProgress& progress,
                                     const CancelToken& cancel);
 
+/// Gives that time as the reason to the chosen loops that were not finished.
+void tell_out_of_time(const PreparedScan& scan, std::vector<HoleResult>& results);
+
 }  // namespace loopmend

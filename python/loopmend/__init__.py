@@ -15,12 +15,12 @@ What becomes of a hole is a value in the result, never an exception. Nothing is 
 raises KeyboardInterrupt at the engine's next look, mostly within some tenths of a second; what only reads or looks at a mesh ends
 first.
 """
-from loopmend._api import blend, boundary_loops, curvatures, evolve, fill, interpolate, read, sample, write
+from loopmend._api import blend, boundary_loops, check, curvatures, evolve, fill, interpolate, read, sample, write
 from loopmend._core import Error, InvalidArgument, ReadError, WriteError, __version__
-from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, PatchResult, Seam
+from loopmend.results import BoundaryLoop, Check, Curvatures, FillResult, HoleResult, Mesh, PatchResult, Seam
 
 __all__ = [
-    "BoundaryLoop", "Curvatures", "Error", "FillResult", "HoleResult", "InvalidArgument", "Mesh", "PatchResult", "ReadError",
-    "Seam", "WriteError", "__version__", "blend", "boundary_loops", "curvatures", "evolve", "fill", "interpolate", "read",
-    "sample", "write",
+    "BoundaryLoop", "Check", "Curvatures", "Error", "FillResult", "HoleResult", "InvalidArgument", "Mesh", "PatchResult",
+    "ReadError", "Seam", "WriteError", "__version__", "blend", "boundary_loops", "check", "curvatures", "evolve", "fill",
+    "interpolate", "read", "sample", "write",
 ]

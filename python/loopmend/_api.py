@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from loopmend import _core
-from loopmend.results import BoundaryLoop, Curvatures, FillResult, HoleResult, Mesh, PatchResult, Seam
+from loopmend.results import BoundaryLoop, Check, Curvatures, FillResult, HoleResult, Mesh, PatchResult, Seam
 
 Path = Union[str, "os.PathLike[str]"]
 OnProgress = Callable[[int, int, int], Any]
@@ -70,8 +70,11 @@ def fill(
     solver: str = "auto",
     stitch: bool = False,
     repair: bool = False,
+    cut_intersections: bool = False,
     bridges: Sequence[Tuple[int, int]] = (),
     trim_boundary: int = 0,
+    max_time: Optional[float] = None,
+    max_memory: Optional[float] = None,
     threads: int = 0,
     colors: Optional[ArrayLike] = None,
     progress: Optional[OnProgress] = None,
@@ -102,8 +105,12 @@ def fill(
         solver: of the steps: "auto", "direct" or "gmres".
         stitch: joins boundaries that lie within a tenth of their edges of each other first.
         repair: makes an oriented manifold of the mesh first.
+        cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
         bridges: pairs of boundary vertices between which a strip is laid first, to part a complex hole.
         trim_boundary: removes up to so many rings of bad boundary faces first; 0 to 100.
+        max_time: seconds; what is not finished then is left open. None: no limit.
+        max_memory: megabytes of the whole process; a hole whose patch would need more is left open. None: nine tenths of what
+            is free.
         threads: holes worked on at once, 0 to 1024; 0: one for each core.
         colors: (n, 4) uint8, red, green, blue, alpha of each vertex: they run on over the patches.
         progress: called as progress(loops done, loops in all, number of the loop just worked on) on the calling thread. What
@@ -129,12 +136,33 @@ def fill(
         **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver), "loops": _numbers(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
-        "bridges": [(int(a), int(b)) for a, b in bridges], "trim_boundary": trim_boundary, "threads": threads,
+        "cut_intersections": cut_intersections, "bridges": [(int(a), int(b)) for a, b in bridges],
+        "trim_boundary": trim_boundary, "max_time": max_time, "max_memory": max_memory, "threads": threads,
     }
     result = _core.fill(*_arrays(vertices, faces), colors, options, progress)
     result["holes"] = tuple(_hole(hole) for hole in result["holes"])
     result["trimmed_faces"] = tuple(result["trimmed_faces"])
     return FillResult(**result)
+
+
+def check(vertices: ArrayLike, faces: ArrayLike) -> Check:
+    """Whether a mesh could be printed: closed, consistently turned, without faces that cut each other, and right side out.
+
+    Parameters:
+        vertices: (n, 3), real numbers. Vertices at exactly the same place count as one.
+        faces: (m, 3), whole numbers from 0 to n − 1.
+
+    Raises:
+        InvalidArgument: an array is of another shape.
+        KeyboardInterrupt: Ctrl-C.
+
+    Example:
+        >>> import loopmend
+        >>> scan = loopmend.sample()
+        >>> loopmend.check(scan.vertices, scan.faces).against_it
+        ('6 open boundaries',)
+    """
+    return Check(**_core.check(*_arrays(vertices, faces)))
 
 
 def boundary_loops(vertices: ArrayLike, faces: ArrayLike) -> List[BoundaryLoop]:

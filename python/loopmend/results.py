@@ -56,6 +56,33 @@ class BoundaryLoop:
 
 
 @dataclass(frozen=True)
+class Check:
+    """Whether a mesh could be printed.
+
+    ready_to_print: whether nothing stands against it.
+    against_it: what does, one phrase each, such as "2 open boundaries".
+    pieces: parts of the surface that share no vertex.
+    open_boundaries, open_edges: sets of open edges that hang together; edges of one face.
+    touching_edges: of more than two faces, in pairs that agree: where a body touches another, or itself. They may stay.
+    non_manifold_edges: of more than two faces that are not in such pairs.
+    reversed_edges: whose two faces do not agree which side is outside.
+    intersecting_pairs: pairs of faces that cut each other.
+    volume: length³, negative where the mesh is inside out; None where it encloses none.
+    """
+
+    ready_to_print: bool
+    against_it: Tuple[str, ...]
+    pieces: int
+    open_boundaries: int
+    open_edges: int
+    touching_edges: int
+    non_manifold_edges: int
+    reversed_edges: int
+    intersecting_pairs: int
+    volume: Optional[float]
+
+
+@dataclass(frozen=True)
 class Seam:
     """Do tangent plane and curvature run through the boundary of a hole? One-sided fits, patch against surroundings.
 

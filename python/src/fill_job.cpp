@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill_job.h"
 
+#include "cli/bounds.h"
 #include "core/threads.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <numeric>
 #include <set>
@@ -95,11 +97,15 @@ void locate_parts(FilledScan& done) {
 }
 
 FilledScan filled(FillJob& job, const OnFillProgress& progress, const CancelToken& cancel) {
+  const Deadline deadline(std::chrono::steady_clock::now(), job.command.max_seconds, cancel);
   FilledScan done;
   SurfaceModel model = make_surface_model(job.soup);
   PreparedScan scan = prepare_scan(std::move(job.soup), std::move(model), job.command);
-  done.holes = fill_chosen(scan, job.command.fill, progress, cancel);
-  if (cancel.cancelled()) return done;
+  FillOptions options = job.command.fill;
+  options.on_cancel = FillOptions::OnCancel::keep_finished;
+  options.most_memory_mb = memory_left_for_patches(job.command.max_memory_mb);
+  done.holes = fill_chosen(scan, options, progress, cancel);
+  if (cancel.cancelled()) tell_out_of_time(scan, done.holes);
   done.prepared = std::move(scan.done);
   done.trimmed = std::move(scan.trimmed);
   done.turned_faces = done.prepared.turned_faces + scan.model.repairs.reoriented_faces;

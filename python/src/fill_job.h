@@ -29,7 +29,8 @@ struct FilledScan {
   std::vector<BadRimFace> trimmed;  ///< faces of the scan as it was before trimming
 };
 
-/// @throws InvalidArgument, UsageError as the command line. @returns nothing of use when cancelled.
+/// What is finished when `cancel` is set, or when the command's time is over, is kept.
+/// @throws InvalidArgument, UsageError as the command line.
 FilledScan run_fill_job(FillJob job, const OnFillProgress& progress, const CancelToken& cancel);
 
 }  // namespace loopmend

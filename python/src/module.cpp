@@ -61,9 +61,12 @@ FillCommand fill_command(const py::dict& options) {
     command.at_vertices = listed(*at);
   command.max_edges = limit<int>(options, "max_edges");
   command.max_diameter = limit<double>(options, "max_diameter");
+  command.max_seconds = limit<double>(options, "max_time");
+  command.max_memory_mb = limit<double>(options, "max_memory");
   if (option<bool>(options, "include_outer_rim")) command.outer_rim = FillCommand::OuterRim::include;
   if (option<bool>(options, "stitch")) command.stitch = FillCommand::Stitch::yes;
   if (option<bool>(options, "repair")) command.repair = FillCommand::Repair::manifold;
+  if (option<bool>(options, "cut_intersections")) command.repair = FillCommand::Repair::cut_intersections;
   command.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
   command.trim_rounds = whole_number(options, "trim_boundary", 100);
   command.fill.threads = whole_number(options, "threads", 1024);
@@ -85,6 +88,14 @@ py::dict fill(const py::array& vertices, const py::array& faces, const py::objec
       },
       on_progress);
   return fill_result(std::move(done));
+}
+
+py::dict check_mesh(const py::array& vertices, const py::array& faces) {
+  const TriangleSoup soup = soup_of(vertices, faces, py::none());
+  Watertightness found;
+  run_interruptibly([&](const CancelToken& cancel, const PostEvent&) { found = watertightness(soup, cancel); },
+                    py::none());
+  return check_figures(found);
 }
 
 py::list boundary_loops(const py::array& vertices, const py::array& faces) {
@@ -206,6 +217,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = version();
   register_errors(m);
   m.def("fill", &fill, "vertices"_a, "faces"_a, "colors"_a, "options"_a, "progress"_a);
+  m.def("check", &check_mesh, "vertices"_a, "faces"_a);
   m.def("boundary_loops", &boundary_loops, "vertices"_a, "faces"_a);
   m.def("curvatures", &curvatures, "vertices"_a, "faces"_a);
   m.def("read", &read, "path"_a, "weld"_a);

@@ -3,6 +3,8 @@
 
 #include "arrays.h"
 
+#include <pybind11/stl.h>
+
 namespace loopmend {
 
 namespace {
@@ -58,8 +60,8 @@ py::dict preparation(const FilledScan& done) {
     counts["repaired"] =
         py::dict("separated_edges"_a = repaired.separated_edges, "separated_vertices"_a = repaired.separated_vertices,
                  "turned_faces"_a = repaired.turned_faces, "degenerate_faces"_a = repaired.degenerate_faces,
-                 "duplicate_faces"_a = repaired.duplicate_faces, "removed_pieces"_a = repaired.removed_pieces,
-                 "removed_faces"_a = repaired.removed_faces);
+                 "duplicate_faces"_a = repaired.duplicate_faces, "intersecting_faces"_a = repaired.intersecting_faces,
+                 "removed_pieces"_a = repaired.removed_pieces, "removed_faces"_a = repaired.removed_faces);
   }
   return counts;
 }
@@ -79,6 +81,15 @@ py::dict patch_figures(const PatchResult& result) {
                   "self_intersections"_a = result.validity.intersections,
                   "min_angle_deg"_a = result.validity.min_angle_deg, "seams_before"_a = seams_of(result.seams_before),
                   "seams_after"_a = seams_of(result.seams));
+}
+
+py::dict check_figures(const Watertightness& surface) {
+  return py::dict("ready_to_print"_a = surface.printable(), "against_it"_a = py::tuple(py::cast(faults(surface))),
+                  "pieces"_a = surface.pieces, "open_boundaries"_a = surface.open_boundaries,
+                  "open_edges"_a = surface.open_edges, "touching_edges"_a = surface.touching_edges,
+                  "non_manifold_edges"_a = surface.non_manifold_edges, "reversed_edges"_a = surface.reversed_edges,
+                  "intersecting_pairs"_a = surface.intersections,
+                  "volume"_a = surface.encloses() ? py::object(py::float_(surface.volume)) : py::none());
 }
 
 py::dict fill_result(FilledScan done) {

@@ -4,6 +4,8 @@
 
 #include "fill_job.h"
 
+#include "mesh/watertight.h"
+
 #include <pybind11/pybind11.h>
 
 namespace loopmend {
@@ -13,6 +15,8 @@ pybind11::dict loop_figures(const BoundaryLoop& loop);
 
 /// Energies, steps, quality of a patch, and the seams of its loops.
 pybind11::dict patch_figures(const PatchResult& result);
+
+pybind11::dict check_figures(const Watertightness& surface);
 
 pybind11::dict fill_result(FilledScan done);
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fills many scans in three ways, with workers killed on the way: `loopmend batch`, the Snakemake workflow of
-docs/user/workflows.md and the Dask example of docs/user/python.md. All must come to the same bits.
+"""Fills many scans in four ways, with workers killed on the way: `loopmend batch`, the Snakemake workflow of
+docs/user/workflows.md, the same on a Slurm cluster of one node, and the Dask example of docs/user/python.md. All must come to the
+same bits.
 
 Usage: many_scans.py COUNT FOLDER   (FOLDER must not exist; LOOPMEND_PROGRAM names the program, PYTHONPATH leads to the module)
 
@@ -16,6 +17,7 @@ import signal
 import subprocess
 import sys
 import time
+import unittest
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +27,7 @@ from conftest import icosphere, without
 
 PAGES = Path(__file__).resolve().parents[2] / "docs/user"
 PROGRAM = os.environ.get("LOOPMEND_PROGRAM", "")
+SYSTEM_PATH = f"{os.environ['PATH']}:/usr/sbin"
 
 
 def make_scan(seed):
@@ -56,23 +59,15 @@ def make_scans(folder, count):
     return holes
 
 
-def workers_below(process, name="loopmend"):
-    """Processes with this name among those that a process has started, and these in turn."""
-    parents, names = {}, {}
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdigit():
-            try:
-                words = (entry / "stat").read_text()
-            except OSError:
-                continue  # it has just ended
-            names[int(entry.name)] = words[words.index("(") + 1:words.rindex(")")]
-            parents[int(entry.name)] = int(words[words.rindex(")") + 2:].split()[1])
-    found, front = [], [process]
-    while front:
-        below = [child for child, parent in parents.items() if parent == front[-1]]
-        front.pop()
-        front += below
-        found += [child for child in below if names[child] == name]
+def workers_in(folder):
+    """Processes of the program with this working folder."""
+    found = []
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            if (entry / "comm").read_text() == "loopmend\n" and (entry / "cwd").readlink() == folder:
+                found.append(int(entry.name))
+        except OSError:
+            continue  # it has just ended
     return found
 
 
@@ -89,7 +84,7 @@ def kill_a_worker(process, folder):
     """One that has not written its report yet: it is held while we look."""
 
     def one():
-        for worker in workers_below(process.pid):
+        for worker in workers_in(folder):
             try:
                 os.kill(worker, signal.SIGSTOP)
                 words = Path(f"/proc/{worker}/cmdline").read_bytes().split(b"\0")
@@ -110,8 +105,8 @@ def files(folder, pattern):
 
 def start(words, folder):
     environment = {**os.environ, "PATH": f"{os.path.dirname(PROGRAM)}:{os.environ['PATH']}", "HOME": str(folder)}
-    if words[0] == "snakemake":
-        environment.pop("PYTHONPATH", None)  # its own Python, maybe another one
+    if words[0] != PROGRAM:
+        environment.pop("PYTHONPATH", None)  # Snakemake's own Python, maybe another one
     with (folder / "log.txt").open("a") as log:
         return subprocess.Popen(words, cwd=folder, env=environment, stdout=log, stderr=log)
 
@@ -142,18 +137,44 @@ def fill_by_batch(scans, folder):
     return {path.stem: path for path in files(folder / "out/filled", "*.ply")}
 
 
-def fill_by_snakemake(scans, folder):
-    """One worker is killed; the next run makes what it left."""
+def write_workflow(scans, folder):
+    """The files that workflows.md shows, and the scans beside them."""
     folder.mkdir()
     page = (PAGES / "workflows.md").read_text(encoding="utf-8")
-    (folder / "Snakefile").write_text(re.search("<!-- file: Snakefile -->\n```python\n(.*?)^```$", page, re.M | re.S)[1])
+    for name, text in re.findall("<!-- file: (.*?) -->\n```\\w+\n(.*?)^```$", page, re.M | re.S):
+        path = folder / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
     (folder / "scans").symlink_to(scans)
+
+
+def fill_by_snakemake(scans, folder):
+    """One worker is killed; the next run makes what it left."""
+    write_workflow(scans, folder)
     words = ["snakemake", "--cores", "2", "--keep-going"]
     run = start(words, folder)
     wait_for(lambda: files(folder / "filled", "*.ply"), run)
     kill_a_worker(run, folder)
     assert run.wait() != 0, "the worker that was killed is missing nowhere"
     finish(words, folder)
+    return {path.stem: path for path in files(folder / "filled", "*.ply")}
+
+
+def fill_by_slurm(scans, folder):
+    """The profile of workflows.md on a cluster of one node. One worker is killed; its job is started once more."""
+    write_workflow(scans, folder)
+    words = [str(Path(__file__).with_name("slurm_node.sh")), str(folder / "node"), "sh", "-e", "start.sh"]
+    run = start(words, folder)
+
+    try:
+        wait_for(lambda: files(folder / "filled", "*.ply"), run)
+    except AssertionError:
+        if run.returncode == 77:
+            raise unittest.SkipTest((folder / "log.txt").read_text()) from None
+        raise
+    kill_a_worker(run, folder)
+    assert run.wait() == 0, (folder / "log.txt").read_text()
+    assert "Trying to restart" in (folder / "log.txt").read_text(), "no job was started again"
     return {path.stem: path for path in files(folder / "filled", "*.ply")}
 
 
@@ -183,14 +204,21 @@ def missing(way):
     """Why a way cannot be taken here; empty where it can."""
     if not PROGRAM or not Path(PROGRAM).exists():
         return "LOOPMEND_PROGRAM names no program"
-    if way == "snakemake" and shutil.which("snakemake") is None:
+    if way in ("snakemake", "slurm") and shutil.which("snakemake") is None:
         return "snakemake is not installed (Debian: snakemake)"
+    if way == "slurm":
+        names = [name for name in ("slurmctld", "slurmd", "sbatch", "munged") if shutil.which(name, path=SYSTEM_PATH) is None]
+        if names:
+            return f"not installed: {', '.join(names)} (Debian: slurmctld slurmd slurm-client munge)"
+        version = subprocess.run(["snakemake", "--version"], capture_output=True, text=True, check=True).stdout
+        if not version.startswith("7."):
+            return f"the profile is for Snakemake 7, not {version.strip()}"
     if way == "dask" and importlib.util.find_spec("distributed") is None:
         return "the package distributed is not installed"
     return ""
 
 
-WAYS = {"batch": fill_by_batch, "snakemake": fill_by_snakemake, "dask": fill_by_dask}
+WAYS = {"batch": fill_by_batch, "snakemake": fill_by_snakemake, "slurm": fill_by_slurm, "dask": fill_by_dask}
 
 
 def assert_same(outputs, scans):
@@ -213,7 +241,11 @@ def main():
             print(f"{way}: left out: {reason}")
             continue
         begin = time.monotonic()
-        outputs[way] = fill(scans, folder / way)
+        try:
+            outputs[way] = fill(scans, folder / way)
+        except unittest.SkipTest as reason:
+            print(f"{way}: left out: {reason}")
+            continue
         print(f"| {way} | {len(outputs[way])} | {time.monotonic() - begin:.1f} |", flush=True)
     assert_same(outputs, scans)
     print("equal bits:", ", ".join(outputs))

@@ -175,6 +175,37 @@ def test_stitch_repair_and_trim_say_what_they_did(sphere):
     assert [h.status for h in stitched.holes if h.kind == "hole"] == ["converged"]
 
 
+def test_faces_that_cut_others_are_cut_out():
+    vertices, faces = icosphere(3)
+    two = np.vstack([vertices, vertices * 0.4 + [1.0, 0, 0]]), np.vstack([faces, faces + len(vertices)])
+    before = loopmend.check(*two)
+    assert not before.ready_to_print and before.intersecting_pairs > 20 and before.pieces == 2
+    assert before.against_it == (f"{before.intersecting_pairs} pairs of triangles that intersect",)
+    result = loopmend.fill(*two, cut_intersections=True)
+    assert result.prepared["repaired"]["intersecting_faces"] > 20
+    assert loopmend.check(result.vertices, result.faces).intersecting_pairs == 0
+
+
+def test_check_gives_the_volume_of_what_is_closed(sphere):
+    assert loopmend.check(*sphere).volume is None
+    assert loopmend.check(*sphere).open_boundaries == 1
+    result = loopmend.fill(*sphere)
+    assert loopmend.check(result.vertices, result.faces).ready_to_print
+    assert abs(loopmend.check(result.vertices, result.faces).volume - 4 / 3 * np.pi) < 0.02
+    inside_out = loopmend.check(result.vertices, result.faces[:, ::-1])
+    assert not inside_out.ready_to_print and inside_out.volume < 0
+
+
+def test_time_and_memory_are_bounded(sphere):
+    (hole,) = loopmend.fill(*sphere, max_time=1e-6).holes
+    assert (hole.status, hole.is_filled, len(hole.new_faces)) == ("skipped", False, 0)
+    assert "--max-time" in hole.message
+    (hole,) = loopmend.fill(*sphere, max_memory=1).holes
+    assert not hole.is_filled and "memory" in hole.message
+    with pytest.raises(loopmend.InvalidArgument, match="max_time must be greater than 0"):
+        loopmend.fill(*sphere, max_time=0)
+
+
 def test_a_bridge_parts_a_hole(sphere):
     loop = loopmend.boundary_loops(*sphere)[0].vertices
     result = loopmend.fill(*sphere, bridges=[(loop[0], loop[len(loop) // 2])])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""loopmend batch, the Snakemake workflow and the Dask example come to the same bits, though workers are killed on the way."""
+"""loopmend batch, the Snakemake workflow, alone and under Slurm, and the Dask example come to the same bits, though workers are
+killed on the way."""
 import pytest
 
 import many_scans
@@ -23,7 +24,7 @@ def test_a_batch_that_was_killed_fills_every_scan(scans, by_batch):
     many_scans.assert_same({"batch": by_batch}, scans)
 
 
-@pytest.mark.parametrize("way", ["snakemake", "dask"])
+@pytest.mark.parametrize("way", ["snakemake", "slurm", "dask"])
 def test_others_come_to_the_same_bits(scans, by_batch, way):
     if reason := many_scans.missing(way):
         pytest.skip(reason)

@@ -20,6 +20,7 @@ FILLS = [
     (["--boundary", "robust", "--threads", "1"], {"boundary": "robust", "threads": 1}),
     (["--continuity", "tangent"], {"continuity": "tangent"}),
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
+    (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
     (["--at-vertex", "13,96", "--solver", "gmres", "--mode", "steps", "--steps", "2"],
      {"at_vertices": [13, 96], "solver": "gmres", "mode": "steps", "steps": 2}),
