@@ -18,11 +18,18 @@ QString tr(const char* text, int n = -1) { return QCoreApplication::translate("l
 constexpr double tangent_seen_deg = 2.0;
 constexpr double curvature_seen = 0.5;  ///< jump of H times the hole's diameter
 
+/// As the language writes it, but with no marks between thousands.
+QString in_digits(double value, char format, int digits) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(value, format, digits);
+}
+
 /// 3.44\u00b710\u2076
 QString with_power(double value) {
   if (!std::isfinite(value)) return QString::number(value);
   static const QString raised = QStringLiteral("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079");
-  const QString text = QString::number(value, 'e', 2);
+  const QString text = in_digits(value, 'e', 2);
   const int at = text.indexOf(QLatin1Char('e'));
   const int power = text.mid(at + 1).toInt();
   QString exponent = power < 0 ? QStringLiteral("\u207b") : QString();
@@ -125,7 +132,7 @@ QString flow_help(FlowKind flow) {
   return {};
 }
 
-QString seconds(qint64 milliseconds) { return QString::number(static_cast<double>(milliseconds) / 1000, 'f', 1); }
+QString seconds(qint64 milliseconds) { return in_digits(static_cast<double>(milliseconds) / 1000, 'f', 1); }
 
 QString number(double value) {
   constexpr int digits = 3;
@@ -133,7 +140,7 @@ QString number(double value) {
   if (size == 0) return QStringLiteral("0");
   if (!(size >= 1e-3 && size < 1e5)) return with_power(value);
   const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size))));
-  return QString::number(value, 'f', decimals);
+  return in_digits(value, 'f', decimals);
 }
 
 QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage) {
@@ -167,7 +174,7 @@ QString surroundings(Surroundings kind) {
 QString rim_help(const RimSummary& rim) {
   return tr("Relief around the hole is %1 % of an edge high, noise %2 %. The fits tell the normal at the boundary to "
             "%3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.")
-      .arg(QString::number(100 * rim.relief_per_edge, 'g', 2), QString::number(100 * rim.noise_per_edge, 'g', 2),
+      .arg(in_digits(100 * rim.relief_per_edge, 'g', 2), in_digits(100 * rim.noise_per_edge, 'g', 2),
            number(rim.normal_sigma_deg), number(rim.H_sigma), number(rim.H));
 }
 

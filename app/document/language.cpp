@@ -25,6 +25,8 @@ void install(const QString& file, const QString& folder) {
 
 void install_language(const QString& wanted) {
   load_translations();
+  qDeleteAll(
+      QCoreApplication::instance()->findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly));  // of another
   QString language = wanted.isEmpty() ? QLocale::system().name().section(QLatin1Char('_'), 0, 0) : wanted;
   if (language != QStringLiteral("de")) language = QStringLiteral("en");
   install(QStringLiteral("qtbase_") + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));

@@ -370,7 +370,7 @@ QString FillController::run_words(const OpenPatch& before, const OpenPatch& now)
                      .arg(labels::sentence(labels::holes(document_, loops_of(now))), labels::flow_name(state.flow))
                      .arg(state.steps - before.state->steps)
                      .arg(labels::number(state.energy.initial), labels::number(state.energy.final))
-                     .arg(state.seconds.total, 0, 'f', 1);
+                     .arg(labels::seconds(std::llround(1000 * state.seconds.total)));
   if (!state.message.empty()) line += QLatin1Char(' ') + QString::fromStdString(state.message);
   return line;
 }

@@ -12,7 +12,7 @@
 namespace loopmend {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("loopmend::choices", text); }
+QString tr(const char* text) { return QCoreApplication::translate("loopmend", text); }
 
 }  // namespace
 

@@ -93,7 +93,7 @@ void StatusLine::show_figures(int patch_id) {
   if (state.last_step.tau > 0)
     text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2")
                 .arg(labels::number(state.last_step.sigma), labels::number(state.last_step.tau));
-  figures_->setText(text + tr(" \u00b7 %1 s").arg(state.seconds.total, 0, 'f', 1));
+  figures_->setText(text + tr(" \u00b7 %1 s").arg(labels::seconds(std::llround(1000 * state.seconds.total))));
 }
 
 }  // namespace loopmend

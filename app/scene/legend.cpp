@@ -26,7 +26,7 @@ namespace {
 
 constexpr int bar_steps = 96;
 
-std::string number(double value, double range) {
+std::string number(double value, double range, char decimal_mark) {
   if (value == 0) return "0";
   char text[32];
   const double decade = std::floor(std::log10(range));
@@ -36,6 +36,7 @@ std::string number(double value, double range) {
     std::snprintf(text, sizeof text, "%+.*f", std::max(0, 1 - static_cast<int>(decade)), value);
   }
   std::string out = text;
+  std::replace(out.begin(), out.end(), '.', decimal_mark);
   if (out[0] == '-') out.replace(0, 1, "\xE2\x88\x92");
   return out;
 }
@@ -123,6 +124,7 @@ void Legend::set_words(const LegendWords& words) {
   unit_->SetInput(words.unit.c_str());
   top_->SetInput(words.top.c_str());
   bottom_->SetInput(words.bottom.c_str());
+  decimal_mark_ = words.decimal_mark;
 }
 
 void Legend::set_pixel_ratio(double ratio) { ratio_ = ratio; }
@@ -150,7 +152,7 @@ void Legend::lay_out(int width, int height) {
   for (int i = 0; i < label_count; ++i) {
     const double t = static_cast<double>(i) / (label_count - 1);
     vtkTextActor* label = labels_[static_cast<std::size_t>(i)];
-    label->SetInput(number((2 * t - 1) * range, range).c_str());
+    label->SetInput(number((2 * t - 1) * range, range, decimal_mark_).c_str());
     label->GetTextProperty()->SetJustificationToRight();
     place(label, right - bar_width - 9 * ratio_, bottom + t * bar_height, 12);
   }

@@ -20,6 +20,7 @@ struct LegendWords {
   std::string unit = "in 1/length";
   std::string top = "hollow";      ///< what the upper end of the bar means
   std::string bottom = "bulging";  ///< the lower one
+  char decimal_mark = '.';
 };
 
 enum class LegendPlace { none, over_the_picture, beside };
@@ -52,6 +53,7 @@ class Legend {
 
   static constexpr int label_count = 5;
   double ratio_ = 1;
+  char decimal_mark_ = '.';
   vtkLookupTable* table_;
   vtkRenderer* renderer_ = nullptr;
   vtkNew<vtkActor2D> bar_, ticks_;

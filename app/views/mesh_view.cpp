@@ -11,6 +11,7 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include <QElapsedTimer>
+#include <QLocale>
 #include <QSurfaceFormat>
 #include <QVBoxLayout>
 
@@ -198,6 +199,7 @@ void MeshView::update_legend_words() {
   words.unit = (mean ? tr("in 1/length") : tr("in 1/length\u00b2")).toStdString();
   words.top = (mean ? tr("hollow") : tr("dome or bowl")).toStdString();
   words.bottom = (mean ? tr("bulging") : tr("saddle")).toStdString();
+  words.decimal_mark = QLocale().decimalPoint().toLatin1();
   impl_->scene.set_legend_words(words);
 }
 

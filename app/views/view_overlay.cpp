@@ -130,7 +130,7 @@ void ViewOverlay::paint_scale(QPainter& painter) const {
   bar(ink, 1.6);
   painter.setPen(ink);
   painter.drawText(QRectF(left - 40, y - 26, width + 80, 20), Qt::AlignHCenter | Qt::AlignBottom,
-                   QLocale::c().toString(length, 'g', 3));
+                   QLocale().toString(length, 'g', 3));
 }
 
 void ViewOverlay::paint_probe(QPainter& painter) const {
