@@ -104,6 +104,8 @@ void LookPanel::build() {
   layout->addWidget(build_colors());
   layout->addWidget(striped_);
   layout->addWidget(overlays);
+  clipping_ = new ClippingBox;
+  layout->addWidget(clipping_);
   layout->addStretch(1);
   for (QComboBox* box : {shading_, map_, rule_})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LookPanel::change);

@@ -2,6 +2,7 @@
 // The dock beside the patch dock: shading, colours and their range, overlays.
 #pragma once
 
+#include "panels/clipping_box.h"
 #include "scene/look.h"
 
 #include <QWidget>
@@ -31,6 +32,7 @@ class LookPanel : public QWidget {
   void set_color_map(ColorMap map);
   /// The half-width in force, to begin with when a range of one's own is wanted.
   void know_range(double half_width);
+  ClippingBox& clipping() { return *clipping_; }
 
  Q_SIGNALS:
   void look_changed(const Look& look);
@@ -51,6 +53,7 @@ class LookPanel : public QWidget {
   QSlider* stripes_ = nullptr;
   QWidget *colors_ = nullptr, *striped_ = nullptr;
   QLabel* help_ = nullptr;
+  ClippingBox* clipping_ = nullptr;
 };
 
 }  // namespace loopmend

@@ -11,6 +11,7 @@
 #include <vtkLookupTable.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -52,6 +53,7 @@ struct MeshScene::Impl {
   Shading shading = Shading::curvature;
   Edges edges = Edges::hidden;
   int stripes = 9;
+  vtkSmartPointer<vtkPlane> clipping;  ///< null: nothing is clipped
   int width = 1, height = 1;
   bool patches_changed = false, moving = false;
   std::array<double, 6> depths_for{};  ///< the box that the camera's depths were fitted to
@@ -69,6 +71,7 @@ struct MeshScene::Impl {
     made->set_shading(shading);
     made->set_edges(edges);
     made->set_stripes(stripes);
+    made->set_clipping(clipping);
     renderer->AddActor(made->actor());
     return made;
   }
@@ -289,6 +292,19 @@ void MeshScene::set_edges(Edges edges) {
 void MeshScene::set_seams(Seams seams) {
   impl_->renderer->still_changed();
   impl_->loops.set_visible(seams);
+}
+
+void MeshScene::set_clipping(const std::optional<ClippingPlane>& plane) {
+  impl_->renderer->still_changed();
+  impl_->clipping = nullptr;
+  if (plane) {
+    impl_->clipping = vtkSmartPointer<vtkPlane>::New();
+    impl_->clipping->SetOrigin(plane->point.x(), plane->point.y(), plane->point.z());
+    impl_->clipping->SetNormal(plane->normal.x(), plane->normal.y(), plane->normal.z());
+  }
+  impl_->each_surface([&](SurfaceActor& surface) { surface.set_clipping(impl_->clipping); });
+  impl_->ghosts.surface().set_clipping(impl_->clipping);
+  impl_->marked.surface().set_clipping(impl_->clipping);
 }
 
 void MeshScene::set_stripes(int count) {

@@ -2,6 +2,7 @@
 // Everything that is drawn in the view: the scan, the patches, the loops, the legend. One renderer, no window.
 #pragma once
 
+#include "scene/clipping.h"
 #include "scene/color_map.h"
 #include "scene/legend.h"
 #include "scene/loop_lines.h"
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class vtkRenderer;
@@ -59,6 +61,8 @@ class MeshScene {
   void set_shading(Shading shading);
   void set_edges(Edges edges);
   void set_seams(Seams seams);
+  /// Cuts the surfaces open. Boundaries and seams stay whole, and are picked as before.
+  void set_clipping(const std::optional<ClippingPlane>& plane);
   /// How many stripes zebra and isophotes have; 3..40.
   void set_stripes(int count);
   void set_color_map(ColorMap map);

@@ -6,6 +6,7 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -292,6 +293,11 @@ void SurfaceActor::set_shading(Shading shading) {
 }
 
 void SurfaceActor::set_edges(Edges edges) { actor_->GetProperty()->SetEdgeVisibility(edges == Edges::shown); }
+
+void SurfaceActor::set_clipping(vtkPlane* plane) {
+  mapper_->RemoveAllClippingPlanes();
+  if (plane) mapper_->AddClippingPlane(plane);
+}
 
 void SurfaceActor::set_stripes(int count) {
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendStripes", count);

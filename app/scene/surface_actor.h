@@ -15,6 +15,7 @@
 class vtkActor;
 class vtkFloatArray;
 class vtkLookupTable;
+class vtkPlane;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
@@ -42,6 +43,8 @@ class SurfaceActor {
   bool advance(Clock::time_point now);
   void set_shading(Shading shading);
   void set_edges(Edges edges);
+  /// What lies before the plane is not drawn; null: everything is.
+  void set_clipping(vtkPlane* plane);
   /// How many stripes zebra and isophotes have; 3..40.
   void set_stripes(int count);
   /// To be called after the table's range changed.

@@ -3,8 +3,8 @@
 
 #include "panels/parts.h"
 
+#include <QGridLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -23,32 +23,37 @@ QGroupBox* group(const QString& title, QWidget* content) {
 
 }  // namespace
 
-ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, ProblemBox* trial, QWidget* parent)
+ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, MeasureBox* measure, ProblemBox* trial,
+                       QWidget* parent)
     : QScrollArea(parent),
       trial_(trial) {
   setObjectName(QStringLiteral("toolsPanel"));
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* row = new QHBoxLayout;
+  auto* row = new QGridLayout;
   row->setSpacing(4);
   const auto choice = [&](const char* name, const QString& text, const QString& help, Tool tool) {
     auto* button = make_button(name, text, help);
     button->setCheckable(true);
     button->setMinimumWidth(40);
     connect(button, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
+    constexpr int columns = 3;
+    const int place = static_cast<int>(choices_.size());
     choices_.push_back(button);
-    row->addWidget(button);
+    row->addWidget(button, place / columns, place % columns);
   };
   choice("toolRegion", tr("Region"), tr("Make a region of a surface smooth, its surroundings held (R)"), Tool::region);
   choice("toolPoints", tr("Points"), tr("A smooth surface through the vertices of a polyhedron (I)"), Tool::points);
   choice("toolBlend", tr("Blend"), tr("Join two or more boundaries by one patch (B)"), Tool::blend);
   choice("toolBridge", tr("Bridge"), tr("Part a hole into two by a strip between two of its vertices (G)"),
          Tool::bridge);
+  choice("toolMeasure", tr("Distance"), tr("The distance between two vertices (D)"), Tool::measure);
   auto* none = make_note("toolsHint");
   none->setText(
       tr("Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
-         "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two."));
+         "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Distance "
+         "measures between two vertices."));
   none->setAlignment(Qt::AlignTop);
   auto* bridge = make_note("bridgeHint");
   bridge->setText(
@@ -57,8 +62,12 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Pr
          "loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one. "
          "Patches of the scan are removed: bridge first, then fill."));
   bridge->setAlignment(Qt::AlignTop);
-  pages_ = {none, group(tr("Region"), region), group(tr("Surface through points"), points),
-            group(tr("Join boundaries"), blend), group(tr("Bridge"), bridge)};
+  pages_ = {none,
+            group(tr("Region"), region),
+            group(tr("Surface through points"), points),
+            group(tr("Join boundaries"), blend),
+            group(tr("Bridge"), bridge),
+            group(tr("Distance"), measure)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 8);
@@ -69,7 +78,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Pr
   layout->addStretch(1);
   setWidget(content);
   int widest = 0;
-  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, trial})
+  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, measure, trial})
     widest = std::max(widest, part->minimumSizeHint().width());
   constexpr int frames = 46;  // of the boxes, and the dock's own margins
   setMinimumWidth(widest + frames);
@@ -81,7 +90,7 @@ void ToolsPanel::choose(Tool tool) {
   const int page = static_cast<int>(tool);
   for (std::size_t k = 0; k < pages_.size(); ++k) pages_[k]->setVisible(static_cast<int>(k) == page);
   for (std::size_t k = 0; k < choices_.size(); ++k) choices_[k]->setChecked(static_cast<int>(k) + 1 == page);
-  trial_->setVisible(tool != Tool::none && tool != Tool::bridge);
+  trial_->setVisible(makes_surfaces(tool));
   Q_EMIT tool_chosen(tool);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tools/blend_box.h"
+#include "tools/measure_box.h"
 #include "tools/points_box.h"
 #include "tools/problem_box.h"
 #include "tools/region_box.h"
@@ -13,13 +14,16 @@ class QPushButton;
 
 namespace loopmend {
 
-enum class Tool { none, region, points, blend, bridge };
+enum class Tool { none, region, points, blend, bridge, measure };
+/// Whether what it makes is tried out before it is accepted.
+constexpr bool makes_surfaces(Tool tool) { return tool == Tool::region || tool == Tool::points || tool == Tool::blend; }
 
 class ToolsPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, ProblemBox* trial, QWidget* parent = nullptr);
+  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, MeasureBox* measure, ProblemBox* trial,
+             QWidget* parent = nullptr);
 
   Tool tool() const { return tool_; }
   void choose(Tool tool);

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
-#include <QPoint>
+#include <QPointF>
 
 #include <functional>
+#include <optional>
 
 class QMouseEvent;
 class QPainter;
@@ -26,6 +28,16 @@ struct ViewSpace {
     if (clip.w() <= 0) return {0, 0, -1};
     const Eigen::Vector3d n = clip.head<3>() / clip.w();
     return {(n.x() + 1) / 2 * width, (1 - n.y()) / 2 * height, (n.z() + 1) / 2};
+  }
+
+  /// What is drawn there, in the scene's frame; none beside everything. @param at  logical pixels
+  std::optional<Eigen::Vector3d> surface_at(const QPointF& at) const {
+    const double x = (at.x() + 0.5) * ratio, y = (at.y() + 0.5) * ratio;
+    const double depth = static_cast<double>(depth_at(static_cast<int>(x), static_cast<int>(y)));
+    if (depth >= 1) return std::nullopt;
+    const Eigen::Vector4d clip(2 * x / width - 1, 1 - 2 * y / height, 2 * depth - 1, 1);
+    const Eigen::Vector4d point = to_clip.inverse() * clip;
+    return point.head<3>() / point.w();
   }
 };
 

@@ -201,6 +201,11 @@ void MainWindow::connect_panels() {
   connect(patch_, &PatchPanel::updated, this, &MainWindow::update_actions);
   connect(&patch_->decision_box(), &DecisionBox::notice, banner_, &Banner::show_notice);
   connect(look_, &LookPanel::look_changed, view_, &MeshView::set_look);
+  connect(&look_->clipping(), &ClippingBox::clipping_changed, this, [this](const Clipping& clipping) {
+    view_->set_clipping(clipping);
+    (*actions_)["clip"]->setChecked(clipping.across != Clipping::Across::nothing);
+  });
+  connect(&document_, &Document::opened, &look_->clipping(), &ClippingBox::turn_off);
   connect(look_, &LookPanel::look_changed, this, [this] {
     look_->know_range(view_->range());
     update_actions();

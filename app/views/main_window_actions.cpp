@@ -76,6 +76,7 @@ void MainWindow::connect_view_actions() {
   for (const auto& [name, shading] : shadings)
     a.on(name, this, [this, wanted = shading] { look_->set_shading(wanted); });
   a.on("wireframe", this, [this](bool on) { look_->set_edges(on ? Edges::shown : Edges::hidden); });
+  a.on("clip", &look_->clipping(), &ClippingBox::toggle);
   a.on("seams", this, [this](bool on) { look_->set_seams(on ? Seams::shown : Seams::hidden); });
   a.on("frame", view_, &MeshView::frame);
   a.on("orthographic", this, [this](bool on) {
@@ -110,7 +111,8 @@ void MainWindow::connect_patch_actions() {
   for (const auto& [name, tool] : {std::pair{"toolRegionAction", Tool::region},
                                    {"toolPointsAction", Tool::points},
                                    {"toolBlendAction", Tool::blend},
-                                   {"toolBridgeAction", Tool::bridge}})
+                                   {"toolBridgeAction", Tool::bridge},
+                                   {"toolMeasureAction", Tool::measure}})
     a.on(name, this, [this, wanted = tool] {
       findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
       tools_->take(tools_->panel()->tool() == wanted ? Tool::none : wanted);
@@ -141,9 +143,27 @@ void MainWindow::update_actions() {
   a["undo"]->setText(undo_.can_undo() ? tr("&Undo: %1").arg(undo_.undo_text()) : tr("&Undo"));
   a["redo"]->setText(undo_.can_redo() ? tr("&Redo: %1").arg(undo_.redo_text()) : tr("&Redo"));
   for (const char* name : {"export", "saveSession", "saveSessionAs"}) a[name]->setEnabled(idle && scan);
-  for (const char* name : {"add", "compare", "toolRegionAction", "toolPointsAction", "toolBlendAction",
-                           "toolBridgeAction", "screenshot", "frame", "probe", "wireframe", "seams", "selectAll",
-                           "nextHole", "previousHole", "curvature", "gaussian", "plain", "zebra", "isophotes"})
+  for (const char* name : {"add",
+                           "compare",
+                           "toolRegionAction",
+                           "toolPointsAction",
+                           "toolBlendAction",
+                           "toolBridgeAction",
+                           "toolMeasureAction",
+                           "clip",
+                           "screenshot",
+                           "frame",
+                           "probe",
+                           "wireframe",
+                           "seams",
+                           "selectAll",
+                           "nextHole",
+                           "previousHole",
+                           "curvature",
+                           "gaussian",
+                           "plain",
+                           "zebra",
+                           "isophotes"})
     a[name]->setEnabled(scan);
   a["scanColors"]->setEnabled(has_scan_colors_);
   a["orthographic"]->setEnabled(scan);

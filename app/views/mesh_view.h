@@ -2,6 +2,7 @@
 // The picture in the middle: shows the document, finds the loop under the mouse, turns, flies.
 #pragma once
 
+#include "scene/clipping.h"
 #include "scene/look.h"
 #include "scene/shape_glide.h"
 #include "scene/trial_picture.h"
@@ -59,6 +60,8 @@ class MeshView : public QWidget {
   ViewSpace space();
   void place_scan(int scan, const Eigen::Matrix4d& placement);
 
+  /// The line of sight is that of now.
+  void set_clipping(const Clipping& clipping);
   enum class Projection { perspective, orthographic };
   void set_projection(Projection projection);
   /// Everything, from this side.

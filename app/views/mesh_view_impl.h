@@ -55,6 +55,8 @@ struct MeshView::Impl {
   bool preview_shown = false;
   bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
   ProblemPicture trial;
+  Clipping clipping;
+  Vec3 line_of_sight = -Vec3::UnitZ();  ///< when it was chosen to clip across
   ViewTool* tool = nullptr;
   bool tool_has_mouse = false;
   bool drawing_elsewhere = false;      ///< into a picture, not onto the screen

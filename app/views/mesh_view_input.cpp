@@ -5,8 +5,6 @@
 
 #include <vtkUnsignedCharArray.h>
 
-#include <Eigen/LU>
-
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -147,19 +145,13 @@ void MeshView::click(const QPoint& at, Qt::KeyboardModifiers modifiers) {
 /// On a surface: its values there. Beside everything: the selection goes.
 void MeshView::probe_at(const QPoint& at) {
   if (!impl_->document.has_scan()) return;
-  impl_->follow_camera();
-  const double ratio = impl_->canvas->devicePixelRatioF();
-  const double x = (at.x() + 0.5) * ratio, y = (at.y() + 0.5) * ratio;
-  const double depth = impl_->depth_at(static_cast<int>(x), static_cast<int>(y));
+  const std::optional<Vec3> surface = space().surface_at(at);
   drop_probe();
-  if (depth >= 1) {
+  if (!surface) {
     impl_->selection.select({});
     return;
   }
-  const QSize size = impl_->pixels();
-  const Eigen::Vector4d clip(2 * x / size.width() - 1, 1 - 2 * y / size.height(), 2 * depth - 1, 1);
-  const Eigen::Vector4d world = impl_->to_clip().inverse() * clip;
-  impl_->probe = probe(impl_->document, world.head<3>() / world.w());
+  impl_->probe = probe(impl_->document, *surface);
   update_probe();
   if (impl_->probe) Q_EMIT probed(impl_->probe->lines.join(QStringLiteral(" \u00b7 ")));
 }
@@ -229,6 +221,33 @@ void MeshView::face_front() {
   pose.up = up;
   apply(pose, impl_->camera());
   frame();
+}
+
+void MeshView::set_clipping(const Clipping& clipping) {
+  using Across = Clipping::Across;
+  const bool only_moved = clipping.across == impl_->clipping.across &&
+                          (clipping.place != impl_->clipping.place || clipping.drawn != impl_->clipping.drawn);
+  if (clipping.across == Across::line_of_sight && !only_moved) {
+    const CameraPose pose = pose_of(impl_->camera());
+    impl_->line_of_sight = (pose.focus - pose.position).normalized();
+  }
+  impl_->clipping = clipping;
+  const auto b = impl_->scene.bounds();
+  std::optional<ClippingPlane> plane;
+  if (clipping.across != Across::nothing && b[0] <= b[1]) {
+    // Along an axis, the plane comes in from its positive end: what faces an eye there goes first.
+    const Vec3 way = clipping.across == Across::x   ? -Vec3::UnitX()
+                     : clipping.across == Across::y ? -Vec3::UnitY()
+                     : clipping.across == Across::z ? -Vec3::UnitZ()
+                                                    : impl_->line_of_sight;
+    const Vec3 middle = 0.5 * Vec3(b[0] + b[1], b[2] + b[3], b[4] + b[5]);
+    const Vec3 half = 0.5 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+    const double reach = half.dot(way.cwiseAbs());
+    plane = ClippingPlane{middle + (2 * clipping.place - 1) * reach * way,
+                          clipping.drawn == Clipping::Side::far ? way : Vec3(-way)};
+  }
+  impl_->scene.set_clipping(plane);
+  redraw();
 }
 
 void MeshView::set_projection(Projection projection) {

@@ -5,6 +5,7 @@
 #include "jobs/problem_base.h"
 #include "problems/facing_loops.h"
 #include "views/mesh_view.h"
+#include "views/surface_probe.h"
 
 #include <algorithm>
 
@@ -20,12 +21,18 @@ ToolController::ToolController(Document& document, HoleSelection& selection, Fil
       points_(new PointsTool(document, this)),
       part_(new PartTool(document, this)),
       bridge_(new BridgeTool(document, this)),
+      measure_(new MeasureTool(
+          [&document](const Vec3& at) {
+            const std::optional<Probe> found = probe(document, at);
+            return found ? std::optional(found->at) : std::nullopt;
+          },
+          this)),
       trial_(new ProblemController(document, controller, this)),
       place_(new PlacePart(document, controller, this)),
       points_box_(new PointsBox(document, *points_)),
       blend_box_(new BlendBox(document, selection, *part_)),
       trial_box_(new ProblemBox(*trial_)),
-      panel_(new ToolsPanel(new RegionBox(*region_), points_box_, blend_box_, trial_box_)) {
+      panel_(new ToolsPanel(new RegionBox(*region_), points_box_, blend_box_, new MeasureBox(*measure_), trial_box_)) {
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
     give_up_trial();
@@ -41,6 +48,9 @@ ToolController::ToolController(Document& document, HoleSelection& selection, Fil
   });
   connect(blend_box_, &BlendBox::select_facing_wanted, this, &ToolController::select_facing);
   connect(bridge_, &BridgeTool::changed, &view_, &MeshView::update_tool);
+  connect(measure_, &MeasureTool::changed, &view_, &MeshView::update_tool);
+  for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
+    connect(&document_, signal, measure_, &MeasureTool::clear);
   connect(bridge_, &BridgeTool::bridge_wanted, &controller, &FillController::bridge);
   connect(part_, &PartTool::placed, this, [this] {
     give_up_trial();
@@ -75,12 +85,14 @@ void ToolController::on_tool(Tool tool) {
   give_up_trial();
   if (tool != Tool::blend) part_->set_scan(-1);
   bridge_->clear();
+  measure_->clear();
   switch (tool) {
     case Tool::none: view_.set_tool(nullptr); break;
     case Tool::region: view_.set_tool(region_); break;
     case Tool::points: view_.set_tool(points_); break;
     case Tool::blend: view_.set_tool(part_); break;
     case Tool::bridge: view_.set_tool(bridge_); break;
+    case Tool::measure: view_.set_tool(measure_); break;
   }
   show_region();
   update_wanting();
@@ -94,6 +106,8 @@ bool ToolController::step_back() {
     trial_->discard();
   } else if (bridge_->is_begun()) {
     bridge_->clear();
+  } else if (measure_->is_begun()) {
+    measure_->clear();
   } else if (panel_->tool() != Tool::none) {
     take(Tool::none);
   } else {
@@ -113,7 +127,8 @@ void ToolController::update_wanting() {
   QString words;
   switch (panel_->tool()) {
     case Tool::none:
-    case Tool::bridge: break;
+    case Tool::bridge:
+    case Tool::measure: break;
     case Tool::region: words = region_->count() > 0 ? QString() : tr("Paint a region first."); break;
     case Tool::points: words = points_box_->wanting(); break;
     case Tool::blend: words = blend_box_->wanting(); break;
@@ -133,7 +148,7 @@ void ToolController::pose(Then then) {
     on_stage();
     return;
   }
-  if (panel_->tool() == Tool::none || panel_->tool() == Tool::bridge) return;
+  if (!makes_surfaces(panel_->tool())) return;
   trial_->pose(request());
   current_ = true;
 }
@@ -141,7 +156,8 @@ void ToolController::pose(Then then) {
 ProblemRequest ToolController::request() const {
   switch (panel_->tool()) {
     case Tool::none:
-    case Tool::bridge: break;
+    case Tool::bridge:
+    case Tool::measure: break;
     case Tool::region: return region_wish();
     case Tool::points: return points_wish();
     case Tool::blend: return blend_wish();
@@ -150,7 +166,7 @@ ProblemRequest ToolController::request() const {
 }
 
 void ToolController::copy_command() {
-  if (panel_->tool() != Tool::none)
+  if (makes_surfaces(panel_->tool()))
     Q_EMIT notice(copy_to_clipboard(solving_command(request().command, trial_box_->options())));
 }
 

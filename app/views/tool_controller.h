@@ -5,6 +5,7 @@
 #include "jobs/place_part.h"
 #include "jobs/problem_controller.h"
 #include "tools/bridge_tool.h"
+#include "tools/measure_tool.h"
 #include "tools/tools_panel.h"
 
 #include <QObject>
@@ -26,6 +27,7 @@ class ToolController : public QObject {
   PointsTool& points() { return *points_; }
   PartTool& part() { return *part_; }
   BridgeTool& bridge() { return *bridge_; }
+  MeasureTool& measure() { return *measure_; }
 
   void take(Tool tool);
   /// As the buttons do.
@@ -65,6 +67,7 @@ class ToolController : public QObject {
   PointsTool* points_;
   PartTool* part_;
   BridgeTool* bridge_;
+  MeasureTool* measure_;
   ProblemController* trial_;
   PlacePart* place_;
   PointsBox* points_box_;

@@ -81,6 +81,9 @@ const Spec specs[] = {
     {"orthographic", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Orthographic"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Without perspective: what is parallel stays so"), "O", nullptr,
      toggle},
+    {"clip", QT_TRANSLATE_NOOP("loopmend::WindowActions", "C&lipping plane"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Cut the surfaces open across the line of sight, to see the inside"),
+     "X", nullptr, toggle},
     {"lookFront", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Front"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the front"), "Ctrl+1", nullptr},
     {"lookBack", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Back"),
@@ -126,6 +129,8 @@ const Spec specs[] = {
     {"toolBridgeAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Brid&ge"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part a hole into two by a strip between two of its vertices"), "G",
      nullptr},
+    {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
     {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep the patch as it is, or take it up again"), "A", nullptr},
     {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Discard"),
@@ -208,16 +213,16 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   file->insertMenu((*this)["sample"], recent_);
   file->insertMenu((*this)["quit"], close_);
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
-  QMenu* view = add_menu(tr("&View"),
-                         {"curvature", "gaussian", "plain",      "zebra",        "isophotes", "scanColors", "-",
-                          "wireframe", "seams",    "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
-                          "lookRight", "lookTop",  "lookBottom", "orthographic", "-",         "probe",      "-"});
+  QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian",  "plain",     "zebra",   "isophotes",  "scanColors",
+                                       "-",         "wireframe", "seams",     "-",       "frame",      "lookFront",
+                                       "lookBack",  "lookLeft",  "lookRight", "lookTop", "lookBottom", "orthographic",
+                                       "clip",      "-",         "probe",     "-"});
   view->addActions(docks);
   add_menu(tr("&Patch"),
            {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "repairAction", "-", "runAction",
             "stepAction", "-", "compare", "-", "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
-  add_menu(tr("&Tools"),
-           {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction"});
+  add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
+                          "-", "toolMeasureAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
 }
 

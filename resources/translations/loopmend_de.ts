@@ -256,6 +256,57 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ClippingBox</name>
+        <message>
+            <source>Clipping plane</source>
+            <translation>Schnittebene</translation>
+        </message>
+        <message>
+            <source>Show the &amp;other side</source>
+            <translation>Die &amp;andere Seite zeigen</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>Aus</translation>
+        </message>
+        <message>
+            <source>Across the line of sight</source>
+            <translation>Quer zur Blickrichtung</translation>
+        </message>
+        <message>
+            <source>Across x</source>
+            <translation>Quer zu x</translation>
+        </message>
+        <message>
+            <source>Across y</source>
+            <translation>Quer zu y</translation>
+        </message>
+        <message>
+            <source>Across z</source>
+            <translation>Quer zu z</translation>
+        </message>
+        <message>
+            <source>Cut the surfaces open, to see them from inside (X). Nothing is removed from the scan</source>
+            <translation>Die Flächen aufschneiden, um sie von innen zu sehen (X). Dem Scan wird nichts genommen</translation>
+        </message>
+        <message>
+            <source>Place of the plane</source>
+            <translation>Ort der Ebene</translation>
+        </message>
+        <message>
+            <source>How far into the scene the plane lies</source>
+            <translation>Wie tief in der Szene die Ebene liegt</translation>
+        </message>
+        <message>
+            <source>Show the other side</source>
+            <translation>Die andere Seite zeigen</translation>
+        </message>
+        <message>
+            <source>Draw what lies before the plane in place of what lies behind it</source>
+            <translation>Zeigen, was vor der Ebene liegt, statt dessen, was hinter ihr liegt</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::CompareController</name>
         <message>
             <source>There is no hole to compare flows on. Open a scan with holes, or pose a region, points or a bridge.</source>
@@ -1595,8 +1646,8 @@
             <translation>Seite</translation>
         </message>
         <message>
-            <source>Compare, region, points, blend, bridge</source>
-            <translation>Vergleich, Gebiet, Punkte, Verbinden, Brücke</translation>
+            <source>Compare, region, points, blend, bridge, distance</source>
+            <translation>Vergleichen, Gebiet, Punkte, Verbinden, Brücke, Abstand</translation>
         </message>
     </context>
     <context>
@@ -2122,6 +2173,37 @@
         <message>
             <source>Display</source>
             <translation>Ansicht</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::MeasureBox</name>
+        <message>
+            <source>&amp;Copy</source>
+            <translation>&amp;Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the distance to the clipboard</source>
+            <translation>Den Abstand in die Zwischenablage kopieren</translation>
+        </message>
+        <message>
+            <source>Click two points of a surface: the nearest vertices are taken. Drag beside the surface, or with Shift, to turn the picture. Esc begins anew.</source>
+            <translation>Zwei Punkte einer Fläche anklicken: die nächsten Ecken werden genommen. Wer neben der Fläche zieht, oder mit Umschalt, dreht das Bild. Esc beginnt neu.</translation>
+        </message>
+        <message>
+            <source>Distance</source>
+            <translation>Abstand</translation>
+        </message>
+        <message>
+            <source>Distance: not known yet</source>
+            <translation>Abstand: noch unbekannt</translation>
+        </message>
+        <message>
+            <source>Distance: &lt;b&gt;%1&lt;/b&gt;</source>
+            <translation>Abstand: &lt;b&gt;%1&lt;/b&gt;</translation>
+        </message>
+        <message>
+            <source>Along x %1, y %2, z %3; in the units of the scan.</source>
+            <translation>Längs x %1, y %2, z %3; in der Einheit des Scans.</translation>
         </message>
     </context>
     <context>
@@ -3150,12 +3232,20 @@
             <translation>Ränder verbinden</translation>
         </message>
         <message>
-            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two.</source>
-            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei.</translation>
-        </message>
-        <message>
             <source>Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On one loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one. Patches of the scan are removed: bridge first, then fill.</source>
             <translation>Klicken Sie zwei Ecken eines Randes an. Sofort wird ein Flächenstreifen zwischen sie gelegt; Strg+Z nimmt ihn zurück. Auf einem Rand entstehen so zwei einfachere Löcher, von denen Sie auch nur eines füllen können. Zwischen zwei Rändern verbindet er sie zu einem. Flicken des Scans werden entfernt: erst überbrücken, dann füllen.</translation>
+        </message>
+        <message>
+            <source>Distance</source>
+            <translation>Abstand</translation>
+        </message>
+        <message>
+            <source>The distance between two vertices (D)</source>
+            <translation>Der Abstand zweier Ecken (D)</translation>
+        </message>
+        <message>
+            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Distance measures between two vertices.</source>
+            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei; Abstand misst zwischen zwei Ecken.</translation>
         </message>
     </context>
     <context>
@@ -3670,6 +3760,22 @@
         <message>
             <source>&amp;Discard</source>
             <translation>&amp;Verwerfen</translation>
+        </message>
+        <message>
+            <source>C&amp;lipping plane</source>
+            <translation>S&amp;chnittebene</translation>
+        </message>
+        <message>
+            <source>Cut the surfaces open across the line of sight, to see the inside</source>
+            <translation>Die Flächen quer zur Blickrichtung aufschneiden, um das Innere zu sehen</translation>
+        </message>
+        <message>
+            <source>&amp;Distance</source>
+            <translation>A&amp;bstand</translation>
+        </message>
+        <message>
+            <source>The distance between two vertices</source>
+            <translation>Der Abstand zweier Ecken</translation>
         </message>
     </context>
     <context>

@@ -130,6 +130,9 @@ void show_looks(MainWindow& window) {
   settle(1500);  // the graphics take their time over edges, the first time
   shoot(window, "wireframe");
   trigger(window, "wireframe");
+  trigger(window, "clip");
+  shoot(window, "clipped");
+  trigger(window, "clip");
   trigger(window, "curvature");
   part<QDockWidget>(window, "patchDock")->raise();
 }
@@ -188,6 +191,9 @@ void show_tools(MainWindow& window) {
   press(window, "trialEvolve");
   wait_until([&] { return window.tools().trial().stage() == ProblemController::Stage::solved; }, 120);
   shoot(window, "region_done");
+  trigger(window, "toolMeasureAction");
+  for (const QPoint& at : {middle, middle + QPoint(120, 60)}) QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
+  shoot(window, "distance");
   window.tools().take(Tool::none);
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The measuring tool's part of the tools dock.
+#pragma once
+
+#include "tools/measure_tool.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace loopmend {
+
+class MeasureBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MeasureBox(MeasureTool& tool, QWidget* parent = nullptr);
+
+ private:
+  void show_result();
+
+  MeasureTool& tool_;
+  QLabel *distance_, *parts_;
+  QPushButton* copy_;
+};
+
+}  // namespace loopmend
