@@ -111,7 +111,7 @@ bool looks_binary(std::string_view bytes) { return bytes.substr(0, 1024).find('\
 
 /// "solid" opens every text STL and some binary ones; only the text goes on with words.
 bool looks_like_ascii_stl(std::string_view text, std::string_view first) {
-  return equals_ignoring_case(first, "solid") && !looks_binary(text);
+  return equals_ignoring_case(first, "solid") && !looks_binary(without_end_mark(text));
 }
 
 bool is_off_keyword(std::string_view given) {

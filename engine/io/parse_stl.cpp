@@ -76,10 +76,10 @@ class AsciiStl {
   static constexpr const char* missing_end = "missing \"endsolid\" (the file may be cut off)";
 
   void read_facet() {
-    std::string_view word = cursor_.next_token_across_lines();
+    std::string_view word = next_word();
     if (equals_ignoring_case(word, "normal")) {
       for (int i = 0; i < 3; ++i) cursor_.next_token_across_lines();  // not needed: it follows from the corners
-      word = cursor_.next_token_across_lines();
+      word = next_word();
     }
     if (!equals_ignoring_case(word, "outer")) fail_word(word, in_quotes("outer"));
     expect("loop");
@@ -128,12 +128,18 @@ class AsciiStl {
     return *value;
   }
 
-  void expect(std::string_view word) {
-    std::string_view token = cursor_.next_token_across_lines();
-    while (!token.empty() && is_remark(token)) {
+  /// The next one within a facet that begins no remark.
+  std::string_view next_word() {
+    std::string_view word = cursor_.next_token_across_lines();
+    while (!word.empty() && is_remark(word)) {
       skip_remark();
-      token = cursor_.next_token_across_lines();
+      word = cursor_.next_token_across_lines();
     }
+    return word;
+  }
+
+  void expect(std::string_view word) {
+    const std::string_view token = next_word();
     if (!equals_ignoring_case(token, word)) fail_word(token, in_quotes(word));
   }
 

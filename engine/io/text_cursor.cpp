@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/text_cursor.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <clocale>
 #include <cstdlib>
+#include <limits>
 #include <system_error>
+#include <utility>
 
 namespace loopmend {
 
@@ -16,6 +20,36 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 double out_of_range_value(std::string_view token) {
   static const locale_t c_locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
   return ::strtod_l(std::string(token).c_str(), nullptr, c_locale);
+}
+
+/// What old Visual C++ prints after "1." for what is no finite number, as in "-1.#IND" and "1.#INF00".
+constexpr std::array<std::pair<std::string_view, double>, 4> not_finite_words = {
+    {{"#QNAN", std::numeric_limits<double>::quiet_NaN()},
+     {"#SNAN", std::numeric_limits<double>::quiet_NaN()},
+     {"#IND", std::numeric_limits<double>::quiet_NaN()},
+     {"#INF", std::numeric_limits<double>::infinity()}}};
+
+std::optional<double> not_finite_value(std::string_view token) {
+  const bool is_negative = token.substr(0, 1) == "-";
+  if (is_negative) token.remove_prefix(1);
+  if (token.substr(0, 2) != "1.") return std::nullopt;
+  for (const auto& [word, value] : not_finite_words)
+    if (token.substr(2, word.size()) == word &&
+        token.find_first_not_of("0123456789", 2 + word.size()) == std::string_view::npos)
+      return is_negative ? -value : value;
+  return std::nullopt;
+}
+
+/// Where the comment of a line begins; the mark in "1.#QNAN" is none.
+std::size_t comment_in(std::string_view line, char mark) {
+  std::size_t at = line.find(mark);
+  const auto is_in_number = [&] {
+    return at >= 2 && line.substr(at - 2, 2) == "1." &&
+           std::any_of(not_finite_words.begin(), not_finite_words.end(),
+                       [&](const auto& entry) { return line.substr(at, entry.first.size()) == entry.first; });
+  };
+  while (at != std::string_view::npos && is_in_number()) at = line.find(mark, at + 1);
+  return at;
 }
 
 }  // namespace
@@ -37,7 +71,7 @@ std::optional<double> parse_double(std::string_view token) {
   }
   double value = 0.0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (token.empty() || end != token.data() + token.size()) return std::nullopt;
+  if (token.empty() || end != token.data() + token.size()) return not_finite_value(token);
   if (error == std::errc::result_out_of_range) return out_of_range_value(token);
   if (error != std::errc()) return std::nullopt;
   return value;
@@ -71,7 +105,15 @@ std::string in_quotes(std::string_view token) {
   return text + "\"";
 }
 
-TextCursor::TextCursor(std::string_view text, char comment_mark) : text_(text), comment_mark_(comment_mark) {}
+std::string_view without_end_mark(std::string_view text) {
+  if (!text.empty() && text.back() == '\0') text.remove_suffix(1);
+  while (!text.empty() && text.back() == '\x1A') text.remove_suffix(1);
+  return text;
+}
+
+TextCursor::TextCursor(std::string_view text, char comment_mark)
+    : text_(without_end_mark(text)),
+      comment_mark_(comment_mark) {}
 
 bool TextCursor::next_line() {
   if (next_ >= text_.size()) {
@@ -85,7 +127,7 @@ bool TextCursor::next_line() {
   if (next_ < text_.size()) next_ += (text_[end] == '\r' && end + 1 < text_.size() && text_[end + 1] == '\n') ? 2 : 1;
   line_end_ = end;
   if (comment_mark_ != '\0') {
-    const std::size_t comment = text_.substr(at_, end - at_).find(comment_mark_);
+    const std::size_t comment = comment_in(text_.substr(at_, end - at_), comment_mark_);
     if (comment != std::string_view::npos) line_end_ = at_ + comment;
   }
   ++line_number_;

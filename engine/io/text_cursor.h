@@ -15,7 +15,7 @@ char ascii_lower(char c);
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 
 /// The double that is nearest to the decimal text, as strtod in the C locale finds it; a leading '+' is allowed, "nan"
-/// and "inf" are numbers. Nothing if the token is not wholly a number.
+/// and "inf" are numbers, as is what old Visual C++ writes for them, "1.#QNAN". Nothing if the token is not wholly a number.
 std::optional<double> parse_double(std::string_view token);
 
 /// Nothing if the token is not wholly a decimal integer that fits.
@@ -27,7 +27,11 @@ std::string upper_off_keyword(std::string_view token);
 /// For error messages: the token in quotes, shortened, with unprintable bytes as '?'.
 std::string in_quotes(std::string_view token);
 
-/// Lines end with \n, \r\n or \r; tokens are separated by blanks and tabs.
+/// The text without what some programs write after its end: the zero of a string of C, the ends of file of DOS. Several
+/// zeros are what a crash leaves of a file that was not wholly written: they stay.
+std::string_view without_end_mark(std::string_view text);
+
+/// Lines end with \n, \r\n or \r; tokens are separated by blanks and tabs; without_end_mark() tells the end.
 class TextCursor {
  public:
   /// @param comment_mark  everything from this character to the end of a line is left out; '\0' for none.

@@ -38,6 +38,15 @@ TEST(ParseDouble, TooLargeIsInfiniteAndTooSmallIsZero) {
   EXPECT_TRUE(std::isinf(*parse_double("-Inf")));
 }
 
+TEST(ParseDouble, KnowsWhatOldVisualCppWrites) {
+  for (const char* token : {"1.#QNAN", "-1.#IND", "1.#IND00", "1.#SNAN0"})
+    EXPECT_TRUE(parse_double(token) && std::isnan(*parse_double(token))) << token;
+  EXPECT_EQ(parse_double("1.#INF"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(parse_double("-1.#INF00"), -std::numeric_limits<double>::infinity());
+  for (const char* token : {"1.#", "1.#IN", "1.#INFx", "2.#INF", "#INF", "1.#ind"})
+    EXPECT_FALSE(parse_double(token)) << token;
+}
+
 TEST(ParseDouble, AgreesWithStrtodToTheLastBit) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 20000; ++i) {
@@ -54,6 +63,25 @@ TEST(ParseInteger, RefusesFractionsAndOverflow) {
   for (const char* token : {"", "1.0", "1e3", "99999999999999999999", "0x1", "--1"}) {
     EXPECT_FALSE(parse_integer(token)) << token;
   }
+}
+
+/// "1.#QNAN" was read as 1 and a comment: a place that is none became one.
+TEST(TextCursor, TheMarkWithinANumberIsNoComment) {
+  TextCursor cursor("v 1.#QNAN -1.#IND#a 1.#INF\n1.#1 x", '#');
+  ASSERT_TRUE(cursor.next_line());
+  for (const char* token : {"v", "1.#QNAN", "-1.#IND", ""}) EXPECT_EQ(cursor.next_token(), token);
+  ASSERT_TRUE(cursor.next_line());
+  for (const char* token : {"1.", ""}) EXPECT_EQ(cursor.next_token(), token);
+}
+
+TEST(TextCursor, EndsBeforeTheMarksOfOldPrograms) {
+  for (const std::string& text :
+       {std::string("a"), std::string("a\0", 2), std::string("a\x1A\x1A"), std::string("a\x1A\0", 3)})
+    EXPECT_EQ(without_end_mark(text), "a");
+  EXPECT_EQ(without_end_mark(std::string_view("a\0\0", 3)).size(), 2U) << "what a crash leaves";
+  TextCursor cursor(std::string_view("a\n\0", 3));
+  EXPECT_TRUE(cursor.next_line());
+  EXPECT_FALSE(cursor.next_line());
 }
 
 TEST(TextCursor, KnowsAllLineEnds) {
