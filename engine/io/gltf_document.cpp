@@ -38,6 +38,10 @@ std::size_t component_size(int type) {
   }
 }
 
+std::size_t element_size(const GltfNumbers& numbers) {
+  return component_size(numbers.component_type) * static_cast<std::size_t>(numbers.components);
+}
+
 template <class T>
 double load(const char* at, bool normalized) {
   T value;
@@ -255,14 +259,13 @@ std::string_view GltfDocument::view(std::size_t index, const std::string& place)
 GltfNumbers GltfDocument::numbers(std::size_t index, const std::string& place) {
   const Json& accessor = element("accessors", index, place);
   const std::string where = "accessor " + std::to_string(index);
-  if (find(accessor, "sparse"))
-    errors_.fail("is sparse, which Loopmend does not read", where, "Export it without sparse accessors.");
+  const Json* sparse = find(accessor, "sparse");
   GltfNumbers result;
   const std::optional<std::size_t> count = whole(accessor, "count", where),
                                    type = whole(accessor, "componentType", where);
   const std::optional<std::size_t> view_index = whole(accessor, "bufferView", where);
   if (!count || !type) errors_.fail("\"count\" or \"componentType\" is missing", where);
-  if (!view_index)
+  if (!view_index && !sparse)
     errors_.fail("has no data", where, "If the mesh is compressed (Draco, meshopt), export it without compression.");
   constexpr std::array<std::string_view, 4> shapes = {"SCALAR", "VEC2", "VEC3", "VEC4"};
   const std::string shape = text(accessor, "type");
@@ -274,23 +277,68 @@ GltfNumbers GltfDocument::numbers(std::size_t index, const std::string& place) {
   result.components = 1 + static_cast<int>(known - shapes.begin());
   const Json* normalized = find(accessor, "normalized");
   result.normalized = normalized && normalized->is_boolean() && normalized->get<bool>();
-  const std::size_t element_size = size * static_cast<std::size_t>(result.components);
+  if (view_index) find_elements(result, accessor, where);
+  if (sparse) {
+    result.data = replaced_elements(result, *sparse, index);
+    result.stride = element_size(result);
+  }
+  return result;
+}
+
+void GltfDocument::find_elements(GltfNumbers& numbers, const Json& from, const std::string& where) {
+  const std::optional<std::size_t> view_index = whole(from, "bufferView", where);
+  if (!view_index) errors_.fail("\"bufferView\" is missing", where);
+  const std::size_t size = element_size(numbers);
   const std::string_view bytes = view(*view_index, where);
-  const Json& view_object = element("bufferViews", *view_index, where);
-  result.stride = whole(view_object, "byteStride", where).value_or(element_size);
-  if (result.stride < element_size || result.stride > 252)
-    errors_.fail("its elements of " + std::to_string(element_size) + " bytes stand " + std::to_string(result.stride) +
-                     " bytes apart",
-                 where);
-  const std::size_t offset = whole(accessor, "byteOffset", where).value_or(0);
-  if (result.count > 0 && (offset > bytes.size() || bytes.size() - offset < element_size ||
-                           (bytes.size() - offset - element_size) / result.stride < result.count - 1))
+  numbers.stride = whole(element("bufferViews", *view_index, where), "byteStride", where).value_or(size);
+  if (numbers.stride < size || numbers.stride > 252)
+    errors_.fail(
+        "its elements of " + std::to_string(size) + " bytes stand " + std::to_string(numbers.stride) + " bytes apart",
+        where);
+  const std::size_t offset = whole(from, "byteOffset", where).value_or(0);
+  if (numbers.count > 0 && (offset > bytes.size() || bytes.size() - offset < size ||
+                            (bytes.size() - offset - size) / numbers.stride < numbers.count - 1))
     errors_.too_many("elements",
-                     std::to_string(result.count) + " (at byte " + std::to_string(offset) + " of " +
+                     std::to_string(numbers.count) + " (at byte " + std::to_string(offset) + " of " +
                          std::to_string(bytes.size()) + ")",
                      where);
-  if (result.count > 0) result.data = bytes.data() + offset;
-  return result;
+  if (numbers.count > 0) numbers.data = bytes.data() + offset;
+}
+
+const char* GltfDocument::replaced_elements(const GltfNumbers& numbers, const Json& sparse, std::size_t accessor) {
+  const auto [made, is_new] = sparse_.try_emplace(accessor);
+  std::string& all = made->second;
+  if (!is_new) return all.data();
+  const std::string where = "accessor " + std::to_string(accessor) + ", sparse";
+  const Json *places = find(sparse, "indices"), *values = find(sparse, "values");
+  const std::optional<std::size_t> count = whole(sparse, "count", where);
+  const auto type = places ? whole(*places, "componentType", where) : std::nullopt;
+  if (!count || !type || !values) errors_.fail("\"count\", \"indices\" or \"values\" is missing", where);
+  if (*type != 5121 && *type != 5123 && *type != 5125) errors_.fail("its indices are no unsigned numbers", where);
+  GltfNumbers which, what = numbers;
+  which.component_type = static_cast<int>(*type);
+  which.components = 1;
+  which.count = what.count = *count;
+  find_elements(which, *places, where);
+  find_elements(what, *values, where);
+  const std::size_t size = element_size(numbers);
+  // Zeros take no bytes of the file, and many lists may replace elements of one view.
+  constexpr std::size_t always = 1 << 26, for_each_byte = 16;
+  if (numbers.count > (std::max(always, for_each_byte * bytes_read_) - sparse_bytes_) / size)
+    errors_.too_many("elements", std::to_string(numbers.count), where);
+  sparse_bytes_ += numbers.count * size;
+  all.resize(numbers.count * size, '\0');
+  for (std::size_t k = 0; k < numbers.count && numbers.data; ++k)
+    std::memcpy(&all[k * size], numbers.data + k * numbers.stride, size);
+  for (std::size_t k = 0; k < which.count; ++k) {
+    const auto at = static_cast<std::size_t>(which.value(k, 0));
+    if (at >= numbers.count)
+      errors_.fail(
+          "replaces element " + std::to_string(at) + ", but there are " + std::to_string(numbers.count) + ", from 0 on",
+          where);
+    std::memcpy(&all[at * size], what.data + k * what.stride, size);
+  }
+  return all.data();
 }
 
 std::string GltfDocument::data_of(std::string_view uri, const std::string& place, std::string* media_type) const {

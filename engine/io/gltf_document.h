@@ -51,7 +51,7 @@ class GltfDocument {
   static std::string text(const Json& object, const char* name);
   static const Json* find(const Json& object, const char* name);
 
-  /// @throws ReadError where it is none, sparse, compressed, or not wholly within its buffer
+  /// @throws ReadError where it is none, compressed, or not wholly within its buffer
   GltfNumbers numbers(std::size_t accessor, const std::string& place);
   /// The bytes of a buffer view. @throws ReadError where it does not lie within its buffer
   std::string_view view(std::size_t index, const std::string& place);
@@ -68,6 +68,10 @@ class GltfDocument {
   void open_container();
   void require_known_extensions() const;
   std::string_view buffer(std::size_t index, const std::string& place);
+  /// Sets the data and the stride. @param from  with "bufferView" and "byteOffset"
+  void find_elements(GltfNumbers& numbers, const Json& from, const std::string& where);
+  /// A copy of the elements, of zeros where they have no data, with those that the sparse list names replaced.
+  const char* replaced_elements(const GltfNumbers& numbers, const Json& sparse, std::size_t accessor);
 
   const FileContent& file_;
   ParseErrors errors_;
@@ -75,7 +79,8 @@ class GltfDocument {
   bool has_binary_ = false;
   Json root_;
   std::map<std::size_t, std::string> buffers_;
-  std::size_t bytes_read_;
+  std::map<std::size_t, std::string> sparse_;  // per accessor that is one
+  std::size_t bytes_read_, sparse_bytes_ = 0;
 };
 
 }  // namespace loopmend

@@ -207,7 +207,7 @@ TEST_F(ReadGltf, NumbersOutsideTheirBuffer) {
   refused("accessors", 0, "type", "MAT4", {"unknown type"});
   refused("accessors", 0, "type", "VEC2", {"POSITION has 2 numbers"});
   refused("accessors", 0, "bufferView", 7, {"element 7 of \"bufferViews\""});
-  refused("accessors", 0, "sparse", Json::object(), {"sparse", "Export it without"});
+  refused("accessors", 0, "sparse", Json::object(), {"accessor 0, sparse", "is missing"});
   refused("accessors", 1, "componentType", 5126, {"accessor 1"});
   refused("accessors", 1, "count", 5, {"three for each triangle"});
   refused("accessors", 2, "count", 3, {"3 elements for 4 positions"});
@@ -217,6 +217,55 @@ TEST_F(ReadGltf, NumbersOutsideTheirBuffer) {
   refused("bufferViews", 0, "byteOffset", 4000000000, {"buffer view 0"});
   refused("bufferViews", 0, "byteLength", 9007199254740992, {"buffer view 0"});
   refused("bufferViews", 0, "buffer", 1, {"element 1 of \"buffers\""});
+}
+
+TEST_F(ReadGltf, SparseListsOutsideTheirAccessor) {
+  const auto refused = [&](const char* list, const char* name, const Json& value,
+                           std::initializer_list<const char*> words) {
+    GltfFile file = gltf_square();
+    const std::size_t which = file.add(GltfFile::packed<std::uint8_t>({3}), 5121, 1, "SCALAR");
+    const std::size_t what = file.add(GltfFile::packed<float>({0, 1, 0}), 5126, 1, "VEC3");
+    Json sparse = {{"count", 1},
+                   {"indices", {{"bufferView", which}, {"componentType", 5121}}},
+                   {"values", {{"bufferView", what}}}};
+    file.json["accessors"][0]["sparse"] = sparse;
+    EXPECT_EQ(read_glb(file).soup.points.size(), 4U);
+    (list[0] == '\0' ? sparse : sparse[list])[name] = value;
+    file.json["accessors"][0]["sparse"] = sparse;
+    expect_refused_both(file, words);
+  };
+  refused("", "count", 2, {"announces 2", "accessor 0, sparse"});
+  refused("", "count", 9007199254740992, {"announces 9007199254740992"});
+  refused("", "values", Json::object(), {"\"bufferView\" is missing"});
+  refused("indices", "componentType", 5126, {"no unsigned numbers"});
+  refused("indices", "bufferView", 9, {"element 9 of \"bufferViews\""});
+  refused("values", "byteOffset", 4, {"announces 1", "at byte 4 of 12"});
+  GltfFile file = gltf_square();
+  const std::size_t which = file.add(GltfFile::packed<std::uint8_t>({4}), 5121, 1, "SCALAR");
+  file.json["accessors"][0]["sparse"] = {
+      {"count", 1}, {"indices", {{"bufferView", which}, {"componentType", 5121}}}, {"values", {{"bufferView", 0}}}};
+  expect_refused_both(file, {"replaces element 4", "there are 4, from 0 on"});
+}
+
+/// A few bytes asked for gigabytes of zeros.
+TEST_F(ReadGltf, SparseListsTakeNoMoreThanTheFileIsWorth) {
+  GltfFile file = gltf_square();
+  const std::size_t which = file.add(GltfFile::packed<std::uint8_t>({0}), 5121, 1, "SCALAR");
+  Json accessor = {{"componentType", 5126}, {"type", "VEC3"}, {"count", 3'000'000}};
+  accessor["sparse"] = {
+      {"count", 1}, {"indices", {{"bufferView", which}, {"componentType", 5121}}}, {"values", {{"bufferView", 0}}}};
+  for (int k = 0; k < 2; ++k) {
+    file.json["accessors"].push_back(accessor);
+    Json primitive = file.primitive();
+    primitive["attributes"] = {{"POSITION", file.json["accessors"].size() - 1}};
+    if (k == 1) file.json["meshes"][0]["primitives"].push_back(primitive);
+  }
+  EXPECT_EQ(read_glb(file).soup.triangles.size(), 4U) << "one of them is asked for";
+  Json primitive = file.primitive();
+  primitive["attributes"]["POSITION"] = file.json["accessors"].size() - 2;
+  primitive["attributes"].erase("TEXCOORD_0");
+  file.json["meshes"][0]["primitives"].push_back(primitive);
+  expect_refused_both(file, {"announces 3000000 elements"});
 }
 
 TEST_F(ReadGltf, IndicesAndCoordinatesThatAreNone) {
