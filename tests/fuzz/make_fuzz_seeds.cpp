@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the first inputs of the fuzzers, small files of every kind: make_fuzz_seeds FOLDER makes FOLDER/ply, FOLDER/obj, ...
+#include "document/session.h"
 #include "io/picture_file.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
@@ -93,6 +94,81 @@ Picture small_picture(int channels) {
   return picture;
 }
 
+/// One inner vertex in a square hole.
+Patch small_patch() {
+  Patch patch;
+  patch.free_count = 1;
+  patch.patch_triangles = 4;
+  patch.positions = {{0, 0, 0.1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {2, 2, 0}};
+  patch.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 5, 2}};
+  patch.ring = {0, 1, 1, 1, 1, 2};
+  patch.view_vertex = {-1, 0, 1, 2, 3, 4};
+  patch.loops = {{1, 2, 3, 4}};
+  patch.loop_numbers = {1};
+  patch.center = Vec3::Zero();
+  patch.scale = 1;
+  return patch;
+}
+
+/// A surface that lies in the session itself, a scan, and a patch of each.
+Session small_session() {
+  Session session;
+  session.scans.push_back({{}, 7, QStringLiteral("made"), std::make_shared<const TriangleSoup>(small_mesh())});
+  session.scans.push_back({QStringLiteral("/scans/a.ply"), 8, {}, nullptr});
+  for (int scan = 0; scan < 2; ++scan) {
+    auto state = std::make_shared<PatchState>();
+    state->patch = small_patch();
+    state->message = "a message";
+    state->recipe.runs.resize(1);
+    state->seams.resize(1);
+    state->seams_before.resize(1);
+    session.patches.push_back({scan, {1}, state, scan == 0 ? Acceptance::accepted : Acceptance::pending});
+  }
+  return session;
+}
+
+void write_sessions(const std::filesystem::path& folder) {
+  const auto write = [&](const char* name, const Session& session) {
+    const QByteArray bytes = to_bytes(session, QStringLiteral("/scans"));
+    std::ofstream(folder / name, std::ios::binary).write(bytes.data(), bytes.size());
+  };
+  Session session = small_session();
+  write("patches.loopmend", session);
+  session.view = SessionView{};
+  session.view->from = {Vec3(0, 0, 0), Vec3(0, 0, 5), Vec3(0, 1, 0)};
+  session.patches.resize(1);
+  write("view.loopmend", session);
+  session.patches.clear();
+  session.scans.resize(1);
+  write("surface.loopmend", session);
+}
+
+/// As a person types them, one word a line.
+void write_words(const std::filesystem::path& folder) {
+  const std::vector<std::string> lines = {
+      "info\na.ply\n--json\n-\n--weld\n--check\n--verbose",
+      "fill\na.ply\n-o\nb.ply\n--loops\n1,3\n--max-edges\n20\n--max-diameter\n1.5\n--trim-boundary\n3\n--threads=2",
+      "fill\na.ply\n--output=b.ply\n--at-vertex\n17,230\n--bridge\n1,2\n--bridge\n3,4\n--islands\ncover\n--stitch\n--"
+      "repair",
+      "fill\na\n-ob.ply\n--flow\nwf\n--mode\nsteps\n--steps\n20\n--sigma\n1e-1\n--solver\ngmres\n--density\n0.5\n--"
+      "ascii",
+      "fill\na\n-o\nb\n--boundary\nrobust\n--continuity\ntangent\n--report\n-\n--quiet\n--max-time\n1\n--max-"
+      "memory\n100",
+      "fill\na\n-o\nb\n--texture\nsmooth\n--materials\nreference\n--keep-partial\n--cut-intersections\n--patches-only",
+      "render\na.ply\nb.ply\n-o\nc.png\n--color\nzebra\n--size\n640x480\n--direction\n1,-2,0.5\n--loop\n3",
+      "render\na.ply\n-o\nc.png\n--view\niso",
+      "sample\n-o\na.ply",
+      "blend\na\nb\n-o\nc\n--loops\n1:2,2:1",
+      "interpolate\na\n-o\nb\n--subdivide\n4\n--open\n--fixed\nf",
+      "evolve\na\n-o\nb\n--where\nz>0.725",
+      "compare\na\n-o\nb\n--subdivide\n3",
+      "reproduce\nall\n-o\nb\n--quiet",
+      "batch\na\nb\n-o\nc\n--jobs\n2\n--format\nply\n--fail-on\nopen\n--again\nall\n--\n--flow\nmcf\n--density\n2",
+      "--version",
+      "fill\n--help"};
+  for (std::size_t k = 0; k < lines.size(); ++k) std::ofstream(folder / std::to_string(k)) << lines[k];
+}
+
 void write_jpeg(const std::filesystem::path& path) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) std::abort();
@@ -123,7 +199,8 @@ void write_jpeg(const std::filesystem::path& path) {
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::filesystem::path folder = argv[1];
-  for (const char* kind : {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf", "model", "mtl", "png", "jpg"})
+  for (const char* kind :
+       {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf", "model", "mtl", "png", "jpg", "session", "words"})
     std::filesystem::create_directories(folder / kind);
   for (const auto& [kind, seeds] : texts)
     for (std::size_t k = 0; k < seeds.size(); ++k)
@@ -138,5 +215,7 @@ int main(int argc, char** argv) {
     write_png(out, small_picture(channels));
   }
   write_jpeg(folder / "jpg" / "a.jpg");
+  write_sessions(folder / "session");
+  write_words(folder / "words");
   return 0;
 }
