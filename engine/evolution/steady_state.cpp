@@ -159,7 +159,7 @@ bool SteadyState::use_cubic_fits(EvolvingPatch& patch) {
   patch.stencil = Stencil::two_ring_cubic;
   patch.state = std::move(cubic);
   patch.initial_energy = shown_energy(patch.options.flow, *cubic_start_);
-  patch.history.back().energy = patch.energy();
+  if (!patch.history.empty()) patch.history.back().energy = patch.energy();  // no step may have been accepted
   tiny_steps_ = 0;
   small_steps_.clear();
   cubic_start_.reset();

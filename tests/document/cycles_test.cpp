@@ -24,15 +24,17 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace loopmend::test {
 namespace {
 
-/// How many cycles; LOOPMEND_CYCLES sets more.
-int cycles() {
-  const char* asked = std::getenv("LOOPMEND_CYCLES");
-  return asked ? std::max(1, std::atoi(asked)) : 50;
+/// How many cycles, and the first of them: LOOPMEND_CYCLES and LOOPMEND_FIRST_CYCLE set others.
+int number_from(const char* name, int otherwise) {
+  const char* asked = std::getenv(name);
+  return asked ? std::max(0, std::atoi(asked)) : otherwise;
 }
+int cycles() { return number_from("LOOPMEND_CYCLES", 50); }
 
 constexpr int actions_per_cycle = 12;
 
@@ -82,14 +84,17 @@ struct PatchCopy {
   Acceptance acceptance{};
   PatchStatus status{};
   int steps = 0, free_count = 0;
+  std::size_t runs = 0;
+  std::string message;
   Triangles triangles;
-  std::vector<std::uint64_t> bits;  ///< of positions, centre, scale and energy
+  std::vector<std::uint64_t> bits;  ///< of positions, frame, energies, the last step and seams
   auto operator<=>(const PatchCopy&) const = default;
 };
 
 struct SceneCopy {
-  std::vector<PatchCopy> patches;      ///< in the order of their loops
-  std::vector<std::size_t> timelines;  ///< their lengths, likewise; sessions do not keep them
+  std::vector<PatchCopy> patches;  ///< in the order of their loops
+  /// Likewise the place in the timeline, and its length; sessions do not keep them.
+  std::vector<std::pair<std::size_t, std::size_t>> timelines;
   bool same_patches(const SceneCopy& other) const { return patches == other.patches; }
   bool operator==(const SceneCopy&) const = default;
 };
@@ -101,12 +106,18 @@ SceneCopy copy_of(const Document& document) {
   SceneCopy scene;
   for (const OpenPatch* patch : open) {
     const PatchState& state = *patch->state;
-    PatchCopy copy{
-        patch->loops, patch->acceptance, state.status, state.steps, state.patch.free_count, state.patch.triangles, {}};
+    PatchCopy copy{patch->loops,  patch->acceptance,      state.status,
+                   state.steps,   state.patch.free_count, state.recipe.runs.size(),
+                   state.message, state.patch.triangles,  {}};
     add_bits(copy.bits, state.patch.positions);
     add_bits(copy.bits, {state.patch.center, Vec3(state.patch.scale, state.energy.initial, state.energy.final)});
+    const StepRecord& step = state.last_step;
+    add_bits(copy.bits, {Vec3(static_cast<double>(state.flow), step.step, step.energy),
+                         Vec3(step.sigma, step.tau, step.max_move), Vec3(state.seconds.total, 0, 0)});
+    for (const SeamReport& seam : state.seams)
+      add_bits(copy.bits, {Vec3(seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms)});
     scene.patches.push_back(std::move(copy));
-    scene.timelines.push_back(patch->timeline->size());
+    scene.timelines.emplace_back(place_in(*patch->timeline, patch->state), patch->timeline->size());
   }
   return scene;
 }
@@ -140,6 +151,7 @@ class Cycle {
     go_through_history();
     EXPECT_TRUE(controller_.shut_down(std::chrono::minutes(4))) << "every worker ends";
     EXPECT_EQ(bytes_of(scan_), scan_bytes_) << "the file of the scan";
+    if (::testing::Test::HasFailure()) std::cout << "  so far: " << story_ << '\n';
   }
 
  private:
@@ -282,6 +294,7 @@ class Cycle {
     }
     while (controller_.busy()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     count(what);
+    story_ += is_cancelled ? " (cancelled)" : "";
     return !is_cancelled;
   }
 
@@ -337,7 +350,10 @@ class Cycle {
     EXPECT_TRUE(std::equal(original_.triangles.begin(), original_.triangles.end(), soup.triangles.begin()));
   }
 
-  void count(const char* what) { ++counts_[what]; }
+  void count(const char* what) {
+    ++counts_[what];
+    story_ += std::string(story_.empty() ? "" : ", ") + what;
+  }
 
   std::set<int> some_loops() {
     std::set<int> loops;
@@ -362,6 +378,7 @@ class Cycle {
   std::vector<SceneCopy> past_;     ///< what undo and redo must lead to
   std::size_t now_ = 0;             ///< place in it
   std::vector<SceneCopy> on_disk_;  ///< what the session file may hold
+  std::string story_;               ///< what was done
   bool opened_ = false;             ///< another scene has come
   QTimer heartbeat_;                ///< so that no wait for events is without an end
   Document document_;
@@ -369,11 +386,20 @@ class Cycle {
   FillController controller_{document_, undo_};
 };
 
+/// Another flow on a bridge of two free vertices that no step improves: the energy of the last step was corrected, and
+/// there was none.
+TEST(Cycles, AFlowWhoseFirstStepIsRefusedGoesOnWithCubicFits) {
+  std::map<std::string, int> counts;
+  Cycle(252, counts).run();
+  EXPECT_GT(counts["steady"], 0);
+}
+
 TEST(Cycles, LeaveTheScanAsItWasAndUndoLeadsBack) {
   std::map<std::string, int> counts;
+  const int first = number_from("LOOPMEND_FIRST_CYCLE", 0);
   for (int k = 0; k < cycles() && !::testing::Test::HasFailure(); ++k) {
-    SCOPED_TRACE("cycle " + std::to_string(k));
-    Cycle(static_cast<unsigned>(k), counts).run();
+    SCOPED_TRACE("cycle " + std::to_string(first + k));
+    Cycle(static_cast<unsigned>(first + k), counts).run();
   }
   for (const auto& [what, count] : counts) std::cout << "  " << what << ": " << count << '\n';
   if (cycles() < 50) return;
