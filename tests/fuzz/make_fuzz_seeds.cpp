@@ -71,6 +71,13 @@ const std::map<std::string, std::vector<std::string>> texts = {
 {"bufferView":2,"componentType":5121,"count":4,"type":"VEC4","normalized":true}],
 "bufferViews":[{"buffer":0,"byteLength":48,"byteStride":12},{"buffer":0,"byteOffset":48,"byteLength":6},
 {"buffer":0,"byteOffset":8,"byteLength":40}],"buffers":[{"byteLength":54,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAA/AAECAAID"}]})"}},
+    {"gltf-sparse",
+     {R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}},{"attributes":{"POSITION":1}}]}],
+"accessors":[{"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":2,"indices":{"bufferView":0,"componentType":5121},
+"values":{"bufferView":1}}},{"bufferView":1,"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,
+"indices":{"bufferView":0,"byteOffset":1,"componentType":5121},"values":{"bufferView":1,"byteOffset":12}}}],
+"bufferViews":[{"buffer":0,"byteLength":2},{"buffer":0,"byteOffset":4,"byteLength":36}],"buffers":[{"byteLength":40,
+"uri":"data:application/octet-stream;base64,AQIAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAQA=="}]})"}},
     {"model", {R"(<?xml version="1.0"?><model unit="inch" xmlns="a" xmlns:m="b/material/2015/02" requiredextensions="m">
 <metadata name="Title">t &amp; u</metadata><resources><basematerials id="1"><base name="red" displaycolor="#FF0000"/>
 </basematerials><m:colorgroup id="2"><m:color color="#00FF0080"/><m:color color="#0000FF"/></m:colorgroup>
@@ -202,14 +209,16 @@ int main(int argc, char** argv) {
   for (const char* kind :
        {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf", "model", "mtl", "png", "jpg", "session", "words"})
     std::filesystem::create_directories(folder / kind);
-  for (const auto& [kind, seeds] : texts)
+  for (const auto& [name, seeds] : texts) {
+    const std::string kind = name.substr(0, name.find('-'));
     for (std::size_t k = 0; k < seeds.size(); ++k)
-      std::ofstream(folder / kind / (std::to_string(k) + "." + kind), std::ios::binary) << seeds[k];
+      std::ofstream(folder / kind / (name + std::to_string(k) + "." + kind), std::ios::binary) << seeds[k];
+  }
   for (const char* kind : {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf"}) {
     write_mesh(folder / kind / (std::string("binary.") + kind), small_mesh(), Encoding::binary);
     write_mesh(folder / kind / (std::string("text.") + kind), small_mesh(), Encoding::ascii);
   }
-  write_mesh(folder / "glb" / "rich.glb", read_mesh(folder / "gltf" / "0.gltf").soup);
+  write_mesh(folder / "glb" / "rich.glb", read_mesh(folder / "gltf" / "gltf0.gltf").soup);
   for (const int channels : {3, 4}) {
     std::ofstream out(folder / "png" / (std::to_string(channels) + ".png"), std::ios::binary);
     write_png(out, small_picture(channels));
