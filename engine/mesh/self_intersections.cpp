@@ -36,6 +36,7 @@ class PairTest {
 
   bool cut(int f, int g) const {
     const Triangle &a = triangles_[f], &b = triangles_[g];
+    if (is_collapsed(a) || is_collapsed(b)) return false;
     std::array<int, 3> in_a{}, in_b{};
     int shared = 0;
     for (int i = 0; i < 3; ++i)
@@ -64,6 +65,10 @@ class PairTest {
   }
 
  private:
+  /// Two of its corners lie in one place.
+  bool is_collapsed(const Triangle& t) const {
+    return merged_[t[0]] == merged_[t[1]] || merged_[t[1]] == merged_[t[2]] || merged_[t[2]] == merged_[t[0]];
+  }
   Kernel::Point_3 point(int v) const { return to_cgal(points_[v]); }
   Vec3 plain_normal(const Triangle& t) const {
     return (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);

@@ -87,7 +87,8 @@ struct PatchCopy {
   std::size_t runs = 0;
   std::string message;
   Triangles triangles;
-  std::vector<std::uint64_t> bits;  ///< of positions, frame, energies, the last step and seams
+  std::vector<std::uint64_t>
+      bits;  ///< of positions, frame, energies, the last step (sessions have no energy of its own) and seams
   auto operator<=>(const PatchCopy&) const = default;
 };
 
@@ -112,8 +113,8 @@ SceneCopy copy_of(const Document& document) {
     add_bits(copy.bits, state.patch.positions);
     add_bits(copy.bits, {state.patch.center, Vec3(state.patch.scale, state.energy.initial, state.energy.final)});
     const StepRecord& step = state.last_step;
-    add_bits(copy.bits, {Vec3(static_cast<double>(state.flow), step.step, step.energy),
-                         Vec3(step.sigma, step.tau, step.max_move), Vec3(state.seconds.total, 0, 0)});
+    add_bits(copy.bits, {Vec3(static_cast<double>(state.flow), step.step, 0), Vec3(step.sigma, step.tau, step.max_move),
+                         Vec3(state.seconds.total, 0, 0)});
     for (const SeamReport& seam : state.seams)
       add_bits(copy.bits, {Vec3(seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms)});
     scene.patches.push_back(std::move(copy));

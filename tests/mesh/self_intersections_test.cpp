@@ -62,6 +62,19 @@ TEST(SelfIntersections, ManyTrianglesBesideChangeNothing) {
   EXPECT_EQ(self_intersections(soup.points, soup.triangles, 200), expected);
 }
 
+/// Corners in one place are shared by more pairs than three: an array of three was written beyond its end.
+TEST(SelfIntersections, CollapsedTrianglesCutNothing) {
+  Soup soup;
+  const Vec3 p(0.1, 0.1, 0);
+  soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  soup.add(p, p, p);
+  soup.add(p, p, {0.1, 0.1, 1});
+  soup.add({0.1, 0.1, -1}, p, p);
+  EXPECT_TRUE(self_intersections(soup.points, soup.triangles, 4).empty());
+  soup.add({0.1, 0.1, -1}, {0.2, 0.1, 1}, {0.1, 0.2, 1});
+  EXPECT_EQ(self_intersections(soup.points, soup.triangles, 5), (std::vector{std::pair{0, 4}}));
+}
+
 TEST(SelfIntersections, TrianglesThatShareAnEdgeOrACornerDoNotCut) {
   const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.2}, {-1, -1, 0.1}, {-1, 0, 0.3}};
   EXPECT_TRUE(self_intersections(points, {{0, 1, 2}, {1, 3, 2}, {0, 5, 4}}, 3).empty());
