@@ -468,10 +468,12 @@ Session session_from_file(const QString& path) {
   return session;
 }
 
-void write_session(const Session& session, const QString& path) {
+void write_session(const Session& session, const QString& path, const CancelToken& cancel) {
   const QByteArray bytes = to_bytes(session, QFileInfo(path).absolutePath());
-  write_file_atomically(path.toStdString(),
-                        [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+  if (cancel.cancelled()) return;
+  OutputTransaction output;
+  output.add(path.toStdString(), [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+  if (!cancel.cancelled()) output.commit();
 }
 
 bool is_session_path(const QString& path) {

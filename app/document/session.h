@@ -56,8 +56,8 @@ QByteArray to_bytes(const Session& session, const QString& beside);
 /// @throws ReadError for anything that is not wholly a session of a known version.
 Session session_from_file(const QString& path);
 
-/// Atomically. @throws WriteError.
-void write_session(const Session& session, const QString& path);
+/// Atomically; when cancelled before the file is whole, what was there stays. @throws WriteError.
+void write_session(const Session& session, const QString& path, const CancelToken& cancel = {});
 
 bool is_session_path(const QString& path);
 

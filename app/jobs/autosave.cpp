@@ -58,10 +58,15 @@ void Autosave::write() {
     lock_->setStaleLockTime(0);
     lock_->tryLock(0);
   }
+  if (job_) job_->cancel();
   job_ = std::make_shared<Job>(this);
   tasks_.start([this, job = job_, session = session_of(document_, view_), path = path_] {
     try {
-      write_session(session, path);
+      const bool whole = writing_.take(*job, [&] {
+        write_session(session, path, job->token());
+        return true;
+      });
+      if (!whole) return;
       job->post([this] {
         failure_told_ = false;
         for (const Leftover& leftover : std::exchange(taken_over_, {})) discard(leftover);

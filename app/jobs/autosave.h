@@ -55,6 +55,7 @@ class Autosave : public QObject {
   ViewSource view_;
   std::unique_ptr<QLockFile> lock_;
   QTimer timer_;
+  WriteTurns writing_;
   TaskRunner tasks_;
   std::shared_ptr<Job> job_;
   std::vector<Leftover> taken_over_;

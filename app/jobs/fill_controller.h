@@ -171,6 +171,7 @@ class FillController : public QObject {
 
   Document& document_;
   UndoHistory& undo_;
+  WriteTurns writing_;
   TaskRunner tasks_;
   Activity activity_ = Activity::idle;
   JobPtr job_;

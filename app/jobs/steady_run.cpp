@@ -65,6 +65,7 @@ void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   next->seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   const bool first_attempt = attempts_ == 1;
   RunRecipe run = recipe_of(task_.options);
+  run.relief = {};  // added at the end
   run.steps = record.step;
   run.end = first_attempt ? RunRecipe::End::after_steps : RunRecipe::End::unnamed;
   next->recipe.runs.push_back(run);

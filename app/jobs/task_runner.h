@@ -14,6 +14,7 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 namespace loopmend {
@@ -50,6 +51,22 @@ using JobPtr = std::shared_ptr<Job>;
 enum class Yielding {
   mostly,     ///< the window is smooth, and the work goes on beside it
   as_it_can,  ///< many workers at once, which together would still keep the window waiting
+};
+
+/// For workers that write files. A save that was given up goes on unseen, and must never land on a later one: it either
+/// ends before the later one begins, or does not begin any more.
+class WriteTurns {
+ public:
+  /// Waits until no other writer is at work. @returns what write() returns; nothing where the job was cancelled by then.
+  template <class Write>
+  auto take(const Job& job, Write write) -> decltype(write()) {
+    const std::lock_guard turn(mutex_);
+    if (job.token().cancelled()) return {};
+    return write();
+  }
+
+ private:
+  std::mutex mutex_;
 };
 
 class TaskRunner {
