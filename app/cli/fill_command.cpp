@@ -322,6 +322,9 @@ int run_fill(const FillCommand& command) {
     if (command.coincident == CoincidentVertices::weld)
       std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
                    counted(opened.import.vertices_welded, "vertex was", "vertices were").c_str());
+    if (opened.import.vertices_joined > 0)
+      std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
+                   counted(opened.import.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
     print_preparation(out, scan.done);
     if (const std::size_t turned = scan.done.turned_faces + scan.model.repairs.reoriented_faces; turned > 0)
       std::fprintf(out, "%s turned round to agree with the neighbours.\n",

@@ -24,6 +24,8 @@ void print_count(std::size_t count, const char* one, const char* many) {
 void print_import(const ImportReport& import, const ModelRepairs& repairs) {
   print_count(import.polygons_triangulated, "polygon was triangulated", "polygons were triangulated");
   print_count(import.vertices_welded, "vertex was welded", "vertices were welded");
+  print_count(import.vertices_joined, "boundary vertex touches another in the same place; its faces name that one now",
+              "boundary vertices touch others in the same place; their faces name these now");
   print_count(import.unreferenced_vertices, "vertex belongs to no face; it is kept",
               "vertices belong to no face; they are kept");
   print_count(import.coincident_vertices, "vertex lies exactly on another; it is kept apart",

@@ -34,6 +34,7 @@ Json input_json(const std::filesystem::path& path, const ImportReport& import, c
             {"triangles", import.triangles},
             {"polygons_triangulated", import.polygons_triangulated},
             {"vertices_welded", import.vertices_welded},
+            {"vertices_joined", import.vertices_joined},
             {"unreferenced_vertices", import.unreferenced_vertices},
             {"coincident_vertices", import.coincident_vertices},
             {"degenerate_faces", import.degenerate_faces},

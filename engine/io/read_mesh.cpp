@@ -8,6 +8,7 @@
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
 #include "io/triangulate_polygon.h"
+#include "mesh/join_touching_fans.h"
 #include "mesh/scan_attributes.h"
 #include "mesh/vertex_survey.h"
 
@@ -170,6 +171,18 @@ std::size_t weld(TriangleSoup& soup, ScanAttributes& attributes) {
   return gone;
 }
 
+/// Boundary vertices that touch become one, in the attributes as well. @returns how many others were joined to the first.
+std::size_t join_touching(TriangleSoup& soup, ScanAttributes& attributes) {
+  const std::vector<int> named = join_touching_fans(soup);
+  if (named.empty()) return 0;
+  for (int& v : attributes.corners) v = named[static_cast<std::size_t>(v)];
+  for (Triangle& triangle : attributes.triangles)
+    for (int& v : triangle) v = named[static_cast<std::size_t>(v)];
+  std::size_t joined = 0;
+  for (std::size_t v = 0; v < named.size(); ++v) joined += static_cast<std::size_t>(named[v]) != v ? 1 : 0;
+  return joined;
+}
+
 ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coincident) {
   PolygonSoup polygons;
   MeshFormat format{};
@@ -194,9 +207,16 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
   }
   if (!attributes->face_of.empty() || attributes->texture.dimension > 0 || attributes->normals.dimension > 0)
     attributes->corners = polygons.corners;
-  if (coincident == CoincidentVertices::weld) polygons.vertices_welded += weld(mesh.soup, *attributes);
+  std::size_t joined = 0;
+  if (coincident == CoincidentVertices::weld)
+    polygons.vertices_welded += weld(mesh.soup, *attributes);
+  else
+    joined = join_touching(mesh.soup, *attributes);
   mesh.soup.attributes = std::move(attributes);
   mesh.report = make_report(format, polygons, mesh.soup);
+  mesh.report.vertices_joined = joined;
+  mesh.report.unreferenced_vertices -= joined;
+  mesh.report.coincident_vertices -= joined;
   return mesh;
 }
 

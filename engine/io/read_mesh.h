@@ -20,12 +20,13 @@ struct ImportReport {
   std::size_t triangles = 0;              ///< after triangulation
   std::size_t polygons_triangulated = 0;  ///< faces with more than three vertices
   std::size_t vertices_welded = 0;  ///< merged with an earlier one at the same place: corners of STL, or on request
-  std::size_t unreferenced_vertices = 0;
-  std::size_t degenerate_faces = 0;     ///< triangles with a vertex twice, or with zero area; kept
-  std::size_t duplicate_faces = 0;      ///< triangles over the same three different vertices as an earlier one; kept
-  std::size_t coincident_vertices = 0;  ///< further vertices at exactly the place of another; kept
-  std::size_t missing_colors = 0;       ///< vertices without a (finite) colour in a file with colours; made white
-  std::size_t skipped_elements = 0;     ///< OBJ lines, points and curves; left out
+  std::size_t vertices_joined = 0;  ///< whose faces name another one in the same place, where only these two touch
+  std::size_t unreferenced_vertices = 0;  ///< as in the file
+  std::size_t degenerate_faces = 0;       ///< triangles with a vertex twice, or with zero area; kept
+  std::size_t duplicate_faces = 0;        ///< triangles over the same three different vertices as an earlier one; kept
+  std::size_t coincident_vertices = 0;    ///< further vertices at exactly the place of another; kept apart
+  std::size_t missing_colors = 0;         ///< vertices without a (finite) colour in a file with colours; made white
+  std::size_t skipped_elements = 0;       ///< OBJ lines, points and curves; left out
   bool has_colors = false;
   std::vector<NotKept> not_kept;  ///< what is in no file that is written, by name
   std::vector<NotKept> oddities;  ///< what is not as the format has it, and was read all the same, by name
@@ -37,7 +38,8 @@ struct ImportedMesh {
 };
 
 /// What becomes of vertices at exactly the same place. STL has no other way to say that faces share a vertex: there they
-/// are always welded.
+/// are always welded. `keep` joins boundary vertices whose fans touch there and nowhere else (mesh/join_touching_fans.h): points
+/// stay, faces name the first.
 enum class CoincidentVertices { keep, weld };
 
 /// Whether files of this name are read: .ply .stl .obj .off .glb .gltf .3mf, any case, with or without .gz.

@@ -21,7 +21,7 @@ class Mesh:
     faces: (m, 3) int32, vertex numbers from 0. Polygons come as triangles.
     colors: (n, 4) uint8, red, green, blue, alpha; None where the file has none.
     report: what was in the file, in numbers: format, vertices, faces, triangles, polygons_triangulated, vertices_welded,
-        unreferenced_vertices, coincident_vertices, degenerate_faces, duplicate_faces.
+        vertices_joined, unreferenced_vertices, coincident_vertices, degenerate_faces, duplicate_faces.
     """
 
     vertices: Floats

@@ -152,7 +152,7 @@ py::dict read(const std::filesystem::path& path, bool weld) {
   const ImportReport& report = mesh.report;
   py::dict counts("format"_a = report.format, "vertices"_a = report.vertices, "faces"_a = report.faces,
                   "triangles"_a = report.triangles, "polygons_triangulated"_a = report.polygons_triangulated,
-                  "vertices_welded"_a = report.vertices_welded,
+                  "vertices_welded"_a = report.vertices_welded, "vertices_joined"_a = report.vertices_joined,
                   "unreferenced_vertices"_a = report.unreferenced_vertices,
                   "coincident_vertices"_a = report.coincident_vertices, "degenerate_faces"_a = report.degenerate_faces,
                   "duplicate_faces"_a = report.duplicate_faces);
