@@ -137,7 +137,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
           "Material files and pictures of OBJ: copied beside an output in another folder, or named where they are")
       ->check(CLI::IsMember({"copy", "reference"}))
       ->capture_default_str();
-  add_flow_options(*fill, words.flow, DensityOption::offer);
+  add_flow_options(*fill, words.flow, DensityOption::offer, ReliefOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))
       ->capture_default_str();

@@ -9,7 +9,27 @@
 
 namespace loopmend {
 
-void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density) {
+namespace {
+
+/// @returns the option --relief.
+CLI::Option* add_relief_options(CLI::App& command, FlowWords& words) {
+  CLI::Option* relief =
+      command
+          .add_option(
+              "--relief", words.relief,
+              "smooth: the patch continues the smooth surface under the scan; continued: and has random relief as "
+              "strong as that around the hole")
+          ->check(CLI::IsMember({"smooth", "continued"}))
+          ->capture_default_str();
+  command.add_option("--relief-seed", words.relief_seed, "Another seed gives other relief of the same strength")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  return relief;
+}
+
+}  // namespace
+
+void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density, ReliefOption relief) {
   command.add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first shape")
       ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
       ->capture_default_str();
@@ -46,11 +66,15 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
     command.add_option("--density", words.density, "Vertices along a length, relative to the mesh around")
         ->check(between(0.1, 10))
         ->capture_default_str();
+  CLI::Option* relief_option = relief == ReliefOption::offer ? add_relief_options(command, words) : nullptr;
   command.add_option("--report", words.report, "Write a JSON report to FILE, or to standard output for -")
       ->type_name("FILE|-");
   command.add_flag("--ascii", words.ascii, "Write PLY or STL as text");
   command.add_flag("--quiet", words.quiet, "No progress and no summary");
-  command.parse_complete_callback([&words, boundary, continuity] {
+  command.parse_complete_callback([&words, boundary, continuity, relief_option] {
+    if (relief_option && words.relief == "continued" && (words.flow == "none" || words.mode != "steady"))
+      throw CLI::ValidationError("--relief", "has no effect with --flow " + words.flow + " --mode " + words.mode +
+                                                 ": it is for flows with --mode steady");
     if (words.flow == "mmcvf" && words.mode == "steady") return;
     for (const CLI::Option* option : {boundary, continuity})
       if (option->count() > 0)
@@ -76,6 +100,8 @@ EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow) {
   options.mode = words.mode == "steps" ? EvolutionMode::steps : EvolutionMode::steady;
   options.solver = solvers.at(words.solver);
   options.sigma = words.sigma;
+  options.relief = {words.relief == "continued" ? ReliefChoice::Kind::continued : ReliefChoice::Kind::smooth,
+                    words.relief_seed};
   if (words.steps > 0) options.max_steps = words.steps;
   return options;
 }

@@ -6,6 +6,7 @@
 #include "pipeline/fill_holes.h"
 #include "progress_line.h"
 
+#include <cstdint>
 #include <string>
 
 namespace CLI {
@@ -15,7 +16,9 @@ class App;
 namespace loopmend {
 
 struct FlowWords {
-  std::string flow = "mmcvf", mode = "steady", solver = "auto", boundary = "auto", continuity = "curvature";
+  std::string flow = "mmcvf", mode = "steady", solver = "auto", boundary = "auto", continuity = "curvature",
+              relief = "smooth";
+  std::uint64_t relief_seed = 1;
   int steps = 0;  ///< 0: the default
   double sigma = 10;
   double density = 1;
@@ -26,11 +29,14 @@ struct FlowWords {
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : Verbosity::normal; }
 };
 
+/// Options that only some commands have.
 enum class DensityOption { offer, leave_out };
+enum class ReliefOption { offer, leave_out };
 
 /// --flow, --mode, --steps, --sigma, --solver, --boundary, --continuity, --report, --ascii, --quiet, and --density where
-/// offered.
-void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density);
+/// offered, --relief and --relief-seed likewise.
+void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density,
+                      ReliefOption relief = ReliefOption::leave_out);
 
 FillOptions options_of(const FlowWords& words);
 

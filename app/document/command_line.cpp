@@ -23,7 +23,8 @@ QString options_of(const PatchRecipe& recipe) {
   const RunRecipe& run = recipe.runs.back();
   text += QStringLiteral(" --flow ") + shell::word(run.flow);
   if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + shell::exact(run.sigma);
-  if (run.mode == EvolutionMode::steady) text += shell::boundary_options(run.boundary, run.continuity);
+  if (run.mode == EvolutionMode::steady)
+    text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief);
   if (run.mode == EvolutionMode::steps || run.end == RunRecipe::End::after_steps)
     text += QStringLiteral(" --steps ") + QString::number(run.steps);
   return text;

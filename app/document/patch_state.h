@@ -20,6 +20,7 @@ struct RunRecipe {
   double sigma = 10;                                      ///< of EvolutionMode::steps
   BoundaryTrust boundary = BoundaryTrust::automatic;      ///< of EvolutionMode::steady
   SeamContinuity continuity = SeamContinuity::curvature;  ///< likewise
+  ReliefChoice relief;                                    ///< likewise
   int steps = 0;                                          ///< taken
   enum class End {
     whole,        ///< as far as it goes
@@ -30,7 +31,10 @@ struct RunRecipe {
 
 /// The run that these options lead to, before its first step.
 inline RunRecipe recipe_of(const EvolutionOptions& options) {
-  return {options.flow, options.mode, options.sigma, options.boundary, options.continuity, 0, RunRecipe::End::whole};
+  RunRecipe run{options.flow,         options.mode, options.sigma, options.boundary, options.continuity, {}, 0,
+                RunRecipe::End::whole};
+  if (options.mode == EvolutionMode::steady) run.relief = options.relief;
+  return run;
 }
 
 /// How a state came about: the initial patch, then one run after another.

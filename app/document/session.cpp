@@ -17,7 +17,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 5;
+constexpr qint32 format_version = 6;
+constexpr qint32 version_without_relief = 5;
 constexpr qint32 version_without_bridges = 4;
 constexpr qint32 version_without_boundary = 3;
 constexpr qint32 first_version = 1;  ///< without the view and without surfaces that were made here
@@ -232,6 +233,8 @@ void put(Writer& out, const PatchRecipe& recipe) {
     out.put(static_cast<qint32>(run.end));
     out.put(static_cast<qint32>(run.boundary));
     out.put(static_cast<qint32>(run.continuity));
+    out.put(static_cast<qint32>(run.relief.kind));
+    out.put(static_cast<quint64>(run.relief.seed));
   }
 }
 
@@ -251,6 +254,10 @@ PatchRecipe recipe(Reader& in) {
     if (in.version > version_without_boundary) {
       run.boundary = word(in, BoundaryTrust::robust);
       run.continuity = word(in, SeamContinuity::curvature);
+    }
+    if (in.version > version_without_relief) {
+      run.relief.kind = word(in, ReliefChoice::Kind::continued);
+      run.relief.seed = in.number<quint64>();
     }
     r.runs.push_back(run);
   }
@@ -437,8 +444,8 @@ Session session_from_file(const QString& path) {
     throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
   Reader in(bytes.mid(magic_size), path);
   const auto version = in.version = in.number<qint32>();
-  if (version != format_version && version != version_without_bridges && version != version_without_boundary &&
-      version != first_version)
+  if (version != format_version && version != version_without_relief && version != version_without_bridges &&
+      version != version_without_boundary && version != first_version)
     throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   Session session;

@@ -34,6 +34,13 @@ QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity) {
   return text;
 }
 
+QString relief_options(const ReliefChoice& relief) {
+  if (relief.kind == ReliefChoice::Kind::smooth) return {};
+  const QString seed =
+      relief.seed == ReliefChoice().seed ? QString() : QStringLiteral(" --relief-seed %1").arg(relief.seed);
+  return QStringLiteral(" --relief continued") + seed;
+}
+
 QString file_of(const OpenedScan& scan, const QString& made) {
   if (scan.from == ScanOrigin::sample) return QStringLiteral("sample.ply");
   return scan.from == ScanOrigin::made ? made : QDir::toNativeSeparators(scan.path);

@@ -18,6 +18,8 @@ QString quoted(const QString& path);
 QString word(FlowKind flow);
 /// --boundary and --continuity, with a blank before each; nothing where they are what the command takes by itself.
 QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity);
+/// Of `fill`; empty for a smooth patch.
+QString relief_options(const ReliefChoice& relief);
 /// Where a scan's file is; a name to be written to first where it has none.
 QString file_of(const OpenedScan& scan, const QString& made = QStringLiteral("surface.ply"));
 /// In the same folder, under the same name with something appended: "scan.ply", "-filled.ply" make "scan-filled.ply".

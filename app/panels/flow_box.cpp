@@ -7,6 +7,7 @@
 #include "panels/choices.h"
 #include "panels/parts.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -52,6 +53,11 @@ void FlowBox::build() {
   boundary_label->setBuddy(boundary_);
   auto* continuity_label = new QLabel(tr("Continuit&y"));
   continuity_label->setBuddy(continuity_);
+  relief_ = new QCheckBox(tr("Continue re&lief"));
+  relief_->setObjectName(QStringLiteral("relief"));
+  relief_->setToolTip(
+      tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
+         "continues the smooth surface under the scan."));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("sigma"));
   sigma_->setRange(sigma_low, sigma_high);
@@ -77,12 +83,13 @@ void FlowBox::build() {
   grid->addWidget(boundary_, 3, 1);
   grid->addWidget(continuity_label, 4, 0);
   grid->addWidget(continuity_, 4, 1);
-  grid->addWidget(run_, 5, 0);
-  grid->addWidget(compare_, 5, 1);
-  grid->addWidget(sigma_label, 6, 0);
-  grid->addWidget(sigma_value_, 6, 1);
-  grid->addWidget(sigma_, 7, 0);
-  grid->addWidget(step_, 7, 1);
+  grid->addWidget(relief_, 5, 0, 1, 2);
+  grid->addWidget(run_, 6, 0);
+  grid->addWidget(compare_, 6, 1);
+  grid->addWidget(sigma_label, 7, 0);
+  grid->addWidget(sigma_value_, 7, 1);
+  grid->addWidget(sigma_, 8, 0);
+  grid->addWidget(step_, 8, 1);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }
@@ -105,6 +112,7 @@ EvolutionOptions FlowBox::options() const {
   options.sigma = sigma();
   options.boundary = static_cast<BoundaryTrust>(boundary_->currentData().toInt());
   options.continuity = static_cast<SeamContinuity>(continuity_->currentData().toInt());
+  if (relief_->isChecked()) options.relief.kind = ReliefChoice::Kind::continued;
   return options;
 }
 
@@ -129,6 +137,7 @@ void FlowBox::update_state() {
   const bool of_mmcvf = idle && options().flow == FlowKind::mmcvf;
   boundary_->setEnabled(of_mmcvf);
   continuity_->setEnabled(of_mmcvf);
+  relief_->setEnabled(idle);
   sigma_->setEnabled(idle);
   step_->setEnabled(idle && !to_move.empty());
   compare_->setEnabled(document_.has_scan());

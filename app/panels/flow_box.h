@@ -6,6 +6,7 @@
 
 #include <QGroupBox>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -41,6 +42,7 @@ class FlowBox : public QGroupBox {
   FillController& controller_;
   QLabel *target_ = nullptr, *help_ = nullptr, *sigma_value_ = nullptr;
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
+  QCheckBox* relief_ = nullptr;
   QSlider* sigma_ = nullptr;
   QPushButton *step_ = nullptr, *run_ = nullptr, *compare_ = nullptr;
 };

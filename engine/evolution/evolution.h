@@ -8,6 +8,7 @@
 #include "mesh/patch.h"
 #include "rim/rim_blend.h"
 #include "solvers/solver_kind.h"
+#include "split/continue_relief.h"
 #include "split/split_energy.h"
 #include "split/split_estimate.h"
 
@@ -64,7 +65,10 @@ struct EvolutionOptions {
   SeamContinuity continuity = SeamContinuity::curvature;
   /// MMCVF to the steady state with `automatic` boundary: relief that it takes literally, in boundary edges.
   double literal_relief = SplitEstimate::exact_construction;
-  std::optional<SplitEstimate> split;  ///< of the surroundings, where the caller has it; else it is made where it is wanted
+  std::optional<SplitEstimate>
+      split;  ///< of the surroundings, where the caller has it; else it is made where it is wanted
+  /// Of holes, to the steady state: added when the patch is done (pipeline/patch_relief.h). An Evolution by itself has no use for it.
+  ReliefChoice relief;
 };
 
 /// @throws InvalidArgument if an option is out of range.
@@ -77,7 +81,7 @@ bool is_judged(const EvolutionOptions& options);
 enum class Method {
   initial_patch,  ///< triangulation and remeshing; neither flow nor fairing
   flow,           ///< the flow that was asked for, with the boundary data as they are
-  split_flow,   ///< MMCVF on the smooth part of the scan, relief and noise split off: SplitProblem
+  split_flow,     ///< MMCVF on the smooth part of the scan, relief and noise split off: SplitProblem
   mixed_order,  ///< MMCVF with bending energy mixed in: ∫‖∇H‖² + β/R² ∫H², see EvolutionOptions::bending
   robust_fairing,  ///< a few linear fairings that weigh the boundary data; no flow
   linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, up to twelve times; no flow
@@ -95,14 +99,14 @@ std::string method_name(Method method, FlowKind flow);
 /// Linear fairings, and the coarse start of a large patch, are steps with sigma = tau = 0; the latter's max_move is that of
 /// the middle of the patch. On rough surroundings all steps are such, and the energy shown need not fall.
 struct StepRecord {
-  int step = 0;         ///< from 1
-  double energy = 0;    ///< after the step
-  double sigma = 0;     ///< the step's size, dimensionless; of a Gauss-Newton step only roughly known
-  double tau = 0;       ///< the step's size in the flow's own time, mesh units
-  double max_move = 0;  ///< largest move of a vertex, in mean edge lengths of the patch
-  SplitEnergy split;    ///< of a step of Method::split_flow, what the descent lowers; else zero
-  int rejections = 0;   ///< trials thrown away before this one was accepted
-  int iterations = 0;   ///< of GMRES or conjugate gradients over all trials; none in linear fairings
+  int step = 0;            ///< from 1
+  double energy = 0;       ///< after the step
+  double sigma = 0;        ///< the step's size, dimensionless; of a Gauss-Newton step only roughly known
+  double tau = 0;          ///< the step's size in the flow's own time, mesh units
+  double max_move = 0;     ///< largest move of a vertex, in mean edge lengths of the patch
+  SplitEnergy split;       ///< of a step of Method::split_flow, what the descent lowers; else zero
+  int rejections = 0;      ///< trials thrown away before this one was accepted
+  int iterations = 0;      ///< of GMRES or conjugate gradients over all trials; none in linear fairings
   int factorizations = 0;  ///< made for this step, since those of earlier steps were no good; not of linear fairings
   double assemble_seconds = 0;
   double solve_seconds = 0;

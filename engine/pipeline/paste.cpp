@@ -23,8 +23,11 @@ struct PastedPart {
   Points points;
   Triangles triangles;
   Eigen::AlignedBox3d box;
+  int loop = 0;  ///< the first that it closes
 
-  PastedPart(const SurfaceModel& model, const PatchGeometry& patch) : triangles(patch.triangles) {
+  PastedPart(const SurfaceModel& model, const PatchGeometry& patch, int first)
+      : triangles(patch.triangles),
+        loop(first) {
     for (int v : patch.rim) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
     points.insert(points.end(), patch.points.begin(), patch.points.end());
     for (const Vec3& p : points) box.extend(p);
@@ -41,12 +44,21 @@ struct PastedPart {
   }
 };
 
+int first_loop(const Patch& patch) {
+  return patch.loop_numbers.empty() ? 0 : *std::min_element(patch.loop_numbers.begin(), patch.loop_numbers.end());
+}
+
 /// @returns why the patch was left out; empty where it was pasted.
 std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPart>& pasted) {
   const PatchGeometry geometry = patch_geometry(patch);
-  PastedPart part(model, geometry);
-  if (std::any_of(pasted.begin(), pasted.end(), [&](const PastedPart& other) { return part.intersects(other); }))
-    return "its patch would cut that of another loop: left open";
+  PastedPart part(model, geometry, first_loop(patch));
+  const auto cut =
+      std::find_if(pasted.begin(), pasted.end(), [&](const PastedPart& other) { return part.intersects(other); });
+  if (cut != pasted.end()) {
+    const std::string other = std::to_string(cut->loop), own = std::to_string(part.loop);
+    return "its patch would cut that of loop " + other + ": left open; 'loopmend blend --loops " + other + "," + own +
+           "' joins the two by one surface";
+  }
   try {
     append_colored_patch(model, geometry);
   } catch (const InvalidArgument& error) {
@@ -54,10 +66,6 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPar
   }
   pasted.push_back(std::move(part));  // has room
   return "";
-}
-
-int first_loop(const Patch& patch) {
-  return patch.loop_numbers.empty() ? 0 : *std::min_element(patch.loop_numbers.begin(), patch.loop_numbers.end());
 }
 
 }  // namespace

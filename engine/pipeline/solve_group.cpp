@@ -2,6 +2,7 @@
 #include "pipeline/solve_group.h"
 
 #include "core/threads.h"
+#include "pipeline/patch_relief.h"
 #include "pipeline/seconds_since.h"
 #include "pipeline/strategy.h"
 
@@ -29,7 +30,7 @@ std::vector<int> free_vertices_per_loop(const Patch& patch) {
 std::string why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
   if (std::string why = why_no_patch_exists(scan, loop); !why.empty()) return why;
   return "every patch that was found would cut the surface or itself, in " + std::to_string(intersections) +
-         " places: left open";
+         " places: left open; trimming the boundary (--trim-boundary 3) or a strip across the hole (--bridge) may help";
 }
 
 GroupResult failed_group(const std::vector<BoundaryLoop>& loops, const std::string& why) {
@@ -170,6 +171,9 @@ class GroupSolver {
             EvolutionOptions evolution = *options_.evolution;
             evolution.split = survey.split;
             result = solve_patch(problem, evolution, on_step_, cancel_);
+            if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
+                is_filled(result.status))
+              add_relief(problem, survey.split, evolution.relief, cancel_, result);
           } else {
             result = initial_result(problem, FlowKind::mmcvf);
           }

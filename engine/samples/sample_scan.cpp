@@ -5,8 +5,8 @@
 // and coordinates rounded to 2⁻¹² mm at the end, so that a last bit that a compiler's contraction changes is lost again.
 #include "samples/sample_scan.h"
 
+#include "core/random.h"
 #include "samples/analytic_surfaces.h"
-#include "samples/random.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

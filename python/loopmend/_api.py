@@ -45,9 +45,9 @@ def _arrays(vertices: ArrayLike, faces: ArrayLike) -> Tuple[np.ndarray, np.ndarr
 
 
 def _flow(flow: str, boundary: str, continuity: str, density: float, mode: str, steps: Optional[int], sigma: float,
-          solver: str) -> Dict[str, Any]:
+          solver: str, relief: str = "smooth", relief_seed: int = 1) -> Dict[str, Any]:
     return {"flow": flow, "boundary": boundary, "continuity": continuity, "density": density, "mode": mode, "steps": steps,
-            "sigma": sigma, "solver": solver}
+            "sigma": sigma, "solver": solver, "relief": relief, "relief_seed": relief_seed}
 
 
 def fill(
@@ -63,6 +63,8 @@ def fill(
     flow: str = "mmcvf",
     boundary: str = "auto",
     continuity: str = "curvature",
+    relief: str = "smooth",
+    relief_seed: int = 1,
     density: float = 1.0,
     mode: str = "steady",
     steps: Optional[int] = None,
@@ -98,6 +100,9 @@ def fill(
         boundary: curvature around the hole, for "mmcvf": "auto" that of the smooth surface under relief and noise, "exact"
             as it is, "robust" hardly.
         continuity: what runs through the seam, for "mmcvf": "position", "tangent" or "curvature".
+        relief: "smooth": the patch continues the smooth surface under the scan; "continued": and has random relief as strong
+            as that around the hole. For flows in the mode "steady".
+        relief_seed: 0 or more; another seed gives other relief of the same strength.
         density: vertices along a length, relative to the mesh around; 0.1 to 10.
         mode: "steady" goes straight to the steady state, "steps" takes the flow's own steps.
         steps: at most so many, 1 or more; None: 60.
@@ -133,7 +138,7 @@ def fill(
         ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'converged']
     """
     options = {
-        **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver), "loops": _numbers(loops),
+        **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed), "loops": _numbers(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
         "cut_intersections": cut_intersections, "bridges": [(int(a), int(b)) for a, b in bridges],

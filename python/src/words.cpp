@@ -30,6 +30,10 @@ GroupOptions group_options(const pybind11::dict& options) {
       {{"auto", SolverKind::automatic}, {"direct", SolverKind::direct}, {"gmres", SolverKind::gmres}});
   evolution.sigma = option<double>(options, "sigma");
   if (!options["steps"].is_none()) evolution.max_steps = option<int>(options, "steps");
+  evolution.relief = {
+      worded<ReliefChoice::Kind>(
+          options, "relief", {{"smooth", ReliefChoice::Kind::smooth}, {"continued", ReliefChoice::Kind::continued}}),
+      option<std::uint64_t>(options, "relief_seed")};
   check(evolution);
   result.evolution.reset();
   if (flow) result.evolution = evolution;

@@ -19,6 +19,7 @@ FILLS = [
     (["--boundary", "exact", "--max-edges", "60"], {"boundary": "exact", "max_edges": 60}),
     (["--boundary", "robust", "--threads", "1"], {"boundary": "robust", "threads": 1}),
     (["--continuity", "tangent"], {"continuity": "tangent"}),
+    (["--relief", "continued", "--relief-seed", "3"], {"relief": "continued", "relief_seed": 3}),
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),

@@ -1460,6 +1460,14 @@
             <source>The same as Smooth, every step shown for a moment; again: pause (Space)</source>
             <translation>Dasselbe wie Glätten, jeder Schritt einen Augenblick lang gezeigt; noch einmal: anhalten (Leertaste)</translation>
         </message>
+        <message>
+            <source>Continue re&amp;lief</source>
+            <translation>Re&amp;lief fortsetzen</translation>
+        </message>
+        <message>
+            <source>When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it continues the smooth surface under the scan.</source>
+            <translation>Der fertige Flicken bekommt ein zufälliges Relief, so stark wie das des Scans um das Loch. Aus: Er setzt die glatte Fläche unter dem Scan fort.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowView</name>
@@ -4175,6 +4183,10 @@
         <message>
             <source>volume %1, in cubic units of the scan</source>
             <translation>Rauminhalt %1, in Kubikeinheiten des Scans</translation>
+        </message>
+        <message>
+            <source>%1 touching boundary vertices joined</source>
+            <translation>%1 Randpunkte an derselben Stelle verbunden</translation>
         </message>
     </context>
 </TS>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tube_sets.h"
 
-#include "samples/random.h"
+#include "core/random.h"
 
 #include <algorithm>
 #include <array>

@@ -229,8 +229,9 @@ TEST_F(Cli, OneOfSomethingIsSaidInTheSingular) {
 
 TEST_F(Cli, OptionsWithoutEffectAreRefused) {
   const std::string fill = "fill '" + holes.string() + "' -o '" + out.string() + "' ";
-  for (const char* words : {"--flow wf --boundary exact", "--flow none --continuity tangent",
-                            "--mode steps --boundary auto", "--continuity position --flow mcf"}) {
+  for (const char* words :
+       {"--flow wf --boundary exact", "--flow none --continuity tangent", "--mode steps --boundary auto",
+        "--continuity position --flow mcf", "--flow none --relief continued", "--mode steps --relief continued"}) {
     const Outcome run = loopmend_program(fill + words);
     EXPECT_EQ(run.code, 2) << words;
     EXPECT_THAT(run.err, HasSubstr("has no effect with --flow")) << words;

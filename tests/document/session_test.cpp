@@ -34,6 +34,7 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   run.sigma = 0.1;
   run.boundary = BoundaryTrust::robust;
   run.continuity = SeamContinuity::tangent;
+  run.relief = {ReliefChoice::Kind::continued, 12};
   run.steps = 3;
   run.end = RunRecipe::End::after_steps;
   state->recipe = {1.25, PatchRecipe::Start::bridge, {run, RunRecipe{}}};
@@ -104,6 +105,8 @@ void expect_same(const PatchState& a, const PatchState& b) {
     EXPECT_EQ(x.sigma, y.sigma);
     EXPECT_EQ(x.boundary, y.boundary);
     EXPECT_EQ(x.continuity, y.continuity);
+    EXPECT_EQ(x.relief.kind, y.relief.kind);
+    EXPECT_EQ(x.relief.seed, y.relief.seed);
     EXPECT_EQ(x.steps, y.steps);
     EXPECT_EQ(x.end, y.end);
   }

@@ -56,6 +56,10 @@ TEST(ShellWords, OnlyOptionsThatDifferFromTheDefaultAreNamed) {
             QStringLiteral(" --boundary robust --continuity tangent"));
   EXPECT_EQ(shell::boundary_options(BoundaryTrust::exact, SeamContinuity::position),
             QStringLiteral(" --boundary exact --continuity position"));
+  EXPECT_EQ(shell::relief_options({}), QString());
+  EXPECT_EQ(shell::relief_options({ReliefChoice::Kind::continued, 1}), QStringLiteral(" --relief continued"));
+  EXPECT_EQ(shell::relief_options({ReliefChoice::Kind::continued, 7}),
+            QStringLiteral(" --relief continued --relief-seed 7"));
 }
 
 TEST(ShellWords, AScanIsNamedByItsFile) {

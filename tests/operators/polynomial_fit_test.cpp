@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/polynomial_fit.h"
 
+#include "core/random.h"
 #include "operators/vertex_normals.h"
 #include "samples/analytic_surfaces.h"
 #include "surfaces/roughen.h"
-#include "samples/random.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

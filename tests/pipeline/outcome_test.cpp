@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a fill says of itself must be what was done: status, method and reason, for each loop by itself.
 #include "core/error.h"
+#include "core/random.h"
 #include "io/read_mesh.h"
 #include "mesh/region.h"
 #include "mesh/self_intersections.h"
@@ -8,7 +9,6 @@
 #include "pipeline/evolve_patch.h"
 #include "pipeline/fill_holes.h"
 #include "pipeline/proportion.h"
-#include "samples/random.h"
 #include "support/patches.h"
 #include "support/small_polyhedra.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/strategy.h"
+#include "core/random.h"
 #include "filling/fairing.h"
 #include "mesh/mesh_arrays.h"
-#include "samples/random.h"
 #include "support/patches.h"
 
 #include <gmock/gmock.h>

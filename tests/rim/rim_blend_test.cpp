@@ -2,10 +2,10 @@
 #include "rim/rim_blend.h"
 
 #include "analysis/seam_report.h"
+#include "core/random.h"
 #include "evolution/evolution.h"
 #include "evolution/mesh_improvement.h"
 #include "operators/curvature_energy.h"
-#include "samples/random.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rim/rim_fits.h"
 
-#include "samples/random.h"
+#include "core/random.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>

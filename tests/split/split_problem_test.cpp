@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "split/split_problem.h"
 
+#include "core/random.h"
 #include "core/threads.h"
 #include "evolution/evolution.h"
 #include "operators/vertex_normals.h"
-#include "samples/random.h"
 #include "split/block_matrix.h"
 #include "support/patches.h"
 

@@ -2,10 +2,10 @@
 // Hole problems that several tests share.
 #pragma once
 
+#include "core/random.h"
 #include "operators/topology.h"
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
-#include "samples/random.h"
 #include "surfaces/roughen.h"
 
 #include <Eigen/Geometry>

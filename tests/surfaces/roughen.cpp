@@ -2,8 +2,8 @@
 #include "surfaces/roughen.h"
 
 #include "core/error.h"
+#include "core/random.h"
 #include "mesh/tri_mesh.h"
-#include "samples/random.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "texture/inpaint.h"
 
+#include "core/random.h"
 #include "core/threads.h"
-#include "samples/random.h"
 
 #include <gtest/gtest.h>
 

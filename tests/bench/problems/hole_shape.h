@@ -2,7 +2,7 @@
 // Outlines of holes in the plane, to be laid onto surfaces.
 #pragma once
 
-#include "samples/random.h"
+#include "core/random.h"
 
 #include <vector>
 
