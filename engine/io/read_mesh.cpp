@@ -2,6 +2,7 @@
 #include "io/read_mesh.h"
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "io/file_content.h"
 #include "io/first_occurrence.h"
 #include "io/gzip.h"
@@ -15,9 +16,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
+#include <numeric>
 #include <utility>
 
 namespace loopmend {
@@ -64,6 +68,11 @@ Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup
   if (count > most || soup.corners.size() > std::numeric_limits<int>::max())
     throw ReadError(path, "more than 715827882 triangles", "", "Reduce it first.");
   Triangles triangles;
+  if (soup.has_only_triangles()) {
+    triangles.resize(count);
+    std::memcpy(triangles.data(), soup.corners.data(), soup.corners.size() * sizeof(int));
+    return triangles;
+  }
   triangles.reserve(count);
   for (std::size_t k = 0; k < soup.polygon_count(); ++k) triangulate_polygon(soup.points, soup.polygon(k), triangles);
   if (count == soup.polygon_count()) return triangles;
@@ -74,24 +83,40 @@ Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup
 }
 
 std::size_t count_polygons(const PolygonSoup& soup) {
+  if (soup.has_only_triangles()) return 0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < soup.polygon_count(); ++k) count += soup.polygon(k).size() > 3 ? 1 : 0;
   return count;
 }
 
 std::size_t count_unreferenced(const TriangleSoup& soup) {
-  std::vector<bool> used(soup.points.size(), false);
+  std::vector<char> used(soup.points.size(), 0);
   for (const Triangle& triangle : soup.triangles) {
-    for (const int v : triangle) used[static_cast<std::size_t>(v)] = true;
+    for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
   }
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
 }
 
+/// Points are dealt out by their hash, so that what is compared lies in a small part of the memory.
 std::size_t count_coincident(const Points& points) {
-  FirstPoint first = first_point_table(points);
-  std::size_t count = 0;
-  for (int v = 0; v < static_cast<int>(points.size()); ++v) count += first.find_or_add(v) != v ? 1 : 0;
-  return count;
+  constexpr int parts = 256;
+  const PointHash hash{&points};
+  std::vector<unsigned char> part_of(points.size());
+  parallel_for(0, static_cast<int>(points.size()), 1 << 16,
+               [&](int v) { part_of[static_cast<std::size_t>(v)] = static_cast<unsigned char>(hash(v) >> 56); });
+  std::array<std::size_t, parts + 1> begin{};
+  for (const unsigned char part : part_of) ++begin[part + 1U];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<int> order(points.size());
+  std::array<std::size_t, parts + 1> next = begin;
+  for (std::size_t v = 0; v < points.size(); ++v) order[next[part_of[v]]++] = static_cast<int>(v);
+  std::array<std::size_t, parts> count{};
+  parallel_for(0, parts, 1, [&](int part) {
+    FirstPoint first = first_point_table(points);
+    const auto p = static_cast<std::size_t>(part);
+    for (std::size_t k = begin[p]; k < begin[p + 1]; ++k) count[p] += first.find_or_add(order[k]) != order[k] ? 1 : 0;
+  });
+  return std::accumulate(count.begin(), count.end(), std::size_t{0});
 }
 
 /// A vertex twice, or an area that is zero up to rounding.
@@ -108,8 +133,11 @@ bool is_degenerate(const Points& points, const Triangle& t) {
 }
 
 std::size_t count_degenerate(const TriangleSoup& soup) {
-  const auto degenerate = [&](const Triangle& t) { return is_degenerate(soup.points, t); };
-  return static_cast<std::size_t>(std::count_if(soup.triangles.begin(), soup.triangles.end(), degenerate));
+  std::atomic<std::size_t> count{0};
+  parallel_for(0, static_cast<int>(soup.triangles.size()), 1 << 16, [&](int f) {
+    if (is_degenerate(soup.points, soup.triangles[static_cast<std::size_t>(f)])) ++count;
+  });
+  return count;
 }
 
 std::size_t count_duplicates(const TriangleSoup& soup) {
