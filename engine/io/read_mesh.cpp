@@ -17,11 +17,13 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace loopmend {
@@ -97,24 +99,45 @@ std::size_t count_unreferenced(const TriangleSoup& soup) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
 }
 
+/// How many of these points lie exactly where another of them does, not counting one for each place. @param numbers
+/// in their low half; their order changes.
+std::size_t count_at_same_place(const Points& points, std::span<std::uint64_t> numbers) {
+  const auto point = [&](std::uint64_t number) -> const Vec3& { return points[static_cast<std::uint32_t>(number)]; };
+  std::sort(numbers.begin(), numbers.end(), [&](std::uint64_t a, std::uint64_t b) {
+    const Vec3 &p = point(a), &q = point(b);
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  });
+  std::size_t count = 0;
+  for (std::size_t k = 1; k < numbers.size(); ++k) count += point(numbers[k]) == point(numbers[k - 1]) ? 1 : 0;
+  return count;
+}
+
 /// Points are dealt out by their hash, so that what is compared lies in a small part of the memory.
 std::size_t count_coincident(const Points& points) {
-  constexpr int parts = 256;
+  constexpr std::size_t parts = 256;
   const PointHash hash{&points};
-  std::vector<unsigned char> part_of(points.size());
-  parallel_for(0, static_cast<int>(points.size()), 1 << 16,
-               [&](int v) { part_of[static_cast<std::size_t>(v)] = static_cast<unsigned char>(hash(v) >> 56); });
+  std::vector<std::uint32_t> hashes(points.size());
+  parallel_for(0, static_cast<int>(points.size()), 1 << 16, [&](int v) {
+    hashes[static_cast<std::size_t>(v)] = static_cast<std::uint32_t>(hash(v));
+  });
   std::array<std::size_t, parts + 1> begin{};
-  for (const unsigned char part : part_of) ++begin[part + 1U];
+  for (const std::uint32_t h : hashes) ++begin[(h >> 24) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<int> order(points.size());
+  std::vector<std::uint64_t> entries(points.size());  // hash, number of the point
   std::array<std::size_t, parts + 1> next = begin;
-  for (std::size_t v = 0; v < points.size(); ++v) order[next[part_of[v]]++] = static_cast<int>(v);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    entries[next[hashes[v] >> 24]++] = (std::uint64_t{hashes[v]} << 32) | v;
   std::array<std::size_t, parts> count{};
-  parallel_for(0, parts, 1, [&](int part) {
-    FirstPoint first = first_point_table(points);
+  parallel_for(0, static_cast<int>(parts), 1, [&](int part) {
     const auto p = static_cast<std::size_t>(part);
-    for (std::size_t k = begin[p]; k < begin[p + 1]; ++k) count[p] += first.find_or_add(order[k]) != order[k] ? 1 : 0;
+    const std::span<std::uint64_t> mine(entries.data() + begin[p], begin[p + 1] - begin[p]);
+    std::sort(mine.begin(), mine.end());
+    for (std::size_t k = 0; k < mine.size();) {
+      std::size_t end = k + 1;
+      while (end < mine.size() && (mine[end] >> 32) == (mine[k] >> 32)) ++end;
+      if (end - k > 1) count[p] += count_at_same_place(points, mine.subspan(k, end - k));
+      k = end;
+    }
   });
   return std::accumulate(count.begin(), count.end(), std::size_t{0});
 }
@@ -153,10 +176,15 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const T
   report.triangles = soup.triangles.size();
   report.polygons_triangulated = count_polygons(polygons);
   report.vertices_welded = polygons.vertices_welded;
-  report.unreferenced_vertices = count_unreferenced(soup);
-  report.degenerate_faces = count_degenerate(soup);
-  report.duplicate_faces = count_duplicates(soup);
-  report.coincident_vertices = count_coincident(soup.points);
+  parallel_invoke(
+      [&] {
+        report.duplicate_faces = count_duplicates(soup);
+        report.degenerate_faces = count_degenerate(soup);
+      },
+      [&] {
+        report.coincident_vertices = count_coincident(soup.points);
+        report.unreferenced_vertices = count_unreferenced(soup);
+      });
   report.missing_colors = polygons.missing_colors;
   report.skipped_elements = polygons.skipped_elements;
   report.has_colors = !soup.colors.empty();

@@ -62,7 +62,8 @@ std::optional<T> parsed(std::string_view token) {
 
 /// Up to the given row. @returns the bytes read; nothing where a line will not do.
 template <class T, class Keep>
-std::optional<std::size_t> read_block(const Block& block, std::size_t end_row, std::size_t numbers, const Keep& keep) {
+std::optional<std::size_t> read_block(const Block& block, std::size_t end_row, std::size_t numbers, const Keep& keep,
+                                      std::string_view keyword) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
   const std::string_view text = block.text;
   std::array<T, most_numbers> row{};
@@ -71,6 +72,8 @@ std::optional<std::size_t> read_block(const Block& block, std::size_t end_row, s
     const std::size_t line_break = std::min(text.find('\n', at), text.size());
     std::size_t line_end = line_break;
     if (line_end > at && text[line_end - 1] == '\r') --line_end;
+    if (text.substr(at, keyword.size()) != keyword) return std::nullopt;
+    at += keyword.size();
     for (std::size_t n = 0; n < numbers; ++n) {
       while (at < line_end && is_blank(text[at])) ++at;
       const std::size_t begin = at;
@@ -87,7 +90,8 @@ std::optional<std::size_t> read_block(const Block& block, std::size_t end_row, s
 }
 
 template <class T, class Keep>
-std::optional<std::size_t> read(std::string_view text, std::size_t rows, int numbers, const Keep& keep) {
+std::optional<std::size_t> read(std::string_view text, std::size_t rows, int numbers, const Keep& keep,
+                                std::string_view keyword) {
   if (numbers < 1 || static_cast<std::size_t>(numbers) > most_numbers || rows == 0) return std::nullopt;
   const std::vector<Block> blocks = blocks_of(text, rows);
   if (blocks.empty()) return std::nullopt;
@@ -96,7 +100,7 @@ std::optional<std::size_t> read(std::string_view text, std::size_t rows, int num
   parallel_for(0, static_cast<int>(blocks.size()), 1, [&](int k) {
     if (!all_do) return;
     const Block& block = blocks[static_cast<std::size_t>(k)];
-    const auto bytes = read_block<T>(block, rows, static_cast<std::size_t>(numbers), keep);
+    const auto bytes = read_block<T>(block, rows, static_cast<std::size_t>(numbers), keep, keyword);
     if (!bytes) all_do = false;
     if (bytes && &block == &blocks.back()) last_bytes = *bytes;
   });
@@ -106,12 +110,21 @@ std::optional<std::size_t> read(std::string_view text, std::size_t rows, int num
 
 }  // namespace
 
-std::optional<std::size_t> read_rows(std::string_view text, std::size_t rows, int numbers, const KeepRow& keep) {
-  return read<double>(text, rows, numbers, keep);
+std::optional<std::size_t> read_rows(std::string_view text, std::size_t rows, int numbers, const KeepRow& keep,
+                                     std::string_view keyword) {
+  return read<double>(text, rows, numbers, keep, keyword);
 }
 
-std::optional<std::size_t> read_rows(std::string_view text, std::size_t rows, int numbers, const KeepIntegers& keep) {
-  return read<std::int64_t>(text, rows, numbers, keep);
+std::optional<std::size_t> read_rows(std::string_view text, std::size_t rows, int numbers, const KeepIntegers& keep,
+                                     std::string_view keyword) {
+  return read<std::int64_t>(text, rows, numbers, keep, keyword);
+}
+
+std::size_t count_rows(std::string_view text, std::string_view keyword) {
+  std::size_t rows = 0;
+  for (std::size_t at = 0; at < text.size() && text.substr(at, keyword.size()) == keyword; ++rows)
+    at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  return rows;
 }
 
 }  // namespace loopmend

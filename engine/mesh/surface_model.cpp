@@ -2,6 +2,7 @@
 #include "mesh/surface_model.h"
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "mesh/directed_edges.h"
 #include "mesh/flat_view.h"
 #include "mesh/vertex_fans.h"
@@ -84,11 +85,9 @@ std::vector<unsigned char> rings_around(const TriangleSoup& soup, const FlatView
   return ring;
 }
 
-/// What is known of the whole surface; what depends on the view comes later.
-SurfaceBeyond beyond_view(const TriangleSoup& soup, const FlatView& view, const std::vector<char>& used) {
-  SurfaceBeyond beyond;
-  const Triangles& triangles = view.all(soup);
-  beyond.piece_of_point = components(triangles, view.origin.size());
+/// What is known of the whole surface; what depends on the view comes later. Numbers the pieces.
+void describe_beyond(const TriangleSoup& soup, const FlatView& view, const std::vector<char>& used,
+                     SurfaceBeyond& beyond) {
   std::vector<int> number(view.origin.size(), -1);
   for (std::size_t v = 0; v < view.origin.size(); ++v) {
     int& piece = beyond.piece_of_point[v];
@@ -113,7 +112,6 @@ SurfaceBeyond beyond_view(const TriangleSoup& soup, const FlatView& view, const 
         beyond.unusable.push_back(f);
   }
   beyond.copy_of.assign(view.origin.begin() + static_cast<std::ptrdiff_t>(soup.points.size()), view.origin.end());
-  return beyond;
 }
 
 }  // namespace
@@ -137,9 +135,15 @@ SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around
   SurfaceModel model;
   FlatView view = flat_view(soup, model.repairs);
   model.turned_faces = std::move(view.turned_faces);
-  std::vector<char> points = used_points(soup, view, model.repairs);
-  SurfaceBeyond beyond = beyond_view(soup, view, points);
-  const std::vector<unsigned char> ring = rings_around(soup, view, around);
+  std::vector<char> points;
+  std::vector<unsigned char> ring;
+  SurfaceBeyond beyond;
+  parallel_invoke([&] { beyond.piece_of_point = components(view.all(soup), view.origin.size()); },
+                  [&] {
+                    points = used_points(soup, view, model.repairs);
+                    ring = rings_around(soup, view, around);
+                  });
+  describe_beyond(soup, view, points, beyond);
   const auto is_complete = [&](int v) { return ring[v] <= around.rings; };
   const auto is_wanted = [&](const Triangle& t) { return std::any_of(t.begin(), t.end(), is_complete); };
   std::fill(points.begin(), points.end(), 0);

@@ -20,13 +20,35 @@ struct LinkEdge {
   int corner;
 };
 
-void link_at(const Triangles& triangles, std::span<const int> corners, std::vector<LinkEdge>& link) {
+void unsorted_link_at(const Triangles& triangles, std::span<const int> corners, std::vector<LinkEdge>& link) {
   link.clear();
   for (int corner : corners) {
     const Triangle& t = triangles[corner / 3];
     link.push_back({t[(corner + 1) % 3], t[(corner + 2) % 3], corner});
   }
+}
+
+void sort_link(std::vector<LinkEdge>& link) {
   std::sort(link.begin(), link.end(), [](const LinkEdge& a, const LinkEdge& b) { return a.next < b.next; });
+}
+
+void link_at(const Triangles& triangles, std::span<const int> corners, std::vector<LinkEdge>& link) {
+  unsorted_link_at(triangles, corners, link);
+  sort_link(link);
+}
+
+/// Whether the edges are one ring, in whatever order they stand: what nearly all vertices have. Not asked of many edges.
+bool is_one_ring(const std::vector<LinkEdge>& link) {
+  constexpr std::size_t most = 16;
+  if (link.empty() || link.size() > most) return false;
+  int at = link.front().previous;
+  for (std::size_t steps = 1; steps < link.size(); ++steps) {
+    const auto next = std::find_if(link.begin() + 1, link.end(), [&](const LinkEdge& edge) { return edge.next == at; });
+    if (next == link.end()) return false;
+    at = next->previous;
+    if (at == link.front().next) return steps + 1 == link.size();
+  }
+  return false;
 }
 
 /// How many triangles the edges to the neighbours have: sorted neighbours, one for each triangle at the edge.
@@ -137,7 +159,9 @@ VertexSurvey survey_vertices(const Triangles& triangles, std::size_t vertex_coun
   parallel_for(
       0, static_cast<int>(vertex_count), vertices_at_a_time, [] { return Scratch{}; },
       [&](int v, Scratch& scratch) {
-        link_at(triangles, corners[v], scratch.link);
+        unsorted_link_at(triangles, corners[v], scratch.link);
+        if (scratch.link.size() > 2 && is_one_ring(scratch.link)) return;
+        sort_link(scratch.link);
         int ends = 0;
         survey.state[v] = state_of(scratch, ends);
         survey.at_boundary[v] = ends > 0;

@@ -32,6 +32,11 @@ TEST(TextRows, WhatIsOutOfTheCommonIsNotRead) {
   for (const char* text : {"1 2\n", "1 2\n3\n4\n", "1 2\n3 4 5\n", "1 2\n\n3 4\n", "1 2\r3 4\n", "1 2\n3 x\n", "", "1 2\n3 4\v\n"})
     EXPECT_FALSE(read_rows(text, 2, 2, take)) << text;
   EXPECT_FALSE(read_rows("1 2\n3 4\n", 2, 2, KeepRow([](std::size_t row, const double*) { return row == 0; })));
+  EXPECT_EQ(read_rows("v 1 2\nv 3 4\n", 2, 2, take, "v "), 12U);
+  EXPECT_FALSE(read_rows("v 1 2\nvn 3 4\n", 2, 2, take, "v "));
+  EXPECT_EQ(count_rows("v 1\nv 2\nvt 3\nv 4\n", "v "), 2U);
+  EXPECT_EQ(count_rows("v 1\nv 2", "v "), 2U);
+  EXPECT_EQ(count_rows("", "v "), 0U);
   const auto take_integers = [](std::size_t, const std::int64_t*) { return true; };
   EXPECT_EQ(read_rows("3 0 1 2\n", 1, 4, KeepIntegers(take_integers)), 8U);
   EXPECT_FALSE(read_rows("3 0 1 2.0\n", 1, 4, KeepIntegers(take_integers)));
