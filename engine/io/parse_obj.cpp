@@ -403,7 +403,7 @@ class ObjReader {
   TextCursor cursor_;
   bool vertices_are_not_plain_ = false, faces_are_not_plain_ = false;
   std::size_t no_run_before_ = 0;  // a line
-  bool continues_ = false;  // the last token was followed by a backslash at the end of the line
+  bool continues_ = false;         // the last token was followed by a backslash at the end of the line
   LonePlaces lone_;
   PolygonSoup soup_;
   std::vector<std::pair<std::size_t, std::array<double, 4>>> colors_;  // vertex; red, green, blue, alpha

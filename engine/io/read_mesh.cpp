@@ -117,9 +117,8 @@ std::size_t count_coincident(const Points& points) {
   constexpr std::size_t parts = 256;
   const PointHash hash{&points};
   std::vector<std::uint32_t> hashes(points.size());
-  parallel_for(0, static_cast<int>(points.size()), 1 << 16, [&](int v) {
-    hashes[static_cast<std::size_t>(v)] = static_cast<std::uint32_t>(hash(v));
-  });
+  parallel_for(0, static_cast<int>(points.size()), 1 << 16,
+               [&](int v) { hashes[static_cast<std::size_t>(v)] = static_cast<std::uint32_t>(hash(v)); });
   std::array<std::size_t, parts + 1> begin{};
   for (const std::uint32_t h : hashes) ++begin[(h >> 24) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());

@@ -138,7 +138,8 @@ bool runs_round_a_sheet(const BoundaryLoop& loop) {
 
 /// Fills onward, extent and depth. The depth is measured only where it may matter.
 void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std::vector<BoundaryLoop>& loops) {
-  std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>> at_piece;  // loops whose depth is asked for, and their axes
+  std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>>
+      at_piece;  // loops whose depth is asked for, and their axes
   for (BoundaryLoop& loop : loops) {
     const LoopFacing facing = loop_facing(model, loop);
     loop.onward = facing.onward.norm();

@@ -13,8 +13,10 @@ struct FlatView {
   std::vector<int> faces;  ///< soup triangle of each triangle, ascending; empty: all of them
   Triangles triangles;     ///< over `origin`; only if is_own, else those of the soup serve
   bool is_own = false;
-  std::vector<int> origin;        ///< point of the view → soup point; the soup's own come first, then copies where it was split
-  std::vector<char> at_boundary;  ///< #origin: whether a boundary runs through the point; where it was split perhaps not
+  std::vector<int>
+      origin;  ///< point of the view → soup point; the soup's own come first, then copies where it was split
+  std::vector<char>
+      at_boundary;  ///< #origin: whether a boundary runs through the point; where it was split perhaps not
   std::vector<int> turned_faces;  ///< soup triangles that were turned round, ascending
   bool is_split = false;          ///< some points have several copies or fans
 

@@ -39,7 +39,7 @@ class Pieces {
   const Vec3& point(std::size_t v) const;
 
   const SurfaceModel& model_;
-  std::vector<int> own_of_point_;                ///< of a whole view
+  std::vector<int> own_of_point_;               ///< of a whole view
   std::vector<Eigen::AlignedBox3d> own_boxes_;  ///< likewise
   std::span<const int> of_point_;               ///< of the points that point() knows; −1: none
   std::span<const Eigen::AlignedBox3d> boxes_;

@@ -260,7 +260,8 @@ struct TriangleIndex::Impl {
   const Points& points;
   const Triangles& triangles;
   std::vector<int> order;  ///< triangles, those of a block one after the other
-  bg::index::rtree<std::pair<TreeBox, int>, bg::index::quadratic<16>> tree;  ///< of blocks: their first place in `order`
+  bg::index::rtree<std::pair<TreeBox, int>, bg::index::quadratic<16>>
+      tree;  ///< of blocks: their first place in `order`
 };
 
 TriangleIndex::TriangleIndex(const Points& points, const Triangles& triangles, const std::vector<int>& left_out)

@@ -27,12 +27,12 @@ struct ModelRepairs {
 
 /// What is known of the surface beyond a view that holds only what lies around its boundary loops.
 struct SurfaceBeyond {
-  int rings = 0;                       ///< as asked for (AroundLoops)
-  std::vector<char> is_cut_off;        ///< #V': whether faces of the vertex may be missing in the view
-  std::vector<int> unusable;           ///< soup triangles that are no part of the surface, ascending
-  std::vector<int> copy_of;            ///< points of the surface beyond those of the soup, where it was split: their soup points
-  std::vector<int> piece_of_point;     ///< #soup points, then #copy_of: number of the piece of surface; −1: on none
-  std::vector<int> piece_of_vertex;    ///< #V'
+  int rings = 0;                 ///< as asked for (AroundLoops)
+  std::vector<char> is_cut_off;  ///< #V': whether faces of the vertex may be missing in the view
+  std::vector<int> unusable;     ///< soup triangles that are no part of the surface, ascending
+  std::vector<int> copy_of;  ///< points of the surface beyond those of the soup, where it was split: their soup points
+  std::vector<int> piece_of_point;   ///< #soup points, then #copy_of: number of the piece of surface; −1: on none
+  std::vector<int> piece_of_vertex;  ///< #V'
   std::vector<Eigen::AlignedBox3d> boxes;  ///< of the pieces
 };
 

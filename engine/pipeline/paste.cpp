@@ -7,8 +7,8 @@
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/initial_patch.h"
 
-#include <Eigen/Geometry>
 #include <zlib.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstring>
@@ -106,7 +106,8 @@ std::uint32_t add_to_sum(std::uint32_t sum, const T* from, std::size_t count) {
 std::size_t sums_of(std::size_t count) { return (count + stretch - 1) / stretch; }
 
 /// The checksum of one stretch of the first points and triangles, as many as the record says. Takes no memory.
-std::uint32_t sum_of(const TriangleSoup& soup, const SoupRecord& record, const std::vector<int>& turned, std::size_t k) {
+std::uint32_t sum_of(const TriangleSoup& soup, const SoupRecord& record, const std::vector<int>& turned,
+                     std::size_t k) {
   if (k < sums_of(record.points)) {
     const std::size_t first = k * stretch;
     return add_to_sum(0, soup.points.data() + first, std::min(stretch, record.points - first));

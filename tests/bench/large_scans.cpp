@@ -5,8 +5,8 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
 
-#include <CLI/CLI.hpp>
 #include <sys/resource.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -142,7 +142,9 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 double processor_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -165,7 +167,7 @@ double plain_loop(const std::string& path) {
     for (std::size_t v = 0; v < points.size(); v += 3)
       if (std::fscanf(file.get(), "%lf %lf %lf", &points[v], &points[v + 1], &points[v + 2]) != 3) return -1;
     for (std::size_t f = 0; f < corners.size(); f += 3)
-      if (std::fscanf(file.get(), "3 %d %d %d", &corners[f], &corners[f + 1], &corners[f + 2]) != 3) return -1;
+      if (std::fscanf(file.get(), " 3 %d %d %d", &corners[f], &corners[f + 1], &corners[f + 2]) != 3) return -1;
     return seconds_since(start);
   }
   std::array<float, 3> point{};
@@ -192,7 +194,8 @@ void measure(const std::string& path) {
   const double all = seconds_since(start);
   const double processor = processor_seconds() - plain_processor;
   std::printf(
-      "%zu triangles, %zu loops: plain loop %.2f s (of a processor %.2f s); read %.2f s, view %.2f s, loops %.2f s, all "
+      "%zu triangles, %zu loops: plain loop %.2f s (of a processor %.2f s); read %.2f s, view %.2f s, loops %.2f s, "
+      "all "
       "%.2f s (%.2f s), %.1f times (%.1f times)\n",
       triangles, loops, plain, plain_processor, read, built - read, all - built, all, processor, all / plain,
       processor / plain_processor);

@@ -101,7 +101,8 @@ TEST_F(ReadObj, LongRunsAreTheSameByBlocksAndLineByLine) {
     }
     return text + "f 1 2 -1\nf 1 2 3 4\n";
   };
-  const ImportedMesh by_blocks = read(strip("\n", " \r\n"), "a.obj"), by_lines = read(strip(" # x\n", " # x\n"), "b.obj");
+  const ImportedMesh by_blocks = read(strip("\n", " \r\n"), "a.obj"),
+                     by_lines = read(strip(" # x\n", " # x\n"), "b.obj");
   ASSERT_EQ(by_lines.soup.triangles.size(), count + 3U);
   EXPECT_EQ(by_lines.soup.triangles[count - 1], (Triangle{count - 1, count, count + 1}));
   EXPECT_EQ(by_blocks.soup.points, by_lines.soup.points);

@@ -262,8 +262,8 @@ std::string long_strip(bool binary, bool swap_last_two_lines) {
 }
 
 TEST_F(ReadPly, LongBodiesAreTheSameByBlocksAndRowByRow) {
-  const ImportedMesh by_blocks = read(long_strip(false, false), "a.ply"), by_rows = read(long_strip(false, true), "b.ply"),
-                     binary = read(long_strip(true, false), "c.ply");
+  const ImportedMesh by_blocks = read(long_strip(false, false), "a.ply"),
+                     by_rows = read(long_strip(false, true), "b.ply"), binary = read(long_strip(true, false), "c.ply");
   ASSERT_EQ(binary.soup.triangles.size(), 70000U);
   EXPECT_EQ(binary.soup.triangles[69999], (Triangle{69999, 70000, 70001}));
   EXPECT_EQ(binary.soup.points[70001], Vec3(70001.0 / 16, 1, 0.5));

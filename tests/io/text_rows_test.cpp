@@ -29,7 +29,8 @@ TEST(TextRows, WhatIsOutOfTheCommonIsNotRead) {
   const auto take = [](std::size_t, const double*) { return true; };
   EXPECT_EQ(read_rows("1 2\n3 4", 2, 2, take), 7U);  // without a line break at the end
   EXPECT_EQ(read_rows("1 2\n+3 -4e2\n", 2, 2, take), 12U);
-  for (const char* text : {"1 2\n", "1 2\n3\n4\n", "1 2\n3 4 5\n", "1 2\n\n3 4\n", "1 2\r3 4\n", "1 2\n3 x\n", "", "1 2\n3 4\v\n"})
+  for (const char* text :
+       {"1 2\n", "1 2\n3\n4\n", "1 2\n3 4 5\n", "1 2\n\n3 4\n", "1 2\r3 4\n", "1 2\n3 x\n", "", "1 2\n3 4\v\n"})
     EXPECT_FALSE(read_rows(text, 2, 2, take)) << text;
   EXPECT_FALSE(read_rows("1 2\n3 4\n", 2, 2, KeepRow([](std::size_t row, const double*) { return row == 0; })));
   EXPECT_EQ(read_rows("v 1 2\nv 3 4\n", 2, 2, take, "v "), 12U);

@@ -64,7 +64,7 @@ std::vector<Case> cases() {
   for (double x : {0.0, 0.1, 0.2}) fins.points.push_back(1.2 * fins.points[u[0]] + Vec3(x, x * x, 0));
   fins.triangles.push_back({u[0], top + 2, top + 3});  // a fan of its own at a vertex
   fins.triangles.push_back({u[0], top + 3, top + 4});
-  fins.triangles.push_back({u[1], u[1], u[2]});                                     // no surface
+  fins.triangles.push_back({u[1], u[1], u[2]});                                                     // no surface
   fins.triangles.push_back({fins.triangles[50][1], fins.triangles[50][0], fins.triangles[50][2]});  // there already
   for (int f : {300, 301, 302}) std::swap(fins.triangles[f][0], fins.triangles[f][1]);  // the wrong way round
   all.push_back({"fins", fins});
@@ -84,9 +84,9 @@ void expect_same_loops(const SurfaceModel& whole, const SurfaceModel& view, cons
       EXPECT_EQ(whole.soup_vertex[a.vertices[i]], view.soup_vertex[b.vertices[i]]) << name << ", loop " << k;
     EXPECT_EQ(a.kind, b.kind) << name << ", loop " << k;
     EXPECT_EQ(a.coincident, b.coincident) << name << ", loop " << k;
-    for (const auto member : {&BoundaryLoop::perimeter, &BoundaryLoop::diameter, &BoundaryLoop::planarity,
-                              &BoundaryLoop::area, &BoundaryLoop::turning, &BoundaryLoop::extent,
-                              &BoundaryLoop::depth, &BoundaryLoop::onward})
+    for (const auto member :
+         {&BoundaryLoop::perimeter, &BoundaryLoop::diameter, &BoundaryLoop::planarity, &BoundaryLoop::area,
+          &BoundaryLoop::turning, &BoundaryLoop::extent, &BoundaryLoop::depth, &BoundaryLoop::onward})
       EXPECT_EQ(a.*member, b.*member) << name << ", loop " << k;
   }
   const auto islands = find_islands(whole, expected), same = find_islands(view, found);
