@@ -275,8 +275,11 @@ int run_fill(const FillCommand& command) {
       .writes(NamedFile::Kind::mesh, "-o", command.output)
       .writes_report("--report", command.report)
       .check();
-  OpenedModel opened = open_model(command.input, command.coincident);
-  PreparedScan scan = prepare_scan(std::move(opened.as_read), std::move(opened.model), command);
+  ImportedMesh opened = read_mesh(command.input, command.coincident);
+  SoupRecord as_read = record_of(opened.soup);
+  SurfaceModel model =
+      model_of(command.input, std::move(opened.soup), needs_whole_view(command) ? View::whole : View::filling);
+  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), command);
   const std::vector<BadRimFace> bad = bad_rim_faces(scan.model, scan.to_trim);
   TriangleSoup& soup = scan.model.soup;
   const CancelToken cancel;
@@ -286,25 +289,25 @@ int run_fill(const FillCommand& command) {
   const bool stopped = cancel.cancelled();
   const Outcome outcome = outcome_of(results, scan.choices);
   WriteScanOptions options = command.write;
-  std::size_t exterior = scan.given.points.size();
+  std::size_t exterior = scan.given.points;
   if (command.content == FillCommand::Content::patches) {
     if (outcome.filled == 0) {
       std::fprintf(stderr, "loopmend: no loop was filled, so there are no patches and %s was not written%s.\n",
                    command.output.c_str(), why_open(results).c_str());
       return interrupt_exit_code() != 0 ? interrupt_exit_code() : exit_loops_failed;
     }
-    options.written.assign(scan.given.triangles.size(), 0);
+    options.written.assign(scan.given.triangles, 0);
     options.written.resize(soup.triangles.size(), 1);
     exterior = 0;
   }
   OutputTransaction outputs;
   const WrittenScan written = write_scan(outputs, command.output, soup, options);
-  const OutputLosses losses = losses_of(command.output, soup, command.write.encoding, opened.import.not_kept, exterior);
+  const OutputLosses losses = losses_of(command.output, soup, command.write.encoding, opened.report.not_kept, exterior);
   std::optional<Watertightness> verdict;
   if (command.check == Check::printable) verdict = watertightness(soup);
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  nlohmann::ordered_json json = fill_report(command, opened.import, scan, bad, results);
+  nlohmann::ordered_json json = fill_report(command, opened.report, scan, bad, results);
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
   json["output"] = losses_json(losses);
   json["output"]["content"] = command.content == FillCommand::Content::patches ? "patches" : "surface";
@@ -321,10 +324,10 @@ int run_fill(const FillCommand& command) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
     if (command.coincident == CoincidentVertices::weld)
       std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
-                   counted(opened.import.vertices_welded, "vertex was", "vertices were").c_str());
-    if (opened.import.vertices_joined > 0)
+                   counted(opened.report.vertices_welded, "vertex was", "vertices were").c_str());
+    if (opened.report.vertices_joined > 0)
       std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
-                   counted(opened.import.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
+                   counted(opened.report.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
     print_preparation(out, scan.done);
     if (const std::size_t turned = scan.done.turned_faces + scan.model.repairs.reoriented_faces; turned > 0)
       std::fprintf(out, "%s turned round to agree with the neighbours.\n",
@@ -342,8 +345,8 @@ int run_fill(const FillCommand& command) {
     if (verdict) print_verdict(out, *verdict);
     print_losses(out, command.output, losses);
     print_beside(out, written);
-    print_import_losses(out, opened.import);
-    print_coincident(out, opened.import, scan.loops);
+    print_import_losses(out, opened.report);
+    print_coincident(out, opened.report, scan.loops);
     if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command);
   }
   if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;

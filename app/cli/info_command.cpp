@@ -44,20 +44,26 @@ void print_import(const ImportReport& import, const ModelRepairs& repairs) {
 
 /// What no output will hold, and what only some formats have room for.
 void print_not_kept(const OpenedModel& opened) {
-  if (const std::vector<NotKept> carried = carried_attributes(opened.as_read); !carried.empty())
+  if (const std::vector<NotKept> carried = carried_attributes(opened.model.soup); !carried.empty())
     std::printf("  also holds: %s\n", to_string(carried).c_str());
   if (!opened.import.not_kept.empty())
     std::printf("  in no file that Loopmend writes: %s\n", to_string(opened.import.not_kept).c_str());
   for (const char* format : {"PLY", "STL", "OBJ", "OFF", "GLB", "3MF"}) {
-    const std::vector<NotKept> list = not_kept_by_format(std::string("x.") + format, opened.as_read);
+    const std::vector<NotKept> list = not_kept_by_format(std::string("x.") + format, opened.model.soup);
     if (!list.empty()) std::printf("  not in %s: %s\n", format, to_string(list).c_str());
   }
   Eigen::AlignedBox3d box;
-  for (const Vec3& point : opened.as_read.points) box.extend(point);
-  const double rounding = largest_rounding("x.stl", opened.as_read, Encoding::binary);
+  for (const Vec3& point : opened.model.soup.points) box.extend(point);
+  const double rounding = largest_rounding("x.stl", opened.model.soup, Encoding::binary);
   // That of coordinates of the mesh's own size is no news; a scan far from the origin is.
   if (rounding > 1e-6 * box.diagonal().norm())
     std::printf("  binary STL would move vertices by up to %.3g\n", rounding);
+}
+
+/// Of the file as it is: faces that disagree count.
+Watertightness verdict_before_turning(const SurfaceModel& model) {
+  if (model.turned_faces.empty()) return watertightness(model.soup);
+  return watertightness(as_read(model));
 }
 
 /// How many loops there are of each kind.
@@ -91,11 +97,11 @@ void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
 
 int run_info(const InfoCommand& command) {
   CommandFiles().reads("the input", command.input).writes_report("--json", command.json).check();
-  const OpenedModel opened = open_model(command.input, command.coincident);
+  const OpenedModel opened = open_model(command.input, command.coincident, View::loops);
   const SurfaceModel& model = opened.model;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   std::optional<Watertightness> verdict;
-  if (command.check == Check::printable) verdict = watertightness(opened.as_read);
+  if (command.check == Check::printable) verdict = verdict_before_turning(model);
   if (!command.json.empty()) {
     nlohmann::ordered_json json;
     json["schema_version"] = report_schema_version;

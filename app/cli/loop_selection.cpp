@@ -49,7 +49,11 @@ void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
         found = true;
       }
   if (found) return;
-  const bool used = std::find(model.soup_vertex.begin(), model.soup_vertex.end(), vertex) != model.soup_vertex.end();
+  bool used = false;
+  for_each_soup_triangle(model, [&](int f) {
+    const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
+    used = used || std::find(t.begin(), t.end(), vertex) != t.end();
+  });
   throw UsageError(name + (used ? " lies on no boundary loop" : " belongs to no face"));
 }
 

@@ -2,21 +2,29 @@
 #include "open_model.h"
 
 #include "core/error.h"
+#include "pipeline/filling_view.h"
+
+#include <utility>
 
 namespace loopmend {
 
-SurfaceModel model_of(const std::filesystem::path& path, const TriangleSoup& soup) {
+SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View view) {
   try {
-    return make_surface_model(soup);
+    switch (view) {
+      case View::whole: break;
+      case View::loops: return make_view_around_loops(std::move(soup), {});
+      case View::filling: return make_filling_view(std::move(soup));
+    }
+    return make_surface_model(std::move(soup));
   } catch (const InvalidArgument& error) {
     throw ReadError(path, error.what(), "", "Check the mesh in the program that made it.");
   }
 }
 
-OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident) {
+OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident, View view) {
   ImportedMesh imported = read_mesh(path, coincident);
-  SurfaceModel model = model_of(path, imported.soup);
-  return {std::move(imported.soup), std::move(model), std::move(imported.report)};
+  SurfaceModel model = model_of(path, std::move(imported.soup), view);
+  return {std::move(model), std::move(imported.report)};
 }
 
 }  // namespace loopmend

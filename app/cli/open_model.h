@@ -10,15 +10,22 @@
 namespace loopmend {
 
 struct OpenedModel {
-  TriangleSoup as_read;  ///< before any face was turned round
   SurfaceModel model;
   ImportReport import;
 };
 
+/// How much of the surface the view holds.
+enum class View {
+  whole,
+  loops,   ///< what finding the loops needs
+  filling  ///< and what filling them needs (pipeline/filling_view.h)
+};
+
 /// The view of a soup that was read from this file. @throws ReadError where it holds no usable face.
-SurfaceModel model_of(const std::filesystem::path& path, const TriangleSoup& soup);
+SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View view = View::whole);
 
 /// @throws ReadError, also where the file is sound but holds no usable face.
-OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep);
+OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep,
+                       View view = View::whole);
 
 }  // namespace loopmend

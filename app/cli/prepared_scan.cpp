@@ -3,6 +3,7 @@
 
 #include "open_model.h"
 
+#include "pipeline/filling_view.h"
 #include "pipeline/hand_bridge.h"
 #include "pipeline/paste.h"
 
@@ -33,8 +34,8 @@ void prepare(PreparedScan& scan, const FillCommand& command) {
   scan.done.before = scan.model.repairs;
   const auto replace = [&](TriangleSoup soup) {
     scan.done.turned_faces += scan.model.repairs.reoriented_faces;
-    scan.given = std::move(soup);
-    scan.model = command.input.empty() ? make_surface_model(scan.given) : model_of(command.input, scan.given);
+    scan.given = record_of(soup);
+    scan.model = command.input.empty() ? make_surface_model(std::move(soup)) : model_of(command.input, std::move(soup));
   };
   if (command.stitch == FillCommand::Stitch::yes) {
     scan.done.stitched = stitch_boundaries(scan.model);
@@ -43,7 +44,7 @@ void prepare(PreparedScan& scan, const FillCommand& command) {
   if (command.repair != FillCommand::Repair::no) {
     std::set<Defect> defects = harmless_repairs;
     if (command.repair == FillCommand::Repair::cut_intersections) defects.insert(Defect::intersections);
-    RepairedSurface repaired = repair_surface(scan.given, defects);
+    RepairedSurface repaired = repair_surface(as_read(scan.model), defects);
     scan.done.repaired = repaired.counts;
     replace(std::move(repaired.soup));
   }
@@ -76,16 +77,19 @@ void trim(PreparedScan& scan, const FillCommand& command) {
   scan.trimmed = std::move(trimmed.removed);
   scan.to_trim = trimmed.loops;
   if (scan.trimmed.empty()) return;
-  std::vector<char> gone(scan.given.triangles.size(), 0);
+  TriangleSoup given = as_read(std::move(scan.model));
+  std::vector<char> gone(given.triangles.size(), 0);
   for (const BadRimFace& bad : scan.trimmed) gone[static_cast<std::size_t>(bad.face)] = 1;
   Triangles left;
   for (std::size_t f = 0; f < gone.size(); ++f)
-    if (!gone[f]) left.push_back(scan.given.triangles[f]);
-  scan.given.triangles = std::move(left);
-  std::size_t turned = 0;
-  for (std::size_t f = 0; f < scan.given.triangles.size(); ++f)
-    turned += trimmed.model.soup.triangles[f] != scan.given.triangles[f];
-  trimmed.model.repairs.reoriented_faces = turned;
+    if (!gone[f]) left.push_back(given.triangles[f]);
+  given.triangles = std::move(left);
+  scan.given = record_of(given);
+  std::vector<int>& turned = trimmed.model.turned_faces;
+  turned.clear();
+  for (std::size_t f = 0; f < given.triangles.size(); ++f)
+    if (trimmed.model.soup.triangles[f] != given.triangles[f]) turned.push_back(static_cast<int>(f));
+  trimmed.model.repairs.reoriented_faces = turned.size();
   scan.model = std::move(trimmed.model);
   scan.loops = find_boundary_loops(scan.model);
   scan.choices = choices_after_trim(scan.loops, trimmed.loops, command);
@@ -100,13 +104,22 @@ std::vector<BoundaryLoop> PreparedScan::chosen() const {
   return result;
 }
 
-PreparedScan prepare_scan(TriangleSoup as_read, SurfaceModel model, const FillCommand& command) {
+bool needs_whole_view(const FillCommand& command) {
+  return command.stitch == FillCommand::Stitch::yes || command.repair != FillCommand::Repair::no ||
+         !command.bridges.empty() || command.trim_rounds > 0;
+}
+
+PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command) {
   PreparedScan scan;
   scan.given = std::move(as_read);
   scan.model = std::move(model);
   prepare(scan, command);
   scan.loops = find_boundary_loops(scan.model);
   scan.choices = choose_loops(scan.model, scan.loops, command);
+  if (widen_filling_view(scan.model, scan.loops, scan.chosen())) {  // the same loops, of other view vertices
+    scan.loops = find_boundary_loops(scan.model);
+    scan.choices = choose_loops(scan.model, scan.loops, command);
+  }
   scan.to_trim = scan.chosen();
   if (command.trim_rounds > 0) trim(scan, command);
   return scan;
@@ -120,7 +133,7 @@ std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillOptions& optio
     for (HoleResult& result : fill_holes(scan.model, chosen, options, progress, cancel))
       filled[result.loop.number] = std::move(result);
   if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
-  check_exterior(scan.given, scan.model.soup, scan.model.repairs.reoriented_faces);
+  check_exterior(scan.given, scan.model.soup, scan.model.turned_faces);
   std::vector<HoleResult> results;
   for (std::size_t k = 0; k < scan.loops.size(); ++k) {
     const auto done = filled.find(scan.loops[k].number);

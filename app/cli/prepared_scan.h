@@ -5,6 +5,7 @@
 
 #include "loop_selection.h"
 
+#include "pipeline/paste.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 
@@ -24,7 +25,7 @@ struct Preparation {
 };
 
 struct PreparedScan {
-  TriangleSoup given;  ///< the prepared mesh, with which the output is compared
+  SoupRecord given;  ///< of the prepared mesh: with this the output is compared
   SurfaceModel model;
   Preparation done;
   std::vector<BoundaryLoop> loops;
@@ -36,10 +37,14 @@ struct PreparedScan {
 };
 
 /// Stitches, repairs, bridges and trims as the command asks, then finds and chooses the loops.
-/// @param as_read  the mesh, before any face was turned. @param model  made of it
+/// @param as_read  of the mesh, before any face was turned. @param model  made of it; a view that is not whole must be one for
+/// filling, and serves only where needs_whole_view() does not say otherwise.
 /// @throws ReadError or InvalidArgument where no usable face is left (the former where the command names a file); UsageError,
 /// InvalidArgument for loops, vertices or bridges that there are not.
-PreparedScan prepare_scan(TriangleSoup as_read, SurfaceModel model, const FillCommand& command);
+PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command);
+
+/// Whether what the command asks for first walks over the whole surface.
+bool needs_whole_view(const FillCommand& command);
 
 /// Fills the chosen loops into the scan's model, and compares what was given, bit for bit.
 /// @returns one result for each loop, in the order of their numbers; those that were left say why. Nothing when cancelled, unless

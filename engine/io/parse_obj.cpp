@@ -3,6 +3,7 @@
 #include "io/parse_errors.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
+#include "io/text_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +57,7 @@ class ObjReader {
   explicit ObjReader(const FileContent& file) : errors_(file), cursor_(mesh_text(file), '#') {}
 
   PolygonSoup read() {
-    while (cursor_.next_line()) {
+    for (read_runs(); cursor_.next_line(); read_runs()) {
       continues_ = false;
       const std::string_view word = next();
       if (!word.empty()) read_statement(word);
@@ -128,6 +129,67 @@ class ObjReader {
       errors_.fail(in_quotes(word) + " is not a statement of an OBJ file", cursor_.place(),
                    "The file is damaged or is something else under this name.");
     }
+  }
+
+  /// Many plain vertices or triangles one after the other: by several threads. Whatever is not so is left to the statements.
+  void read_runs() {
+    while (read_run_of_vertices() || read_run_of_triangles()) {
+    }
+  }
+
+  std::size_t length_of_run(bool tried_in_vain, std::string_view keyword) {
+    constexpr std::size_t worth_it = 1000;
+    if (tried_in_vain || cursor_.line_number() < no_run_before_) return 0;
+    if (cursor_.next_lines().substr(0, keyword.size()) != keyword) return 0;
+    const std::size_t rows = count_rows(cursor_.next_lines(), keyword);
+    if (rows >= worth_it && rows < std::numeric_limits<int>::max() / 3) return rows;
+    no_run_before_ = cursor_.line_number() + rows;  // not to be counted again
+    return 0;
+  }
+
+  bool read_run_of_vertices() {
+    const std::size_t count = length_of_run(vertices_are_not_plain_, "v "), begin = soup_.points.size();
+    if (count == 0 || begin + count > std::numeric_limits<int>::max()) return false;
+    soup_.points.resize(begin + count);
+    const auto keep = [&](std::size_t v, const double* numbers) {
+      soup_.points[begin + v] = {numbers[0], numbers[1], numbers[2]};
+      return soup_.points[begin + v].allFinite();
+    };
+    const auto bytes = read_rows(cursor_.next_lines(), count, 3, KeepRow(keep), "v ");
+    if (bytes)
+      cursor_.skip_lines(*bytes, count);
+    else
+      soup_.points.resize(begin);
+    vertices_are_not_plain_ = !bytes;
+    return bytes.has_value();
+  }
+
+  bool read_run_of_triangles() {
+    const std::size_t count = length_of_run(faces_are_not_plain_, "f "), begin = soup_.corners.size();
+    if (count == 0) return false;
+    const auto known = static_cast<std::int64_t>(soup_.points.size());
+    soup_.corners.resize(begin + 3 * count);
+    const auto keep = [&](std::size_t f, const std::int64_t* numbers) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (numbers[c] < 1 || numbers[c] > known) return false;
+        soup_.corners[begin + 3 * f + c] = static_cast<int>(numbers[c] - 1);
+      }
+      return true;
+    };
+    const auto bytes = read_rows(cursor_.next_lines(), count, 3, KeepIntegers(keep), "f ");
+    faces_are_not_plain_ = !bytes;
+    if (!bytes) {
+      soup_.corners.resize(begin);
+      return false;
+    }
+    for (NamesSoFar& names : names_) {
+      if (names.now < 0) continue;
+      names.of_face.resize(soup_.polygon_count(), -1);
+      names.of_face.resize(soup_.polygon_count() + count, names.now);
+    }
+    soup_.close_triangles(count);
+    cursor_.skip_lines(*bytes, count);
+    return true;
   }
 
   /// What a statement without vertices or faces of ours gives; null for parts of one.
@@ -339,7 +401,9 @@ class ObjReader {
 
   ParseErrors errors_;
   TextCursor cursor_;
-  bool continues_ = false;  // the last token was followed by a backslash at the end of the line
+  bool vertices_are_not_plain_ = false, faces_are_not_plain_ = false;
+  std::size_t no_run_before_ = 0;  // a line
+  bool continues_ = false;         // the last token was followed by a backslash at the end of the line
   LonePlaces lone_;
   PolygonSoup soup_;
   std::vector<std::pair<std::size_t, std::array<double, 4>>> colors_;  // vertex; red, green, blue, alpha

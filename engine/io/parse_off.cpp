@@ -23,7 +23,6 @@ class OffReader {
     read_header();
     soup_.points.reserve(vertex_count_);
     for (std::uint64_t v = 0; v < vertex_count_; ++v) read_vertex(v);
-    soup_.ends.reserve(face_count_);
     for (std::uint64_t f = 0; f < face_count_; ++f) read_face(f);
     if (!cursor_.next_token_across_lines().empty()) {
       errors_.fail("there is more data than the header announces", cursor_.place(),

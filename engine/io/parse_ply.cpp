@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/threads.h"
 #include "io/lone_places.h"
 #include "io/parse_errors.h"
 #include "io/ply_header.h"
 #include "io/ply_rows.h"
 #include "io/polygon_soup.h"
 #include "io/single_precision.h"
+#include "io/text_rows.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -84,6 +88,17 @@ FacePlan plan_faces(const PlyElement& element, const ParseErrors& errors) {
   errors.fail("the faces have no list vertex_indices", element.place, "Export the mesh with polygon faces.");
 }
 
+constexpr std::size_t rows_in_block = 1 << 16;
+int block_count(std::size_t rows) { return static_cast<int>((rows + rows_in_block - 1) / rows_in_block); }
+std::size_t block_begin(int block) { return rows_in_block * static_cast<std::size_t>(block); }
+
+template <class T>
+T loaded(const char* from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+
 /// Goes through the body once, in the order of the header.
 template <class Rows>
 class PlyBody {
@@ -137,6 +152,10 @@ class PlyBody {
       columns.push_back(column_for(element.properties[i]));
       columns.back().reserve(believable(element));
     }
+    if (columns.empty() && read_plain_points(element, plan)) {
+      if (are_floats(element, soup_.points)) soup_.attributes.coordinates = PlyType::float32;
+      return;
+    }
     soup_.points.reserve(element.count);
     if (plan.has_colors()) soup_.colors.reserve(element.count);
     for (std::uint64_t v = 0; v < element.count; ++v) {
@@ -145,6 +164,125 @@ class PlyBody {
       rows_.end_row();
     }
     if (are_floats(element, soup_.points)) soup_.attributes.coordinates = PlyType::float32;
+  }
+
+  /// Coordinates alone, by blocks, straight from the bytes. @returns false, and reads nothing, where something is out of the
+  /// common: value by value, that is told with its place.
+  bool read_plain_points(const PlyElement& element, const VertexPlan& plan) {
+    const PlyType type = element.properties.front().type;
+    const bool plain = element.properties.size() == 3 && (type == PlyType::float32 || type == PlyType::float64) &&
+                       element.properties[1].type == type && element.properties[2].type == type;
+    const std::size_t size = size_in_bytes(type), count = element.count;
+    if constexpr (Rows::is_text) return plain && read_lines_of_points(plan, count);
+    const std::string_view bytes = bytes_left();
+    if (!plain || bytes.size() / (3 * size) < count) return false;
+    soup_.points.resize(count);
+    std::atomic<bool> finite{true};
+    parallel_for(0, block_count(count), 1, [&](int block) {
+      bool all_finite = true;
+      for (std::size_t v = block_begin(block); v < std::min(block_begin(block + 1), count); ++v) {
+        const char* row = bytes.data() + 3 * size * v;
+        for (std::size_t c = 0; c < 3; ++c)
+          soup_.points[v][plan.roles[c]] = type == PlyType::float32 ? static_cast<double>(loaded<float>(row + size * c))
+                                                                    : loaded<double>(row + size * c);
+        all_finite = all_finite && soup_.points[v].allFinite();
+      }
+      if (!all_finite) finite = false;
+    });
+    if (!finite) {
+      soup_.points.clear();
+      return false;
+    }
+    skip(3 * size * count);
+    return true;
+  }
+
+  /// The same for faces that are triangles, with nothing else in their rows.
+  bool read_plain_triangles(const PlyElement& element) {
+    constexpr std::size_t row_size = 1 + 3 * sizeof(std::int32_t);
+    const PlyProperty& list = element.properties.front();
+    const bool plain = element.properties.size() == 1 &&
+                       (list.count_type == PlyType::uint8 || list.count_type == PlyType::int8) &&
+                       (list.type == PlyType::int32 || list.type == PlyType::uint32);
+    const std::size_t count = element.count;
+    if constexpr (Rows::is_text) return plain && read_lines_of_triangles(count);
+    const std::string_view bytes = bytes_left();
+    if (!plain || bytes.size() / row_size < count) return false;
+    const std::size_t begin = soup_.corners.size();
+    const auto most = static_cast<std::uint32_t>(vertices_->count);
+    soup_.corners.resize(begin + 3 * count);
+    std::atomic<bool> regular{true};
+    parallel_for(0, block_count(count), 1, [&](int block) {
+      bool all_regular = true;
+      for (std::size_t f = block_begin(block); f < std::min(block_begin(block + 1), count); ++f) {
+        const char* row = bytes.data() + row_size * f;
+        all_regular = all_regular && *row == 3;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const auto index = loaded<std::uint32_t>(row + 1 + sizeof index * c);
+          all_regular = all_regular && index < most;
+          soup_.corners[begin + 3 * f + c] = static_cast<int>(index);
+        }
+      }
+      if (!all_regular) regular = false;
+    });
+    if (!regular) {
+      soup_.corners.resize(begin);
+      return false;
+    }
+    soup_.close_triangles(count);
+    skip(row_size * count);
+    return true;
+  }
+
+  /// Of text: a row on each line.
+  bool read_lines_of_points(const VertexPlan& plan, std::size_t count) {
+    if (count > file_bytes_ / 6) return false;  // "0 0 0\n"
+    soup_.points.resize(count);
+    const auto keep = [&](std::size_t v, const double* numbers) {
+      for (std::size_t c = 0; c < 3; ++c) soup_.points[v][plan.roles[c]] = numbers[c];
+      return soup_.points[v].allFinite();
+    };
+    if (skip_lines(read_rows(lines_left(), count, 3, KeepRow(keep)), count)) return true;
+    soup_.points.clear();
+    return false;
+  }
+
+  bool read_lines_of_triangles(std::size_t count) {
+    if (count > file_bytes_ / 8) return false;  // "3 0 1 2\n"
+    const std::size_t begin = soup_.corners.size();
+    const auto most = static_cast<std::int64_t>(vertices_->count);
+    soup_.corners.resize(begin + 3 * count);
+    const auto keep = [&](std::size_t f, const std::int64_t* numbers) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (numbers[c + 1] < 0 || numbers[c + 1] >= most) return false;
+        soup_.corners[begin + 3 * f + c] = static_cast<int>(numbers[c + 1]);
+      }
+      return numbers[0] == 3;
+    };
+    if (skip_lines(read_rows(lines_left(), count, 4, KeepIntegers(keep)), count)) {
+      soup_.close_triangles(count);
+      return true;
+    }
+    soup_.corners.resize(begin);
+    return false;
+  }
+
+  std::string_view lines_left() const {
+    if constexpr (Rows::is_text) return rows_.next_lines();
+    return {};
+  }
+  /// @returns whether there is something to skip.
+  bool skip_lines(const std::optional<std::size_t>& bytes, std::size_t lines) {
+    if constexpr (Rows::is_text)
+      if (bytes) rows_.skip_lines(*bytes, lines);
+    return bytes.has_value();
+  }
+  std::string_view bytes_left() const {
+    if constexpr (!Rows::is_text) return rows_.native_bytes();
+    return {};
+  }
+  void skip(std::size_t bytes) {
+    if constexpr (!Rows::is_text) rows_.skip(bytes);
   }
 
   void read_vertex(const PlyElement& element, const VertexPlan& plan, const std::vector<int>& column_of,
@@ -181,7 +319,7 @@ class PlyBody {
     for (std::size_t i = 0; i < element.properties.size(); ++i)
       if (i != plan.corners_at) columns.push_back(column_for(element.properties[i]));
     for (AttributeColumn& column : columns) column.reserve(believable(element));
-    soup_.ends.reserve(soup_.ends.size() + believable(element));
+    if (columns.empty() && read_plain_triangles(element)) return;
     soup_.corners.reserve(soup_.corners.size() + 3 * believable(element));
     for (std::uint64_t f = 0; f < element.count; ++f) {
       rows_.begin_row(element, f);

@@ -203,7 +203,6 @@ PolygonSoup parse_stl_binary(const FileContent& file) {
   const std::size_t count = require_facet_count(file, errors, soup.oddities);
   Welder welder(soup);
   soup.corners.reserve(3 * count);
-  soup.ends.reserve(count);
   bool has_attributes = false;
   AttributeColumn attributes("attribute", ScalarType::uint16);
   attributes.reserve(count);

@@ -80,6 +80,10 @@ class PlyTextRows {
     }
   }
 
+  static constexpr bool is_text = true;
+  std::string_view next_lines() const { return cursor_.next_lines(); }
+  void skip_lines(std::size_t bytes, std::size_t lines) { cursor_.skip_lines(bytes, lines); }
+
   std::string place() const { return "line " + std::to_string(header_lines_ + cursor_.line_number()); }
 
  private:
@@ -155,6 +159,11 @@ class PlyBinaryRows {
     errors_.fail(std::to_string(rest.size()) + " bytes more than the header announces", place(),
                  "The header and the data do not belong together; export the mesh again.");
   }
+
+  static constexpr bool is_text = false;
+  /// What is left, where numbers stand as this machine has them; else nothing.
+  std::string_view native_bytes() const { return swap_ ? std::string_view() : bytes_.substr(at_); }
+  void skip(std::size_t count) { at_ += count; }
 
   std::string place() const { return "byte " + std::to_string(at_ + offset_); }
 

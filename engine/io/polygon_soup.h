@@ -19,7 +19,7 @@ struct PolygonSoup {
   Points points;
   std::vector<Color> colors;         ///< as many as points, or empty
   std::vector<int> corners;          ///< vertex indices of all polygons, one after the other
-  std::vector<std::size_t> ends;     ///< per polygon: one past its last corner
+  std::vector<std::size_t> ends;     ///< per polygon: one past its last corner; empty while all are triangles
   std::size_t missing_colors = 0;    ///< vertices without a colour of their own in a file with colours
   std::size_t skipped_elements = 0;  ///< things that are neither vertex nor face: lines, points, edges
   std::vector<NotKept> not_kept;     ///< all that was read over, the skipped elements among it, by name
@@ -27,8 +27,21 @@ struct PolygonSoup {
   std::size_t vertices_welded = 0;   ///< STL and glTF only
   ScanAttributes attributes;         ///< but for its counts and faces, which read_mesh adds
 
-  std::size_t polygon_count() const { return ends.size(); }
-  void close_polygon() { ends.push_back(corners.size()); }
+  std::size_t polygon_count() const { return count_; }
+  bool has_only_triangles() const { return ends.empty(); }
+  void close_polygon() {
+    ++count_;
+    if (ends.empty() && corners.size() == 3 * count_) return;
+    for (std::size_t k = ends.size() + 1; k < count_; ++k) ends.push_back(3 * k);
+    ends.push_back(corners.size());
+  }
+  /// The same for corners that make `count` triangles.
+  void close_triangles(std::size_t count) {
+    if (ends.empty())
+      count_ += count;
+    else
+      for (; count > 0; --count) ends.push_back(ends.back() + 3), ++count_;
+  }
   /// Of the corners from `begin` on; fewer than three enclose nothing: they go, counted. @returns whether there is a face
   bool close_face(std::size_t begin) {
     if (corners.size() - begin >= 3) {
@@ -40,9 +53,13 @@ struct PolygonSoup {
     return false;
   }
   std::span<const int> polygon(std::size_t k) const {
+    if (ends.empty()) return {corners.data() + 3 * k, 3};
     const std::size_t begin = k == 0 ? 0 : ends[k - 1];
     return {corners.data() + begin, ends[k] - begin};
   }
+
+ private:
+  std::size_t count_ = 0;
 };
 
 inline constexpr Color opaque_white = {255, 255, 255, 255};

@@ -2,6 +2,7 @@
 #include "io/read_mesh.h"
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "io/file_content.h"
 #include "io/first_occurrence.h"
 #include "io/gzip.h"
@@ -16,9 +17,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace loopmend {
@@ -65,6 +71,11 @@ Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup
   if (count > most || soup.corners.size() > std::numeric_limits<int>::max())
     throw ReadError(path, "more than 715827882 triangles", "", "Reduce it first.");
   Triangles triangles;
+  if (soup.has_only_triangles()) {
+    triangles.resize(count);
+    std::memcpy(triangles.data(), soup.corners.data(), soup.corners.size() * sizeof(int));
+    return triangles;
+  }
   triangles.reserve(count);
   for (std::size_t k = 0; k < soup.polygon_count(); ++k) triangulate_polygon(soup.points, soup.polygon(k), triangles);
   if (count == soup.polygon_count()) return triangles;
@@ -75,24 +86,60 @@ Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup
 }
 
 std::size_t count_polygons(const PolygonSoup& soup) {
+  if (soup.has_only_triangles()) return 0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < soup.polygon_count(); ++k) count += soup.polygon(k).size() > 3 ? 1 : 0;
   return count;
 }
 
 std::size_t count_unreferenced(const TriangleSoup& soup) {
-  std::vector<bool> used(soup.points.size(), false);
+  std::vector<char> used(soup.points.size(), 0);
   for (const Triangle& triangle : soup.triangles) {
-    for (const int v : triangle) used[static_cast<std::size_t>(v)] = true;
+    for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
   }
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
 }
 
-std::size_t count_coincident(const Points& points) {
-  FirstPoint first = first_point_table(points);
+/// How many of these points lie exactly where another of them does, not counting one for each place. @param numbers
+/// in their low half; their order changes.
+std::size_t count_at_same_place(const Points& points, std::span<std::uint64_t> numbers) {
+  const auto point = [&](std::uint64_t number) -> const Vec3& { return points[static_cast<std::uint32_t>(number)]; };
+  std::sort(numbers.begin(), numbers.end(), [&](std::uint64_t a, std::uint64_t b) {
+    const Vec3 &p = point(a), &q = point(b);
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  });
   std::size_t count = 0;
-  for (int v = 0; v < static_cast<int>(points.size()); ++v) count += first.find_or_add(v) != v ? 1 : 0;
+  for (std::size_t k = 1; k < numbers.size(); ++k) count += point(numbers[k]) == point(numbers[k - 1]) ? 1 : 0;
   return count;
+}
+
+/// Points are dealt out by their hash, so that what is compared lies in a small part of the memory.
+std::size_t count_coincident(const Points& points) {
+  constexpr std::size_t parts = 256;
+  const PointHash hash{&points};
+  std::vector<std::uint32_t> hashes(points.size());
+  parallel_for(0, static_cast<int>(points.size()), 1 << 16,
+               [&](int v) { hashes[static_cast<std::size_t>(v)] = static_cast<std::uint32_t>(hash(v)); });
+  std::array<std::size_t, parts + 1> begin{};
+  for (const std::uint32_t h : hashes) ++begin[(h >> 24) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint64_t> entries(points.size());  // hash, number of the point
+  std::array<std::size_t, parts + 1> next = begin;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    entries[next[hashes[v] >> 24]++] = (std::uint64_t{hashes[v]} << 32) | v;
+  std::array<std::size_t, parts> count{};
+  parallel_for(0, static_cast<int>(parts), 1, [&](int part) {
+    const auto p = static_cast<std::size_t>(part);
+    const std::span<std::uint64_t> mine(entries.data() + begin[p], begin[p + 1] - begin[p]);
+    std::sort(mine.begin(), mine.end());
+    for (std::size_t k = 0; k < mine.size();) {
+      std::size_t end = k + 1;
+      while (end < mine.size() && (mine[end] >> 32) == (mine[k] >> 32)) ++end;
+      if (end - k > 1) count[p] += count_at_same_place(points, mine.subspan(k, end - k));
+      k = end;
+    }
+  });
+  return std::accumulate(count.begin(), count.end(), std::size_t{0});
 }
 
 /// A vertex twice, or an area that is zero up to rounding.
@@ -109,8 +156,11 @@ bool is_degenerate(const Points& points, const Triangle& t) {
 }
 
 std::size_t count_degenerate(const TriangleSoup& soup) {
-  const auto degenerate = [&](const Triangle& t) { return is_degenerate(soup.points, t); };
-  return static_cast<std::size_t>(std::count_if(soup.triangles.begin(), soup.triangles.end(), degenerate));
+  std::atomic<std::size_t> count{0};
+  parallel_for(0, static_cast<int>(soup.triangles.size()), 1 << 16, [&](int f) {
+    if (is_degenerate(soup.points, soup.triangles[static_cast<std::size_t>(f)])) ++count;
+  });
+  return count;
 }
 
 std::size_t count_duplicates(const TriangleSoup& soup) {
@@ -126,10 +176,15 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const T
   report.triangles = soup.triangles.size();
   report.polygons_triangulated = count_polygons(polygons);
   report.vertices_welded = polygons.vertices_welded;
-  report.unreferenced_vertices = count_unreferenced(soup);
-  report.degenerate_faces = count_degenerate(soup);
-  report.duplicate_faces = count_duplicates(soup);
-  report.coincident_vertices = count_coincident(soup.points);
+  parallel_invoke(
+      [&] {
+        report.duplicate_faces = count_duplicates(soup);
+        report.degenerate_faces = count_degenerate(soup);
+      },
+      [&] {
+        report.coincident_vertices = count_coincident(soup.points);
+        report.unreferenced_vertices = count_unreferenced(soup);
+      });
   report.missing_colors = polygons.missing_colors;
   report.skipped_elements = polygons.skipped_elements;
   report.has_colors = !soup.colors.empty();

@@ -56,11 +56,13 @@ void measure(const SurfaceModel& model, BoundaryLoop& loop) {
   loop.area = std::abs(area_vector.dot(eigen.eigenvectors().col(0)));
 }
 
-std::vector<BoundaryLoop> walk_loops(const TriMesh& mesh) {
+std::vector<BoundaryLoop> walk_loops(const SurfaceModel& model) {
+  const TriMesh& mesh = model.mesh;
   std::vector<BoundaryLoop> loops;
   std::vector<char> seen(mesh.n_halfedges(), 0);
   for (const auto start : mesh.halfedges()) {
     if (!mesh.is_boundary(start) || seen[start.idx()]) continue;
+    if (is_cut_off(model, mesh.from_vertex_handle(start).idx())) continue;
     BoundaryLoop loop;
     TriMesh::HalfedgeHandle h = start;
     do {
@@ -85,7 +87,7 @@ class SoupEdges {
       return;
     std::vector<char> on_boundary(model.soup.points.size(), 0);
     for (const auto v : model.mesh.vertices())
-      if (model.mesh.is_boundary(v)) on_boundary[model.soup_vertex[v.idx()]] = 1;
+      if (model.mesh.is_boundary(v) && !is_cut_off(model, v.idx())) on_boundary[model.soup_vertex[v.idx()]] = 1;
     for (int f : model.soup_face)
       for (int k = 0; k < 3; ++k) {
         const int a = model.soup.triangles[f][k], b = model.soup.triangles[f][(k + 1) % 3];
@@ -134,70 +136,52 @@ bool runs_round_a_sheet(const BoundaryLoop& loop) {
   return loop.extent > whole_extent && loop.depth < sheet_depth && loop.onward < straight_on;
 }
 
-/// The pieces of surface and their boxes.
-class Pieces {
- public:
-  explicit Pieces(const TriMesh& mesh)
-      : mesh_(mesh),
-        piece_(pieces_of(mesh)),
-        box_(piece_.size()),
-        faces_(piece_.size()) {
-    for (const auto face : mesh.faces()) {
-      const int piece = piece_[face.idx()];
-      faces_[piece].push_back(face.idx());
-      for (const auto v : mesh.fv_range(face)) box_[piece].extend(mesh.point(v));
-    }
-  }
-
-  /// Fills extent, depth and onward. The depth is measured only where it may matter.
-  void measure(const SurfaceModel& model, BoundaryLoop& loop) const {
+/// Fills onward, extent and depth. The depth is measured only where it may matter.
+void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std::vector<BoundaryLoop>& loops) {
+  std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>>
+      at_piece;  // loops whose depth is asked for, and their axes
+  for (BoundaryLoop& loop : loops) {
     const LoopFacing facing = loop_facing(model, loop);
     loop.onward = facing.onward.norm();
-    const int piece = piece_beside(mesh_, piece_, loop);
+    const int piece = pieces.beside(loop);
     Eigen::AlignedBox3d box;
-    for (const int v : loop.vertices) box.extend(mesh_.point(TriMesh::VertexHandle(v)));
-    loop.extent = box.diagonal().norm() / box_[piece].diagonal().norm();
-    if (loop.extent <= whole_extent || !(loop.diameter > 0)) return;
-    for (const int f : faces_[piece])
-      for (const auto v : mesh_.fv_range(TriMesh::FaceHandle(f)))
-        loop.depth = std::max(loop.depth, std::abs(facing.axis.dot(mesh_.point(v) - loop.center)) / loop.diameter);
+    for (const int v : loop.vertices) box.extend(model.mesh.point(TriMesh::VertexHandle(v)));
+    loop.extent = box.diagonal().norm() / pieces.box(piece).diagonal().norm();
+    if (loop.extent > whole_extent && loop.diameter > 0) at_piece[piece].emplace_back(&loop, facing.axis);
   }
-
- private:
-  const TriMesh& mesh_;
-  std::vector<int> piece_;
-  std::vector<Eigen::AlignedBox3d> box_;
-  std::vector<std::vector<int>> faces_;
-};
+  if (at_piece.empty()) return;
+  pieces.for_each_point([&](int piece, const Vec3& point) {
+    const auto asked = at_piece.find(piece);
+    if (asked == at_piece.end()) return;
+    for (const auto& [loop, axis] : asked->second)
+      loop->depth = std::max(loop->depth, std::abs(axis.dot(point - loop->center)) / loop->diameter);
+  });
+}
 
 /// Loops of three edges whose triangle lies at the same place already, on another sheet.
-std::set<int> covered_triangles(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops) {
+std::set<int> covered_triangles(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   using Place = std::array<double, 3>;
-  const auto place = [&](TriMesh::VertexHandle v) {
-    const Vec3 p = mesh.point(v);
-    return Place{p.x(), p.y(), p.z()};
-  };
+  const auto place = [](const Vec3& p) { return Place{p.x(), p.y(), p.z()}; };
   std::map<Place, std::vector<int>> loops_at;  // by their first place
   std::map<int, std::array<Place, 3>> places;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     if (loops[k].edges() != 3) continue;
     std::array<Place, 3>& sorted = places[static_cast<int>(k)];
-    for (int i = 0; i < 3; ++i) sorted[i] = place(TriMesh::VertexHandle(loops[k].vertices[i]));
+    for (int i = 0; i < 3; ++i) sorted[i] = place(model.mesh.point(TriMesh::VertexHandle(loops[k].vertices[i])));
     std::sort(sorted.begin(), sorted.end());
     loops_at[sorted[0]].push_back(static_cast<int>(k));
   }
   std::set<int> covered;
   if (places.empty()) return covered;
-  for (const auto face : mesh.faces()) {
+  for_each_soup_triangle(model, [&](int f) {
     std::array<Place, 3> sorted;
-    int i = 0;
-    for (const auto v : mesh.fv_range(face)) sorted[i++] = place(v);
+    for (int i = 0; i < 3; ++i) sorted[i] = place(model.soup.points[model.soup.triangles[f][i]]);
     std::sort(sorted.begin(), sorted.end());
     const auto found = loops_at.find(sorted[0]);
-    if (found == loops_at.end()) continue;
+    if (found == loops_at.end()) return;
     for (int k : found->second)
       if (places.at(k) == sorted) covered.insert(k);
-  }
+  });
   return covered;
 }
 
@@ -234,17 +218,14 @@ std::string why_outer_rim(const BoundaryLoop& loop) {
 }
 
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {
-  std::vector<BoundaryLoop> loops = walk_loops(model.mesh);
+  std::vector<BoundaryLoop> loops = walk_loops(model);
   const SoupEdges edges(model);
   count_coincident(model, loops);
   if (loops.empty()) return loops;
-  const Pieces pieces(model.mesh);
-  for (BoundaryLoop& loop : loops) {
-    measure(model, loop);
-    pieces.measure(model, loop);
-    loop.kind = kind_of(model, loop, edges);
-  }
-  for (int k : covered_triangles(model.mesh, loops))
+  for (BoundaryLoop& loop : loops) measure(model, loop);
+  measure_beside_pieces(model, Pieces(model), loops);
+  for (BoundaryLoop& loop : loops) loop.kind = kind_of(model, loop, edges);
+  for (int k : covered_triangles(model, loops))
     if (loops[k].kind == LoopKind::hole) loops[k].kind = LoopKind::crack;
   std::sort(loops.begin(), loops.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
     if (a.perimeter != b.perimeter) return a.perimeter > b.perimeter;

@@ -76,9 +76,48 @@ int piece_beside(const TriMesh& mesh, const std::vector<int>& piece, const Bound
   return piece[mesh.face_handle(h).idx()];
 }
 
+Pieces::Pieces(const SurfaceModel& model) : model_(model) {
+  if (model.beyond) {
+    of_point_ = model.beyond->piece_of_point;
+    boxes_ = model.beyond->boxes;
+    return;
+  }
+  const TriMesh& mesh = model.mesh;
+  own_of_point_.assign(mesh.n_vertices(), -1);
+  {
+    const std::vector<int> piece = pieces_of(mesh);
+    for (const auto face : mesh.faces())
+      for (const auto v : mesh.fv_range(face)) own_of_point_[v.idx()] = piece[face.idx()];
+  }
+  std::vector<int> number(mesh.n_faces(), -1);
+  for (std::size_t v = 0; v < own_of_point_.size(); ++v) {
+    int& piece = own_of_point_[v];
+    if (piece < 0) continue;
+    if (number[piece] < 0) {
+      number[piece] = static_cast<int>(own_boxes_.size());
+      own_boxes_.emplace_back();
+    }
+    piece = number[piece];
+    own_boxes_[piece].extend(point(v));
+  }
+  of_point_ = own_of_point_;
+  boxes_ = own_boxes_;
+}
+
+int Pieces::beside(const BoundaryLoop& loop) const {
+  const auto v = static_cast<std::size_t>(loop.vertices.front());
+  return model_.beyond ? model_.beyond->piece_of_vertex[v] : of_point_[v];
+}
+
+const Vec3& Pieces::point(std::size_t v) const {
+  if (!model_.beyond) return model_.mesh.point(TriMesh::VertexHandle(static_cast<int>(v)));
+  const std::size_t own = model_.beyond->piece_of_point.size() - model_.beyond->copy_of.size();
+  return model_.soup.points[v < own ? v : static_cast<std::size_t>(model_.beyond->copy_of[v - own])];
+}
+
 std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   const TriMesh& mesh = model.mesh;
-  const std::vector<int> piece = pieces_of(mesh);
+  const Pieces pieces(model);
   std::map<int, std::vector<int>> found;
   std::map<int, Outline> outlines;  // of holes that were looked at
   for (int island = 0; island < static_cast<int>(loops.size()); ++island) {
@@ -89,7 +128,7 @@ std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::
       if (loop.kind != LoopKind::hole || loop.diameter <= loops[island].diameter) continue;
       if (around >= 0 && loop.diameter >= loops[around].diameter) continue;
       if ((loop.center - loops[island].center).norm() > loop.diameter) continue;
-      if (piece_beside(mesh, piece, loop) == piece_beside(mesh, piece, loops[island])) continue;
+      if (pieces.beside(loop) == pieces.beside(loops[island])) continue;
       const Outline& outline = outlines.try_emplace(hole, mesh, loop).first->second;
       const std::vector<int>& rim = loops[island].vertices;
       if (std::all_of(rim.begin(), rim.end(),

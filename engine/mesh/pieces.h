@@ -4,6 +4,10 @@
 
 #include "mesh/boundary_loops.h"
 
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace loopmend {
@@ -13,6 +17,33 @@ std::vector<int> pieces_of(const TriMesh& mesh);
 
 /// The piece that a loop bounds, by the numbers of `piece` (of pieces_of).
 int piece_beside(const TriMesh& mesh, const std::vector<int>& piece, const BoundaryLoop& loop);
+
+/// The pieces of a surface by number, their boxes and points, whether the view holds them or not.
+class Pieces {
+ public:
+  /// @param model  must outlive this, and not change.
+  explicit Pieces(const SurfaceModel& model);
+  Pieces(const Pieces&) = delete;
+  Pieces& operator=(const Pieces&) = delete;
+  /// The piece that a loop bounds.
+  int beside(const BoundaryLoop& loop) const;
+  const Eigen::AlignedBox3d& box(int piece) const { return boxes_[piece]; }
+  /// visit(piece, point) for all points of all pieces.
+  template <class Visit>
+  void for_each_point(const Visit& visit) const {
+    for (std::size_t v = 0; v < of_point_.size(); ++v)
+      if (of_point_[v] >= 0) visit(of_point_[v], point(v));
+  }
+
+ private:
+  const Vec3& point(std::size_t v) const;
+
+  const SurfaceModel& model_;
+  std::vector<int> own_of_point_;               ///< of a whole view
+  std::vector<Eigen::AlignedBox3d> own_boxes_;  ///< likewise
+  std::span<const int> of_point_;               ///< of the points that point() knows; −1: none
+  std::span<const Eigen::AlignedBox3d> boxes_;
+};
 
 struct HoleWithIslands {
   int hole = 0;              ///< index into the loops

@@ -10,6 +10,8 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -232,21 +234,68 @@ namespace bg = boost::geometry;
 using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using TreeBox = bg::model::box<TreePoint>;
 
+namespace {
+
+/// So many triangles that lie together have one box in the tree.
+constexpr std::size_t block_size = 16;
+
+/// The three numbers' bits in turn: what has nearly the same lies together.
+std::uint32_t interleaved(const std::array<std::uint32_t, 3>& cell) {
+  std::uint32_t key = 0;
+  for (int bit = 9; bit >= 0; --bit)
+    for (int axis = 0; axis < 3; ++axis) key = (key << 1) | ((cell[axis] >> bit) & 1U);
+  return key;
+}
+
+Eigen::AlignedBox3d box_of(const Points& points, const Triangle& t) {
+  Eigen::AlignedBox3d box;
+  for (int v : t) box.extend(points[v]);
+  return box;
+}
+
+}  // namespace
+
 struct TriangleIndex::Impl {
-  bg::index::rtree<std::pair<TreeBox, int>, bg::index::quadratic<16>> tree;
+  Impl(const Points& p, const Triangles& t) : points(p), triangles(t) {}
+  const Points& points;
+  const Triangles& triangles;
+  std::vector<int> order;  ///< triangles, those of a block one after the other
+  bg::index::rtree<std::pair<TreeBox, int>, bg::index::quadratic<16>>
+      tree;  ///< of blocks: their first place in `order`
 };
 
-TriangleIndex::TriangleIndex(const Points& points, const Triangles& triangles) : impl_(std::make_unique<Impl>()) {
-  std::vector<std::pair<TreeBox, int>> entries;
-  entries.reserve(triangles.size());
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    Eigen::AlignedBox3d box;
-    for (int v : triangles[f]) box.extend(points[v]);
-    entries.emplace_back(
-        TreeBox({box.min().x(), box.min().y(), box.min().z()}, {box.max().x(), box.max().y(), box.max().z()}),
-        static_cast<int>(f));
+TriangleIndex::TriangleIndex(const Points& points, const Triangles& triangles, const std::vector<int>& left_out)
+    : impl_(std::make_unique<Impl>(points, triangles)) {
+  Eigen::AlignedBox3d extent;
+  for (const Vec3& p : points) extent.extend(p);
+  const Vec3 sizes = extent.sizes().cwiseMax(std::numeric_limits<double>::min());
+  std::vector<std::pair<std::uint32_t, int>> keys;
+  keys.reserve(triangles.size());
+  auto next = left_out.begin();
+  for (int f = 0; f < static_cast<int>(triangles.size()); ++f) {
+    if (next != left_out.end() && *next == f) {
+      ++next;
+      continue;
+    }
+    const Vec3 place = ((points[triangles[f][0]] - extent.min()).array() / sizes.array()) * 1023;
+    keys.emplace_back(interleaved({static_cast<std::uint32_t>(place.x()), static_cast<std::uint32_t>(place.y()),
+                                   static_cast<std::uint32_t>(place.z())}),
+                      f);
   }
-  impl_->tree = decltype(impl_->tree)(entries);  // packed: O(n log n)
+  std::sort(keys.begin(), keys.end());
+  impl_->order.reserve(keys.size());
+  for (const auto& [key, f] : keys) impl_->order.push_back(f);
+  keys = {};
+  std::vector<std::pair<TreeBox, int>> blocks;
+  for (std::size_t first = 0; first < impl_->order.size(); first += block_size) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t k = first; k < std::min(first + block_size, impl_->order.size()); ++k)
+      box.extend(box_of(points, triangles[impl_->order[k]]));
+    blocks.emplace_back(
+        TreeBox({box.min().x(), box.min().y(), box.min().z()}, {box.max().x(), box.max().y(), box.max().z()}),
+        static_cast<int>(first));
+  }
+  impl_->tree = decltype(impl_->tree)(blocks);  // packed: O(n log n)
 }
 
 TriangleIndex::~TriangleIndex() = default;
@@ -254,10 +303,14 @@ TriangleIndex::TriangleIndex(TriangleIndex&&) noexcept = default;
 TriangleIndex& TriangleIndex::operator=(TriangleIndex&&) noexcept = default;
 
 std::vector<int> TriangleIndex::near(const Vec3& low, const Vec3& high) const {
+  const Eigen::AlignedBox3d asked(low, high);
   const TreeBox box({low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()});
   std::vector<int> found;
-  for (auto it = impl_->tree.qbegin(bg::index::intersects(box)); it != impl_->tree.qend(); ++it)
-    found.push_back(it->second);
+  for (auto it = impl_->tree.qbegin(bg::index::intersects(box)); it != impl_->tree.qend(); ++it) {
+    const auto first = static_cast<std::size_t>(it->second);
+    for (std::size_t k = first; k < std::min(first + block_size, impl_->order.size()); ++k)
+      if (box_of(impl_->points, impl_->triangles[impl_->order[k]]).intersects(asked)) found.push_back(impl_->order[k]);
+  }
   std::sort(found.begin(), found.end());
   return found;
 }

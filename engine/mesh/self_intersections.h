@@ -20,10 +20,11 @@ std::vector<std::pair<int, int>> self_intersections(const Points& points, const 
 /// For each point the first in exactly the same place.
 std::vector<int> merged_by_place(const Points& points);
 
-/// Finds the triangles near a box fast. Keeps its own copy of the triangles' boxes.
+/// Finds the triangles near a box fast. Takes about 8 bytes a triangle.
 class TriangleIndex {
  public:
-  TriangleIndex(const Points& points, const Triangles& triangles);
+  /// @param points, triangles  must outlive the index, and not change. @param left_out  triangles that are never found, ascending
+  TriangleIndex(const Points& points, const Triangles& triangles, const std::vector<int>& left_out = {});
   ~TriangleIndex();
   TriangleIndex(TriangleIndex&&) noexcept;
   TriangleIndex& operator=(TriangleIndex&&) noexcept;

@@ -5,7 +5,11 @@
 #include "mesh/tri_mesh.h"
 #include "mesh/triangle_soup.h"
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace loopmend {
 
@@ -21,6 +25,17 @@ struct ModelRepairs {
   std::size_t unreferenced_vertices = 0;  ///< points that no face uses: kept in the file
 };
 
+/// What is known of the surface beyond a view that holds only what lies around its boundary loops.
+struct SurfaceBeyond {
+  int rings = 0;                 ///< as asked for (AroundLoops)
+  std::vector<char> is_cut_off;  ///< #V': whether faces of the vertex may be missing in the view
+  std::vector<int> unusable;     ///< soup triangles that are no part of the surface, ascending
+  std::vector<int> copy_of;  ///< points of the surface beyond those of the soup, where it was split: their soup points
+  std::vector<int> piece_of_point;   ///< #soup points, then #copy_of: number of the piece of surface; −1: on none
+  std::vector<int> piece_of_vertex;  ///< #V'
+  std::vector<Eigen::AlignedBox3d> boxes;  ///< of the pieces
+};
+
 /// `soup` is what is written back: its points and the order of its triangles never change; filling only appends.
 struct SurfaceModel {
   TriangleSoup soup;
@@ -28,11 +43,47 @@ struct SurfaceModel {
   std::vector<int> soup_vertex;  ///< #V': view vertex → soup point (several may share one where the view was cut)
   std::vector<int> soup_face;    ///< #F': view face → soup triangle
   ModelRepairs repairs;
+  std::vector<int> turned_faces{};  ///< soup triangles that were turned round, ascending
+  /// Nothing: the view holds the whole surface.
+  std::optional<SurfaceBeyond> beyond{};
 };
 
 /// Builds the view. Deterministic.
 /// @throws InvalidArgument if an index is out of range or no usable face is left.
 SurfaceModel make_surface_model(TriangleSoup soup);
+
+/// What a view around the boundary loops holds: all faces at points that are up to `rings` edges from a boundary, or from a
+/// point in one of the boxes.
+struct AroundLoops {
+  int rings = 0;  ///< up to 200
+  std::vector<Eigen::AlignedBox3d> boxes{};
+};
+
+/// The same for a large scan of which only the loops and what lies around them matter: it takes a fraction of the time and
+/// memory. Vertices and faces are in the same order as in the whole view; find_boundary_loops and fill_holes give the same
+/// (with the surroundings that pipeline/filling_view.h asks for). What walks over the whole view needs the whole view.
+SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around);
+
+/// The soup before any triangle was turned round.
+TriangleSoup as_read(SurfaceModel model);
+
+/// Whether the view ends at the vertex though the surface goes on.
+bool is_cut_off(const SurfaceModel& model, int view_vertex);
+
+/// visit(f) for all soup triangles that are part of the surface, whether the view holds them or not; ascending.
+template <class Visit>
+void for_each_soup_triangle(const SurfaceModel& model, const Visit& visit) {
+  if (!model.beyond) {
+    for (int f : model.soup_face) visit(f);
+    return;
+  }
+  auto next = model.beyond->unusable.begin();
+  for (int f = 0; f < static_cast<int>(model.soup.triangles.size()); ++f)
+    if (next != model.beyond->unusable.end() && *next == f)
+      ++next;
+    else
+      visit(f);
+}
 
 /// A triangulation that fits into one or more boundary loops of a model, ready to be pasted.
 struct PatchGeometry {

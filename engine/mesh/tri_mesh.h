@@ -13,9 +13,10 @@ namespace loopmend {
 struct TriMeshTraits : OpenMesh::DefaultTraits {
   using Point = Eigen::Vector3d;
   using Normal = Eigen::Vector3d;
-  VertexAttributes(OpenMesh::Attributes::Status);
-  EdgeAttributes(OpenMesh::Attributes::Status);
-  FaceAttributes(OpenMesh::Attributes::Status);
+  // Status only where something is deleted (request_vertex_status() and so on): it would take 12 bytes a face.
+  VertexAttributes(OpenMesh::Attributes::None);
+  EdgeAttributes(OpenMesh::Attributes::None);
+  FaceAttributes(OpenMesh::Attributes::None);
   HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
 };
 

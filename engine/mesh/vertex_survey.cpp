@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
 
 namespace loopmend {
@@ -19,13 +20,35 @@ struct LinkEdge {
   int corner;
 };
 
-void link_at(const Triangles& triangles, std::span<const int> corners, std::vector<LinkEdge>& link) {
+void unsorted_link_at(const Triangles& triangles, std::span<const int> corners, std::vector<LinkEdge>& link) {
   link.clear();
   for (int corner : corners) {
     const Triangle& t = triangles[corner / 3];
     link.push_back({t[(corner + 1) % 3], t[(corner + 2) % 3], corner});
   }
+}
+
+void sort_link(std::vector<LinkEdge>& link) {
   std::sort(link.begin(), link.end(), [](const LinkEdge& a, const LinkEdge& b) { return a.next < b.next; });
+}
+
+void link_at(const Triangles& triangles, std::span<const int> corners, std::vector<LinkEdge>& link) {
+  unsorted_link_at(triangles, corners, link);
+  sort_link(link);
+}
+
+/// Whether the edges are one ring, in whatever order they stand: what nearly all vertices have. Not asked of many edges.
+bool is_one_ring(const std::vector<LinkEdge>& link) {
+  constexpr std::size_t most = 16;
+  if (link.empty() || link.size() > most) return false;
+  int at = link.front().previous;
+  for (std::size_t steps = 1; steps < link.size(); ++steps) {
+    const auto next = std::find_if(link.begin() + 1, link.end(), [&](const LinkEdge& edge) { return edge.next == at; });
+    if (next == link.end()) return false;
+    at = next->previous;
+    if (at == link.front().next) return steps + 1 == link.size();
+  }
+  return false;
 }
 
 /// How many triangles the edges to the neighbours have: sorted neighbours, one for each triangle at the edge.
@@ -71,14 +94,23 @@ struct Scratch {
   std::vector<char> is_led_to;
 };
 
-VertexState state_of(Scratch& scratch) {
+/// Whether two triangles lie back to back: a closed fan of their own.
+bool has_pair(const std::vector<LinkEdge>& link) {
+  return std::any_of(link.begin(), link.end(), [&](const LinkEdge& edge) {
+    return std::any_of(link.begin(), link.end(), [&](const LinkEdge& other) {
+      return other.next == edge.previous && other.previous == edge.next;
+    });
+  });
+}
+
+/// @param ends  is set to the number of edges with one triangle only, where the vertex is not disordered
+VertexState state_of(Scratch& scratch, int& ends) {
   const std::vector<LinkEdge>& link = scratch.link;
   std::vector<int>& neighbors = scratch.neighbors;
   if (link.empty()) return VertexState::clean;
   for (std::size_t k = 1; k < link.size(); ++k)
     if (link[k].next == link[k - 1].next) return VertexState::disordered;
   neighbors_of(link, neighbors);
-  int ends = 0;
   for (std::size_t k = 0; k < neighbors.size();) {
     std::size_t end = k;
     while (end < neighbors.size() && neighbors[end] == neighbors[k]) ++end;
@@ -122,12 +154,22 @@ VertexSurvey survey_vertices(const Triangles& triangles, std::size_t vertex_coun
   const CornersAtVertices corners(triangles, vertex_count);
   VertexSurvey survey;
   survey.state.assign(vertex_count, VertexState::clean);
+  survey.at_boundary.assign(vertex_count, 0);
+  std::atomic<bool> may_repeat{false};
   parallel_for(
       0, static_cast<int>(vertex_count), vertices_at_a_time, [] { return Scratch{}; },
       [&](int v, Scratch& scratch) {
-        link_at(triangles, corners[v], scratch.link);
-        survey.state[v] = state_of(scratch);
+        unsorted_link_at(triangles, corners[v], scratch.link);
+        if (scratch.link.size() > 2 && is_one_ring(scratch.link)) return;
+        sort_link(scratch.link);
+        int ends = 0;
+        survey.state[v] = state_of(scratch, ends);
+        survey.at_boundary[v] = ends > 0;
+        const bool ask = scratch.link.size() == 2 || survey.state[v] == VertexState::several;
+        if (survey.state[v] == VertexState::disordered || (ask && has_pair(scratch.link)))
+          may_repeat.store(true, std::memory_order_relaxed);
       });
+  survey.may_repeat = may_repeat;
   Scratch scratch;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     if (survey.state[v] != VertexState::disordered) continue;
@@ -144,16 +186,22 @@ VertexSurvey survey_vertices(const Triangles& triangles, std::size_t vertex_coun
 }
 
 std::vector<char> repeated_triangles(const Triangles& triangles, std::size_t vertex_count) {
-  const CornersAtVertices corners(triangles, vertex_count);
+  // Each triangle at its lowest vertex.
+  const auto lowest = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
+  std::vector<int> first(vertex_count + 2, 0), at_lowest(triangles.size());
+  for (const Triangle& t : triangles) ++first[static_cast<std::size_t>(lowest(t)) + 2];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    at_lowest[first[static_cast<std::size_t>(lowest(triangles[f])) + 1]++] = static_cast<int>(f);
   std::vector<char> repeated(triangles.size(), 0);
   parallel_for(
       0, static_cast<int>(vertex_count), vertices_at_a_time, [] { return std::vector<std::array<int, 3>>(); },
       [&](int v, std::vector<std::array<int, 3>>& others) {
         others.clear();
-        for (int corner : corners[v]) {
-          const Triangle& t = triangles[corner / 3];
-          const auto [low, high] = std::minmax(t[(corner + 1) % 3], t[(corner + 2) % 3]);
-          if (v < low && low < high) others.push_back({low, high, corner / 3});
+        for (int k = first[v]; k < first[v + 1]; ++k) {
+          Triangle t = triangles[at_lowest[k]];
+          std::sort(t.begin(), t.end());
+          if (t[0] < t[1] && t[1] < t[2]) others.push_back({t[1], t[2], at_lowest[k]});
         }
         std::sort(others.begin(), others.end());
         for (std::size_t k = 1; k < others.size(); ++k)

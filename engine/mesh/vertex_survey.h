@@ -30,11 +30,14 @@ enum class VertexState : char {
 
 struct VertexSurvey {
   std::vector<VertexState> state;
+  std::vector<char> at_boundary;       ///< whether an edge at the vertex has one triangle only
   std::size_t non_manifold_edges = 0;  ///< with more than two triangles
+  bool may_repeat = false;             ///< false: no two triangles have the same three vertices
   bool any(VertexState which) const;
 };
 
-/// @param triangles  each with three different corners, no two the same three
+/// @param triangles  each with three different corners. Two with the same three make their vertices disordered, or are a fan
+/// of two: then may_repeat is set.
 VertexSurvey survey_vertices(const Triangles& triangles, std::size_t vertex_count);
 
 /// The triangles that name the same three vertices as an earlier one: 1, others 0. Those with a vertex twice are not looked at.

@@ -6,6 +6,7 @@
 #include "filling/patch_size.h"
 #include "mesh/pieces.h"
 #include "pipeline/blend.h"
+#include "pipeline/filling_view.h"
 #include "pipeline/paste.h"
 
 #include <algorithm>
@@ -322,6 +323,9 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
                                    const FillOptions& options, const OnFillProgress& progress,
                                    const CancelToken& cancel) {
   check(options);
+  if (!holds_surroundings(model, loops))
+    throw InvalidArgument(
+        "the view of the surface ends too near to a loop that is to be filled (pipeline/filling_view.h)");
   return with_thread_budget(options.threads, [&] { return fill(model, loops, options, progress, cancel); });
 }
 

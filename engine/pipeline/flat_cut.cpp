@@ -54,14 +54,30 @@ double curvature_across(const TriMesh& mesh, int v, const Vec3& conormal, double
   return -2 * matrix.ldlt().solve(right)[1] / reach;
 }
 
+bool is_plane(const BoundaryLoop& loop) {
+  return loop.edges() >= fewest_edges && loop.diameter > 0 && loop.planarity <= plane;
+}
+
+double steepness_of(const LoopFacing& facing) { return std::abs(facing.onward.dot(facing.axis)); }
+
+double reach_of(const BoundaryLoop& loop, const LoopFacing& facing) {
+  return std::max(reach_of_fit * facing.radius, edges_of_fit * loop.perimeter / loop.edges());
+}
+
 }  // namespace
 
-bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop) {
-  if (loop.edges() < fewest_edges || !(loop.diameter > 0) || loop.planarity > plane) return false;
+double reach_of_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop) {
+  if (!is_plane(loop)) return 0;
   const LoopFacing facing = loop_facing(model, loop);
-  const double steepness = std::abs(facing.onward.dot(facing.axis));
+  return steepness_of(facing) < steep ? 0 : reach_of(loop, facing);
+}
+
+bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop) {
+  if (!is_plane(loop)) return false;
+  const LoopFacing facing = loop_facing(model, loop);
+  const double steepness = steepness_of(facing);
   if (steepness < steep) return false;
-  const double reach = std::max(reach_of_fit * facing.radius, edges_of_fit * loop.perimeter / loop.edges());
+  const double reach = reach_of(loop, facing);
   std::vector<double> curvatures;
   const std::size_t stride = 1 + loop.vertices.size() / most_fits;
   for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {

@@ -10,4 +10,7 @@ namespace loopmend {
 /// surface meets the plane steeply, and it bends inward there much less than a ball through the loop would, or much more.
 bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop);
 
+/// How far from the loop is_flat_cut looks, as the crow flies; 0 where the loop itself tells.
+double reach_of_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop);
+
 }  // namespace loopmend

@@ -2,10 +2,12 @@
 #include "pipeline/paste.h"
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "mesh/self_intersections.h"
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/initial_patch.h"
 
+#include <zlib.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -71,7 +73,7 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPar
 }  // namespace
 
 std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<const Patch*>& patches) {
-  const TriangleSoup before = model.soup;
+  const SoupRecord before = record_of(model.soup);
   std::vector<std::size_t> order(patches.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -91,8 +93,64 @@ std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<co
     } catch (const std::bad_alloc&) {  // as it says already
     }
   }
-  check_exterior(before, model.soup, 0);
+  check_exterior(before, model.soup);
   return faults;
+}
+
+namespace {
+
+constexpr std::size_t stretch = 1 << 16;  ///< elements that have one checksum
+
+[[noreturn]] void throw_changed() {
+  throw std::logic_error("the surface outside the patches was changed: nothing is handed on");
+}
+
+template <class T>
+std::uint32_t add_to_sum(std::uint32_t sum, const T* from, std::size_t count) {
+  const void* bytes = from;
+  return static_cast<std::uint32_t>(::crc32_z(sum, static_cast<const unsigned char*>(bytes), count * sizeof(T)));
+}
+
+std::size_t sums_of(std::size_t count) { return (count + stretch - 1) / stretch; }
+
+/// The checksum of one stretch of the first points and triangles, as many as the record says. Takes no memory.
+std::uint32_t sum_of(const TriangleSoup& soup, const SoupRecord& record, const std::vector<int>& turned,
+                     std::size_t k) {
+  if (k < sums_of(record.points)) {
+    const std::size_t first = k * stretch;
+    return add_to_sum(0, soup.points.data() + first, std::min(stretch, record.points - first));
+  }
+  std::size_t at = (k - sums_of(record.points)) * stretch;
+  const std::size_t end = std::min(at + stretch, record.triangles);
+  std::uint32_t sum = 0;
+  for (auto f = std::lower_bound(turned.begin(), turned.end(), static_cast<int>(at)); at < end; ++f) {
+    const std::size_t next = f == turned.end() ? end : std::min(end, static_cast<std::size_t>(*f));
+    sum = add_to_sum(sum, soup.triangles.data() + at, next - at);
+    at = next;
+    if (at == end) break;
+    const auto& [a, b, c] = soup.triangles[at++];
+    const Triangle back{a, c, b};
+    sum = add_to_sum(sum, &back, 1);
+  }
+  return sum;
+}
+
+}  // namespace
+
+SoupRecord record_of(const TriangleSoup& soup, const std::vector<int>& turned) {
+  SoupRecord record{soup.points.size(), soup.triangles.size(), {}};
+  record.sums.resize(sums_of(record.points) + sums_of(record.triangles));
+  parallel_for(0, static_cast<int>(record.sums.size()), 4, [&](int k) {
+    record.sums[static_cast<std::size_t>(k)] = sum_of(soup, record, turned, static_cast<std::size_t>(k));
+  });
+  return record;
+}
+
+// On one thread: sharing the work would take memory, and of that there may be none left when patches have been pasted.
+void check_exterior(const SoupRecord& before, const TriangleSoup& now, const std::vector<int>& turned) {
+  if (now.points.size() < before.points || now.triangles.size() < before.triangles) throw_changed();
+  for (std::size_t k = 0; k < before.sums.size(); ++k)
+    if (sum_of(now, before, turned, k) != before.sums[k]) throw_changed();
 }
 
 void check_exterior(const TriangleSoup& before, const TriangleSoup& now, std::size_t turned) {
@@ -108,7 +166,7 @@ void check_exterior(const TriangleSoup& before, const TriangleSoup& now, std::si
     }
     return found_turned != turned;
   };
-  if (changed()) throw std::logic_error("the surface outside the patches was changed: nothing is handed on");
+  if (changed()) throw_changed();
 }
 
 }  // namespace loopmend

@@ -5,6 +5,8 @@
 #include "mesh/patch.h"
 #include "mesh/surface_model.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,20 @@ namespace loopmend {
 /// A patch for which there is no memory left is left out, too. @throws std::bad_alloc, with the model unchanged;
 /// std::logic_error if a point or triangle of the model was changed, which would be a fault of this program.
 std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<const Patch*>& patches);
+
+/// What a soup was, to tell later whether it is still so, without a copy of it: counts, and a checksum (CRC-32) of each
+/// stretch of its points and triangles.
+struct SoupRecord {
+  std::size_t points = 0, triangles = 0;
+  std::vector<std::uint32_t> sums{};
+};
+
+/// @param turned  triangles that are recorded as if they were turned round, ascending
+SoupRecord record_of(const TriangleSoup& soup, const std::vector<int>& turned = {});
+
+/// @throws std::logic_error unless `now` begins with the recorded points, bit for bit, and the recorded triangles in their order,
+/// of which those in `turned` were turned round.
+void check_exterior(const SoupRecord& before, const TriangleSoup& now, const std::vector<int>& turned = {});
 
 /// @throws std::logic_error unless `now` begins with the points of `before`, bit for bit, and its triangles in their order,
 /// of which `turned` may have been turned round.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/validate.h"
 
-#include "mesh/mesh_arrays.h"
 #include "mesh/quality.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -24,17 +23,18 @@ std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& pa
   const int rim = static_cast<int>(patch.rim.size());
   Points points;
   Eigen::AlignedBox3d box;
-  for (int v : patch.rim) points.push_back(scan.points[v]);
+  const TriangleSoup& soup = scan.model.soup;
+  for (int v : patch.rim) points.push_back(soup.points[scan.model.soup_vertex[v]]);
   points.insert(points.end(), patch.points.begin(), patch.points.end());
   for (const Vec3& p : points) box.extend(p);
   Triangles triangles = patch.triangles;
   std::unordered_map<int, int> local;
-  for (int i = 0; i < rim; ++i) local.emplace(patch.rim[i], i);
+  for (int i = 0; i < rim; ++i) local.emplace(scan.model.soup_vertex[patch.rim[i]], i);
   for (int f : scan.index.near(box.min(), box.max())) {
-    Triangle t = scan.triangles[f];
+    Triangle t = soup.triangles[f];
     for (int& v : t) {
       const auto [entry, added] = local.emplace(v, static_cast<int>(points.size()));
-      if (added) points.push_back(scan.points[v]);
+      if (added) points.push_back(soup.points[v]);
       v = entry->second;
     }
     triangles.push_back(t);
@@ -48,15 +48,23 @@ std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& pa
   return count;
 }
 
+/// Soup triangles that are no part of the surface.
+std::vector<int> outside_the_surface(const SurfaceModel& model) {
+  std::vector<char> is_inside(model.soup.triangles.size(), 0);
+  for_each_soup_triangle(model, [&](int f) { is_inside[f] = 1; });
+  std::vector<int> outside;
+  for (std::size_t f = 0; f < is_inside.size(); ++f)
+    if (!is_inside[f]) outside.push_back(static_cast<int>(f));
+  return outside;
+}
+
 Kernel::Point_3 exact(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
 ScanIndex::ScanIndex(const SurfaceModel& surface)
     : model(surface),
-      points(points_of(surface.mesh)),
-      triangles(triangles_of(surface.mesh)),
-      index(points, triangles) {}
+      index(surface.soup.points, surface.soup.triangles, outside_the_surface(surface)) {}
 
 std::vector<int> loop_of_triangles(const Patch& patch) {
   std::vector<int> part(patch.patch_triangles);
@@ -111,19 +119,22 @@ Validity validate(const ScanIndex& scan, const Patch& patch) {
 
 int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop) {
   int count = 0;
+  const TriangleSoup& soup = scan.model.soup;
+  const auto place = [&](std::size_t k) -> const Vec3& {
+    return soup.points[scan.model.soup_vertex[loop.vertices[k % loop.vertices.size()]]];
+  };
   for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
-    const int a = loop.vertices[k], b = loop.vertices[(k + 1) % loop.vertices.size()];
-    const Vec3 &p = scan.points[a], &q = scan.points[b];
+    const Vec3 &p = place(k), &q = place(k + 1);
     if (p == q) continue;
     const Kernel::Segment_3 edge(exact(p), exact(q));
     const std::vector<int> near = scan.index.near(p.cwiseMin(q), p.cwiseMax(q));
     count += std::any_of(near.begin(), near.end(), [&](int f) {
-      const Triangle& t = scan.triangles[f];
+      const Triangle& t = soup.triangles[f];
       // A corner in the same place, as along a seam, is a common one.
       const bool beside =
-          std::any_of(t.begin(), t.end(), [&](int v) { return scan.points[v] == p || scan.points[v] == q; });
+          std::any_of(t.begin(), t.end(), [&](int v) { return soup.points[v] == p || soup.points[v] == q; });
       if (beside) return false;
-      const Kernel::Triangle_3 face(exact(scan.points[t[0]]), exact(scan.points[t[1]]), exact(scan.points[t[2]]));
+      const Kernel::Triangle_3 face(exact(soup.points[t[0]]), exact(soup.points[t[1]]), exact(soup.points[t[2]]));
       return !face.is_degenerate() && CGAL::do_intersect(edge, face);
     });
   }

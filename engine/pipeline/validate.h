@@ -12,13 +12,12 @@
 
 namespace loopmend {
 
-/// What all workers read: the model as it was, and an index of its triangles.
+/// What all workers read: the model as it was, and an index of its soup triangles, but for those that are no part of the
+/// surface.
 struct ScanIndex {
-  /// Takes a second for a million triangles. @param surface  must outlive the index.
+  /// Takes a third of a second for a million triangles. @param surface  must outlive the index, and not change.
   explicit ScanIndex(const SurfaceModel& surface);
   const SurfaceModel& model;
-  Points points;        ///< of the view
-  Triangles triangles;  ///< of the view
   TriangleIndex index;
 };
 

@@ -28,12 +28,20 @@ bool allowed(double after, double before) { return after >= std::min(guard_cosin
 
 double cosine(const Vec3& a, const Vec3& b) { return a.isZero() || b.isZero() ? -1 : a.dot(b); }
 
+/// Collapsed edges and what goes with them are marked.
+void request_status(TriMesh& mesh) {
+  mesh.request_vertex_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+}
+
 }  // namespace
 
 ConstrainedRemesher::ConstrainedRemesher(const Points& points, const Triangles& triangles, int locked,
                                          const RimNormals& rim_normals, TargetSize target_size)
     : locked_(locked),
       target_size_(std::move(target_size)) {
+  request_status(mesh_);
   for (const Vec3& p : points) {
     mesh_.add_vertex(p);
     size_.push_back(target_size_(p));
@@ -203,6 +211,7 @@ void ConstrainedRemesher::sort_in_space() {
                      CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(places)>(places));
   std::vector<int> number(mesh_.n_vertices(), -1);
   TriMesh sorted;
+  request_status(sorted);
   std::vector<double> sizes;
   for (const VH v : order) {
     number[v.idx()] = sorted.add_vertex(mesh_.point(v)).idx();

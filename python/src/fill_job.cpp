@@ -99,8 +99,9 @@ void locate_parts(FilledScan& done) {
 FilledScan filled(FillJob& job, const OnFillProgress& progress, const CancelToken& cancel) {
   const Deadline deadline(std::chrono::steady_clock::now(), job.command.max_seconds, cancel);
   FilledScan done;
-  SurfaceModel model = make_surface_model(job.soup);
-  PreparedScan scan = prepare_scan(std::move(job.soup), std::move(model), job.command);
+  SoupRecord as_read = record_of(job.soup);
+  SurfaceModel model = make_surface_model(std::move(job.soup));
+  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), job.command);
   FillOptions options = job.command.fill;
   options.on_cancel = FillOptions::OnCancel::keep_finished;
   options.most_memory_mb = memory_left_for_patches(job.command.max_memory_mb);
@@ -109,8 +110,8 @@ FilledScan filled(FillJob& job, const OnFillProgress& progress, const CancelToke
   done.prepared = std::move(scan.done);
   done.trimmed = std::move(scan.trimmed);
   done.turned_faces = done.prepared.turned_faces + scan.model.repairs.reoriented_faces;
-  done.given_vertices = scan.given.points.size();
-  done.given_faces = scan.given.triangles.size();
+  done.given_vertices = scan.given.points;
+  done.given_faces = scan.given.triangles;
   done.soup = std::move(scan.model.soup);
   locate_parts(done);
   return done;

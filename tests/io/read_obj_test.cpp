@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OBJ: indices of all kinds, colours, continuations, what is left out, and each way of being broken.
 #include "io_test_support.h"
+#include "mesh/scan_attributes.h"
 
 namespace loopmend {
 namespace {
@@ -85,6 +86,32 @@ TEST_F(ReadObj, RefusesUnknownStatementsAndMissingFaces) {
   expect_refused(square + "f 1 2 3\ncall more.obj\n", "a.obj", {"\"call\"", "line 6"});
   expect_refused(square, "a.obj", {"points but no faces", "4 points"});
   expect_refused("# nothing\n", "a.obj", {"no points and no faces"});
+}
+
+TEST_F(ReadObj, LongRunsAreTheSameByBlocksAndLineByLine) {
+  constexpr int count = 30000;
+  const auto strip = [](const std::string& after_each_vertex, const std::string& after_each_face) {
+    std::string text = "# a strip\no first\n";
+    for (int v = 0; v < count + 2; ++v)
+      text += "v " + std::to_string(v / 4) + "." + std::to_string(25 * (v % 4) + 100).substr(1) + " " +
+              std::to_string(v % 2) + " -1e-3" + after_each_vertex;
+    for (int f = 1; f <= count; ++f) {
+      if (f == count / 2) text += "o second\n";
+      text += "f " + std::to_string(f) + " " + std::to_string(f + 1) + " " + std::to_string(f + 2) + after_each_face;
+    }
+    return text + "f 1 2 -1\nf 1 2 3 4\n";
+  };
+  const ImportedMesh by_blocks = read(strip("\n", " \r\n"), "a.obj"),
+                     by_lines = read(strip(" # x\n", " # x\n"), "b.obj");
+  ASSERT_EQ(by_lines.soup.triangles.size(), count + 3U);
+  EXPECT_EQ(by_lines.soup.triangles[count - 1], (Triangle{count - 1, count, count + 1}));
+  EXPECT_EQ(by_blocks.soup.points, by_lines.soup.points);
+  EXPECT_EQ(by_blocks.soup.triangles, by_lines.soup.triangles);
+  ASSERT_EQ(by_blocks.soup.attributes->names.size(), 1U);
+  EXPECT_EQ(by_blocks.soup.attributes->names[0].of_face, by_lines.soup.attributes->names[0].of_face);
+  std::string wrong = strip("\n", "\n");
+  wrong.replace(wrong.find("f 20000 "), 8, "f 2000x ");
+  expect_refused(wrong, "a.obj", {"2000x", "line 50005"});
 }
 
 }  // namespace

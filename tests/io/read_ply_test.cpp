@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace loopmend {
 namespace {
@@ -237,6 +238,60 @@ TEST_F(ReadPly, DigitsBeyondThoseOfFloatsAreSeenInEveryCoordinate) {
     TriangleSoup soup = mesh.soup;
     EXPECT_NEAR(largest_rounding("a.stl", soup, Encoding::binary), 1.4901161193847656e-09, 1e-15) << first;
   }
+}
+
+/// A strip of so many triangles, more than are read in one block.
+std::string long_strip(bool binary, bool swap_last_two_lines) {
+  constexpr int count = 70000;
+  std::string text = header(binary ? "binary_little_endian" : "ascii", xyz, count + 2, count);
+  for (int v = 0; v < count + 2; ++v) {
+    const float x = static_cast<float>(v) / 16, y = static_cast<float>(v % 2);
+    if (binary)
+      text += bytes_of(x) + bytes_of(y) + bytes_of(0.5F);
+    else
+      text += std::to_string(v / 16) + "." + std::to_string(625 * (v % 16) + 10000).substr(1) + " " +
+              std::to_string(v % 2) + (swap_last_two_lines && v == count ? "\n0.5\n" : " 0.5\n");
+  }
+  for (int f = 0; f < count; ++f) {
+    if (binary)
+      text += '\3' + bytes_of(f) + bytes_of(f + 1) + bytes_of(f + 2);
+    else
+      text += "3 " + std::to_string(f) + " " + std::to_string(f + 1) + " " + std::to_string(f + 2) + "\n";
+  }
+  return text;
+}
+
+TEST_F(ReadPly, LongBodiesAreTheSameByBlocksAndRowByRow) {
+  const ImportedMesh by_blocks = read(long_strip(false, false), "a.ply"),
+                     by_rows = read(long_strip(false, true), "b.ply"), binary = read(long_strip(true, false), "c.ply");
+  ASSERT_EQ(binary.soup.triangles.size(), 70000U);
+  EXPECT_EQ(binary.soup.triangles[69999], (Triangle{69999, 70000, 70001}));
+  EXPECT_EQ(binary.soup.points[70001], Vec3(70001.0 / 16, 1, 0.5));
+  for (const ImportedMesh* mesh : {&by_blocks, &by_rows}) {
+    EXPECT_EQ(mesh->soup.points, binary.soup.points);
+    EXPECT_EQ(mesh->soup.triangles, binary.soup.triangles);
+    EXPECT_EQ(mesh->soup.attributes->coordinates, ScalarType::float32);
+  }
+}
+
+TEST_F(ReadPly, FaultsInLongBodiesAreToldWithTheirPlace) {
+  const std::string text = long_strip(false, false), binary = long_strip(true, false);
+  std::string wrong = text;
+  wrong.replace(wrong.rfind("70001"), 5, "70002");
+  expect_refused(wrong, "a.ply", {"70002", "line 140012"});
+  wrong = text;
+  wrong.replace(wrong.rfind(" 0.5"), 4, " 0,5");
+  expect_refused(wrong, "a.ply", {"0,5", "line 70012"});
+  wrong = binary;
+  wrong[wrong.size() - 13] = 4;
+  expect_refused(wrong, "a.ply", {"ends too early", "byte 1750202"});
+  wrong = binary;
+  wrong.replace(wrong.size() - 4, 4, bytes_of(70002));
+  expect_refused(wrong, "a.ply", {"70002", "face 69999"});
+  wrong = binary;
+  const std::size_t body = wrong.find("end_header\n") + 11;
+  wrong.replace(body + 12 * 65536, 4, bytes_of(std::numeric_limits<float>::quiet_NaN()));
+  expect_refused(wrong, "a.ply", {"vertex 65536"});
 }
 
 }  // namespace

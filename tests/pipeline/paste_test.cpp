@@ -50,6 +50,26 @@ TEST(PastePatches, OneThatIntersectsAnEarlierOneIsLeftOut) {
   EXPECT_EQ(find_boundary_loops(model).size(), 1u);
 }
 
+TEST(SoupRecord, SeesAMovedPointAndWhichTrianglesWereTurned) {
+  const TriangleSoup before = make_icosphere(7);  // several checksums of each
+  const SoupRecord record = record_of(before);
+  TriangleSoup now = before;
+  now.points.push_back(Vec3(1, 2, 3));
+  now.triangles.push_back({0, 1, static_cast<int>(now.points.size()) - 1});
+  EXPECT_NO_THROW(check_exterior(record, now));
+  const std::vector<int> turned{3, 4, 70000, 300000};
+  for (int f : turned) std::swap(now.triangles[f][1], now.triangles[f][2]);
+  EXPECT_THROW(check_exterior(record, now), std::logic_error);
+  EXPECT_THROW(check_exterior(record, now, {3, 4, 70000}), std::logic_error);
+  EXPECT_NO_THROW(check_exterior(record, now, turned));
+  EXPECT_EQ(record_of(now, turned).points, before.points.size() + 1);
+  now.points[100000].x() = std::nextafter(now.points[100000].x(), 2.0);
+  EXPECT_THROW(check_exterior(record, now, turned), std::logic_error);
+  now = before;
+  now.triangles.pop_back();
+  EXPECT_THROW(check_exterior(record, now), std::logic_error);
+}
+
 TEST(CheckExterior, SeesAMovedPointAndAWrongNumberOfTurnedTriangles) {
   const TriangleSoup before = make_icosphere(1);
   TriangleSoup now = before;

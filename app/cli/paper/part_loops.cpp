@@ -69,7 +69,7 @@ OpenedParts open_parts(const std::vector<std::filesystem::path>& paths) {
     parts.paths.push_back(path);
     parts.imports.push_back(opened.import);
     if (paths.size() > 1)
-      for (const NotKept& entry : carried_attributes(opened.as_read))
+      for (const NotKept& entry : carried_attributes(opened.model.soup))
         count_not_kept(parts.imports.back().not_kept, entry.what, entry.count);
     parts.repairs.push_back(opened.model.repairs);
     soups.push_back(std::move(opened.model.soup));
