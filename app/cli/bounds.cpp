@@ -53,7 +53,9 @@ Deadline::Deadline(std::chrono::steady_clock::time_point start, std::optional<do
       start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(*seconds));
   thread_ = std::thread([this, end, token] {
     std::unique_lock lock(mutex_);
-    if (!gone_.wait_until(lock, end, [this] { return over_; })) token.cancel();
+    if (gone_.wait_until(lock, end, [this] { return over_; }) || token.cancelled()) return;
+    passed_ = true;
+    token.cancel();
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/cancel.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -21,10 +22,14 @@ class Deadline {
   Deadline(const Deadline&) = delete;
   Deadline& operator=(const Deadline&) = delete;
 
+  /// Whether it was this deadline that cancelled the token, and nobody before.
+  bool passed() const { return passed_; }
+
  private:
   std::mutex mutex_;
   std::condition_variable gone_;
   bool over_ = false;
+  std::atomic<bool> passed_ = false;
   std::thread thread_;
 };
 

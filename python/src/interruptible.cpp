@@ -53,7 +53,7 @@ void answer(const std::vector<Event>& events, const py::object& on_event) {
 }  // namespace
 
 void run_interruptibly(const std::function<void(const CancelToken& cancel, const PostEvent& post)>& work,
-                       const py::object& on_event) {
+                       const py::object& on_event, OnInterrupt on_interrupt) {
   constexpr std::chrono::milliseconds between_looks{50};
   const CancelToken cancel;
   Mailbox box;
@@ -77,6 +77,11 @@ void run_interruptibly(const std::function<void(const CancelToken& cancel, const
     if (stop) continue;
     try {
       answer(events, on_event);
+    } catch (const py::error_already_set& raised) {
+      const bool is_kept = on_interrupt == OnInterrupt::keep_finished && !cancel.cancelled() &&
+                           raised.matches(PyExc_KeyboardInterrupt);
+      if (!is_kept) stop = std::current_exception();
+      cancel.cancel();
     } catch (...) {
       stop = std::current_exception();
       cancel.cancel();
