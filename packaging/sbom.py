@@ -67,13 +67,13 @@ def libraries_of(program):
     return loaded, named
 
 
-def headers_of(build):
-    """Headers outside the build and the sources that objects of engine/ and app/ were compiled with."""
+def headers_of(build, folders=("engine/", "app/"), below="/usr/"):
+    """Headers below a folder that objects of these folders of the build were compiled with."""
     headers, wanted = set(), False
     for line in output_of("ninja", "-C", str(build), "-t", "deps").splitlines():
         if line and not line[0].isspace():
-            wanted = line.startswith(("engine/", "app/"))
-        elif wanted and line.strip().startswith("/usr/"):
+            wanted = line.startswith(folders)
+        elif wanted and line.strip().startswith(below):
             headers.add(line.strip())
     return headers
 
