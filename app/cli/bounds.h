@@ -16,7 +16,7 @@ namespace loopmend {
 /// Cancels the token when the time is over, unless this object is gone by then.
 class Deadline {
  public:
-  /// @param seconds  from `start` on; none: no deadline.
+  /// @param seconds  from `start` on; none: no deadline. @throws LimitError where the system allows no further thread.
   Deadline(std::chrono::steady_clock::time_point start, std::optional<double> seconds, const CancelToken& token);
   ~Deadline();
   Deadline(const Deadline&) = delete;

@@ -25,7 +25,7 @@ enum class OnInterrupt {
 /// `on_event` raises, cancels the work; when that has ended, the exception goes on. Events are told in their order, all of
 /// them, those made while an exception is under way excepted.
 /// @param on_event  called with an event's tuple; None: nobody is told.
-/// @throws what the work threw, where no exception of Python came first.
+/// @throws Error where the system allows no further thread; what the work threw, where no exception of Python came first.
 void run_interruptibly(const std::function<void(const CancelToken& cancel, const PostEvent& post)>& work,
                        const pybind11::object& on_event, OnInterrupt on_interrupt = OnInterrupt::raise);
 
