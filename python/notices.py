@@ -62,7 +62,7 @@ def section(title, text):
 
 
 def notices(build, module):
-    headers = sbom.headers_of(build, folders=("engine/", "python/"), below="/")
+    headers = sbom.headers_of(build, folders=("engine/", "python/"), where=r"/usr/|.*/(site|dist)-packages/")
     loaded, named = sbom.libraries_of(module)
     libraries = sorted(set(sbom.packages_of({loaded[name] for name in named if name in loaded}).values()))
     texts = {**licences_of_debian(set(sbom.packages_of(headers).values())), **licences_of_pip(headers)}
