@@ -67,14 +67,16 @@ def libraries_of(program):
     return loaded, named
 
 
-def headers_of(build):
-    """Headers outside the build and the sources that objects of engine/ and app/ were compiled with."""
+def headers_of(build, folders=("engine/", "app/"), where=r"/usr/"):
+    """Headers at such places, a regular expression, that objects of these folders of the build were compiled with."""
     headers, wanted = set(), False
     for line in output_of("ninja", "-C", str(build), "-t", "deps").splitlines():
         if line and not line[0].isspace():
-            wanted = line.startswith(("engine/", "app/"))
-        elif wanted and line.strip().startswith("/usr/"):
-            headers.add(line.strip())
+            wanted = line.startswith(folders)
+        elif wanted and line.strip():
+            path = os.path.normpath(os.path.join(os.path.abspath(build), line.strip()))
+            if re.match(where, path):
+                headers.add(path)
     return headers
 
 

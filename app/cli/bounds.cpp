@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds.h"
 
+#include "commands.h"
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <system_error>
 
 namespace loopmend {
 
@@ -51,10 +54,19 @@ Deadline::Deadline(std::chrono::steady_clock::time_point start, std::optional<do
   if (!seconds) return;
   const auto end =
       start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(*seconds));
-  thread_ = std::thread([this, end, token] {
+  const auto watch = [this, end, token] {
     std::unique_lock lock(mutex_);
-    if (!gone_.wait_until(lock, end, [this] { return over_; })) token.cancel();
-  });
+    if (gone_.wait_until(lock, end, [this] { return over_; }) || token.cancelled()) return;
+    passed_ = true;
+    token.cancel();
+  };
+  try {
+    thread_ = std::thread(watch);
+  } catch (const std::system_error&) {
+    throw LimitError(
+        "a limit of time needs a thread that watches it, and the system allows no more (ulimit -u). Raise that limit, or "
+        "leave --max-time out.");
+  }
 }
 
 Deadline::~Deadline() {

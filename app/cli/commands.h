@@ -23,7 +23,7 @@ class UsageError : public Error {
   using Error::Error;
 };
 
-/// `ulimit -v` leaves too little address space: exit code 5.
+/// `ulimit -v` leaves too little address space, or `ulimit -u` no thread: exit code 5.
 class LimitError : public Error {
  public:
   using Error::Error;

@@ -204,18 +204,14 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
   std::fprintf(out, "; %s written in %.2f s\n", command.output.c_str(), seconds);
 }
 
-/// The chosen loops are worked on; the others get a result that says they were left.
-std::vector<HoleResult> fill_and_tell(PreparedScan& scan, const FillCommand& command, const CancelToken& cancel) {
+/// Fills the chosen loops, and shows how far it has come.
+std::vector<HoleResult> fill_and_show(PreparedScan& scan, const FillCommand& command, const Deadline& deadline,
+                                      const CancelToken& cancel) {
   ProgressLine progress(command.verbosity);
   if (const std::size_t count = scan.chosen().size(); count > 0)
     progress.say("filling " + counted(count, "loop", "loops"));
-  FillOptions options = command.fill;
-  options.on_cancel = FillOptions::OnCancel::keep_finished;  // otherwise a signal has ended the process
-  options.most_memory_mb = memory_left_for_patches(command.max_memory_mb);
   const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
-  std::vector<HoleResult> results = fill_chosen(scan, options, show, cancel);
-  if (cancel.cancelled() && interrupt_exit_code() == 0) tell_out_of_time(scan, results);
-  return results;
+  return fill_chosen(scan, command, deadline, show, cancel);
 }
 
 nlohmann::ordered_json faces_json(const std::vector<BadRimFace>& faces) {
@@ -285,7 +281,7 @@ int run_fill(const FillCommand& command) {
   const CancelToken cancel;
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);
-  const std::vector<HoleResult> results = fill_and_tell(scan, command, cancel);
+  const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
   const bool stopped = cancel.cancelled();
   const Outcome outcome = outcome_of(results, scan.choices);
   WriteScanOptions options = command.write;
@@ -329,7 +325,7 @@ int run_fill(const FillCommand& command) {
       std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
                    counted(opened.report.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
     print_preparation(out, scan.done);
-    if (const std::size_t turned = scan.done.turned_faces + scan.model.repairs.reoriented_faces; turned > 0)
+    if (const std::size_t turned = scan.turned_faces(); turned > 0)
       std::fprintf(out, "%s turned round to agree with the neighbours.\n",
                    counted(turned, "face was", "faces were").c_str());
     if (!scan.trimmed.empty())

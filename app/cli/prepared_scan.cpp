@@ -125,28 +125,28 @@ PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillComm
   return scan;
 }
 
-std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillOptions& options, const OnFillProgress& progress,
-                                    const CancelToken& cancel) {
+std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillCommand& command, const Deadline& deadline,
+                                    const OnFillProgress& progress, const CancelToken& cancel) {
+  FillOptions options = command.fill;
+  options.on_cancel = FillOptions::OnCancel::keep_finished;  // where nothing is to be kept, nobody looks at the results
+  options.most_memory_mb = memory_left_for_patches(command.max_memory_mb);
   const std::vector<BoundaryLoop> chosen = scan.chosen();
   std::map<int, HoleResult> filled;
   if (!chosen.empty())
     for (HoleResult& result : fill_holes(scan.model, chosen, options, progress, cancel))
       filled[result.loop.number] = std::move(result);
-  if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
   check_exterior(scan.given, scan.model.soup, scan.model.turned_faces);
+  const bool out_of_time = deadline.passed();
   std::vector<HoleResult> results;
   for (std::size_t k = 0; k < scan.loops.size(); ++k) {
+    const LoopChoice& choice = scan.choices[k];
     const auto done = filled.find(scan.loops[k].number);
     results.push_back(done != filled.end() ? std::move(done->second)
-                                           : open_hole(scan.loops[k], PatchStatus::skipped, scan.choices[k].why_not));
+                                           : open_hole(scan.loops[k], PatchStatus::skipped, choice.why_not));
+    if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
+      results[k].message = "not finished in the time that --max-time allows: left open";
   }
   return results;
-}
-
-void tell_out_of_time(const PreparedScan& scan, std::vector<HoleResult>& results) {
-  for (std::size_t k = 0; k < results.size(); ++k)
-    if (scan.choices[k].fill && results[k].status == PatchStatus::skipped)
-      results[k].message = "not finished in the time that --max-time allows: left open";
 }
 
 }  // namespace loopmend

@@ -3,6 +3,7 @@
 // call the same, so that the same options give the same bits.
 #pragma once
 
+#include "bounds.h"
 #include "loop_selection.h"
 
 #include "pipeline/paste.h"
@@ -34,6 +35,8 @@ struct PreparedScan {
   std::vector<BoundaryLoop> to_trim;  ///< the loops that are filled, and those that trimming left no hole
 
   std::vector<BoundaryLoop> chosen() const;
+  /// Faces turned to agree with their neighbours: in the mesh as it was read, and in what was made of it.
+  std::size_t turned_faces() const { return done.turned_faces + model.repairs.reoriented_faces; }
 };
 
 /// Stitches, repairs, bridges and trims as the command asks, then finds and chooses the loops.
@@ -46,13 +49,10 @@ PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillComm
 /// Whether what the command asks for first walks over the whole surface.
 bool needs_whole_view(const FillCommand& command);
 
-/// Fills the chosen loops into the scan's model, and compares what was given, bit for bit.
-/// @returns one result for each loop, in the order of their numbers; those that were left say why. Nothing when cancelled, unless
-/// the options keep what was finished.
-std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillOptions& options, const OnFillProgress& progress,
-                                    const CancelToken& cancel);
-
-/// Gives that time as the reason to the chosen loops that were not finished.
-void tell_out_of_time(const PreparedScan& scan, std::vector<HoleResult>& results);
+/// Fills the chosen loops into the scan's model, with no more memory than the command allows, and compares what was given, bit
+/// for bit. What is finished when the token is cancelled is kept.
+/// @returns one result for each loop, in the order of their numbers; those that were left, or were not finished, say why.
+std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillCommand& command, const Deadline& deadline,
+                                    const OnFillProgress& progress, const CancelToken& cancel);
 
 }  // namespace loopmend

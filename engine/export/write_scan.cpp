@@ -10,6 +10,7 @@
 #include "io/text_cursor.h"
 #include "io/texture_files.h"
 #include "mesh/scan_attributes.h"
+#include "mesh/select_triangles.h"
 #include "pipeline/continue_attributes.h"
 
 #include <algorithm>
@@ -374,32 +375,6 @@ void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions&
   soup.continued = std::move(continued);
 }
 
-/// The triangles to be written and their points. The rows of what is new stay valid: all of it comes along, in its order.
-TriangleSoup selected(const TriangleSoup& soup, const std::vector<char>& is_written) {
-  TriangleSoup result;
-  std::vector<int> number(soup.points.size(), -1), points, triangles;
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
-    if (!is_written[f]) continue;
-    triangles.push_back(static_cast<int>(f));
-    for (int v : soup.triangles[f]) number[static_cast<std::size_t>(v)] = 0;
-  }
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] < 0) continue;
-    number[v] = static_cast<int>(points.size());
-    points.push_back(static_cast<int>(v));
-    result.points.push_back(Vec3(soup.points[v]));
-    if (!soup.colors.empty()) result.colors.push_back(soup.colors[v]);
-  }
-  for (int f : triangles) {
-    const Triangle& t = soup.triangles[static_cast<std::size_t>(f)];
-    const auto numbered = [&](int v) { return number[static_cast<std::size_t>(v)]; };
-    result.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
-  }
-  copy_rows(soup, points, triangles, result);
-  result.continued = soup.continued;
-  return result;
-}
-
 }  // namespace
 
 WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,
@@ -411,7 +386,8 @@ WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& 
     if (const auto texture = texture_of(path, *soup.attributes, files))
       write_texture(*texture, soup, options, written, cancel);
   }
-  if (!options.written.empty()) soup = selected(soup, options.written);
+  // The rows of what is new stay valid: all of it comes along, in its order, or none.
+  if (!options.written.empty()) soup = select_triangles(soup, options.written).soup;
   write_mesh(outputs, path, soup, options.encoding);
   return written;
 }

@@ -19,7 +19,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr int remesh_rounds = 5;
+constexpr int bridge_remesh_rounds = 5;
 constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart
 constexpr int fairing_rounds = 4;
 constexpr double most_vertices = 2e6;
@@ -135,7 +135,7 @@ double unfairness(const Patch& patch) {
 
 Patch remeshed(Patch bridge, const CancelToken& cancel) {
   try_phase(bridge, [&](ConstrainedRemesher& mesh) {
-    for (int k = 0; k < remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
+    for (int k = 0; k < bridge_remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
   });
   for (int attempt = 0; attempt < 3 && defect_count(patch_validity(bridge)) > 0 && !cancel.cancelled(); ++attempt)
     try_phase(bridge, [](ConstrainedRemesher& mesh) {

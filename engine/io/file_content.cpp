@@ -84,12 +84,6 @@ void refuse_known_strangers(const FileContent& file) {
   }
 }
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = without_gzip_name(path).extension().string();
-  for (char& c : extension) c = ascii_lower(c);
-  return extension;
-}
-
 /// The first token after comments and blank lines; empty if there is none.
 std::string_view first_token(std::string_view text) {
   TextCursor cursor(text);
@@ -133,6 +127,12 @@ bool is_obj_keyword(std::string_view token) {
 }
 
 }  // namespace
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = without_gzip_name(path).extension().string();
+  for (char& c : extension) c = ascii_lower(c);
+  return extension;
+}
 
 std::string_view mesh_text(const FileContent& file) {
   std::string_view text = file.bytes;

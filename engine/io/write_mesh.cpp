@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "io/atomic_file.h"
 #include "io/format_writers.h"
+#include "io/file_content.h"
 #include "io/gzip.h"
 #include "io/single_precision.h"
 #include "io/text_cursor.h"
@@ -42,12 +43,6 @@ void require_float_range(const std::filesystem::path& path, const TriangleSoup& 
     if (std::isfinite(static_cast<float>(point.cwiseAbs().maxCoeff()))) continue;
     throw WriteError(path, "the coordinates are too large for binary STL", "Save as PLY, or scale the mesh down.");
   }
-}
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = without_gzip_name(path).extension().string();
-  for (char& c : extension) c = ascii_lower(c);
-  return extension;
 }
 
 }  // namespace

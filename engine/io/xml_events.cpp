@@ -14,7 +14,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr int most_depth = 64;
+constexpr int deepest_element = 64;
 /// Of one element or text: expat looks at it anew with each piece that arrives.
 constexpr std::size_t longest_token = 1 << 22;
 
@@ -66,7 +66,7 @@ struct XmlReader::State {
   static void begin(void* data, const char* name, const char** attributes) {
     auto& state = *static_cast<State*>(data);
     state.guarded([&] {
-      if (++state.depth > most_depth) state.fail("the XML is nested more than " + std::to_string(most_depth) + " deep");
+      if (++state.depth > deepest_element) state.fail("the XML is nested more than " + std::to_string(deepest_element) + " deep");
       state.handlers.begin(local_name(name), XmlAttributes(attributes));
     });
   }

@@ -77,6 +77,8 @@ def fill(
     trim_boundary: int = 0,
     max_time: Optional[float] = None,
     max_memory: Optional[float] = None,
+    keep_partial: bool = False,
+    patches_only: bool = False,
     threads: int = 0,
     colors: Optional[ArrayLike] = None,
     progress: Optional[OnProgress] = None,
@@ -116,6 +118,8 @@ def fill(
         max_time: seconds; what is not finished then is left open. None: no limit.
         max_memory: megabytes of the whole process; a hole whose patch would need more is left open. None: nine tenths of what
             is free.
+        keep_partial: Ctrl-C hands back the patches that are finished, and raises nothing; a second one raises KeyboardInterrupt.
+        patches_only: hands back the patches alone, with the vertices of the mesh that they use.
         threads: holes worked on at once, 0 to 1024; 0: one for each core.
         colors: (n, 4) uint8, red, green, blue, alpha of each vertex: they run on over the patches.
         progress: called as progress(loops done, loops in all, number of the loop just worked on) on the calling thread. What
@@ -127,7 +131,7 @@ def fill(
     Raises:
         InvalidArgument: an argument is of another shape, out of its range or names no such loop or vertex; no face can be
             used.
-        KeyboardInterrupt: Ctrl-C. Of work given up nothing is left behind.
+        KeyboardInterrupt: Ctrl-C, unless keep_partial=True. Of work given up nothing is left behind.
         MemoryError: there is not enough memory.
 
     Example:
@@ -142,7 +146,8 @@ def fill(
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
         "cut_intersections": cut_intersections, "bridges": [(int(a), int(b)) for a, b in bridges],
-        "trim_boundary": trim_boundary, "max_time": max_time, "max_memory": max_memory, "threads": threads,
+        "trim_boundary": trim_boundary, "max_time": max_time, "max_memory": max_memory,
+        "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,
     }
     result = _core.fill(*_arrays(vertices, faces), colors, options, progress)
     result["holes"] = tuple(_hole(hole) for hole in result["holes"])

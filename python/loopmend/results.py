@@ -153,8 +153,10 @@ class FillResult:
     colors: (n, 4) uint8, continued over the patches; None where none were given.
     holes: one HoleResult for each boundary loop, in the order of their numbers; also those that were left.
     given_vertices, given_faces: how many stand before the new ones. With stitch, repair, bridges or trim_boundary these
-        are the vertices and faces of the mesh that was prepared so.
+        are the vertices and faces of the mesh that was prepared so. With patches_only: the vertices of the mesh that the
+        patches use, and no faces.
     turned_faces: how many were turned round.
+    stopped: whether max_time, or Ctrl-C with keep_partial, ended the work before all was done.
     prepared: what stitch and repair did, in numbers: {"stitched": {...}, "repaired": {...}}.
     trimmed_faces: what trim_boundary removed: {"face": number before the trimming, "fault": a word, "ring": the round}.
     """
@@ -166,6 +168,7 @@ class FillResult:
     given_vertices: int
     given_faces: int
     turned_faces: int
+    stopped: bool
     prepared: Dict[str, Dict[str, int]]
     trimmed_faces: Tuple[Dict[str, Any], ...]
 

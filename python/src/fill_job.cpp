@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill_job.h"
 
-#include "cli/bounds.h"
 #include "core/threads.h"
+#include "mesh/select_triangles.h"
 
 #include <algorithm>
 #include <chrono>
@@ -96,24 +96,38 @@ void locate_parts(FilledScan& done) {
                                                               : NewPart());
 }
 
+/// Takes the faces of the scan away, and the vertices that no patch uses, as `fill --patches-only` does.
+void keep_patches_only(FilledScan& done) {
+  std::vector<char> in_patch(done.soup.triangles.size(), 1);
+  std::fill_n(in_patch.begin(), done.given_faces, 0);
+  TriangleSelection patches = select_triangles(done.soup, in_patch);
+  const auto& number = patches.point_number;
+  const auto end_of_given = number.begin() + static_cast<std::ptrdiff_t>(done.given_vertices);
+  done.given_vertices = static_cast<std::size_t>(std::count_if(number.begin(), end_of_given, [](int v) { return v >= 0; }));
+  for (NewPart& part : done.parts) {
+    for (int& v : part.vertices) v = number[static_cast<std::size_t>(v)];
+    for (int& f : part.faces) f -= static_cast<int>(done.given_faces);
+  }
+  done.given_faces = 0;
+  done.soup = std::move(patches.soup);
+}
+
 FilledScan filled(FillJob& job, const OnFillProgress& progress, const CancelToken& cancel) {
   const Deadline deadline(std::chrono::steady_clock::now(), job.command.max_seconds, cancel);
   FilledScan done;
   SoupRecord as_read = record_of(job.soup);
   SurfaceModel model = make_surface_model(std::move(job.soup));
   PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), job.command);
-  FillOptions options = job.command.fill;
-  options.on_cancel = FillOptions::OnCancel::keep_finished;
-  options.most_memory_mb = memory_left_for_patches(job.command.max_memory_mb);
-  done.holes = fill_chosen(scan, options, progress, cancel);
-  if (cancel.cancelled()) tell_out_of_time(scan, done.holes);
+  done.holes = fill_chosen(scan, job.command, deadline, progress, cancel);
+  done.stopped = cancel.cancelled();
+  done.turned_faces = scan.turned_faces();
   done.prepared = std::move(scan.done);
   done.trimmed = std::move(scan.trimmed);
-  done.turned_faces = done.prepared.turned_faces + scan.model.repairs.reoriented_faces;
   done.given_vertices = scan.given.points;
   done.given_faces = scan.given.triangles;
   done.soup = std::move(scan.model.soup);
   locate_parts(done);
+  if (job.command.content == FillCommand::Content::patches) keep_patches_only(done);
   return done;
 }
 

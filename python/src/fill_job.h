@@ -10,7 +10,7 @@ namespace loopmend {
 
 struct FillJob {
   TriangleSoup soup;
-  FillCommand command;  ///< without files: which loops, what to prepare, and the fill's options
+  FillCommand command;  ///< without files: which loops, what to prepare, the fill's options, and what is handed back
 };
 
 /// Where a hole's part of the patch is in the filled soup; empty where the hole was left open.
@@ -23,8 +23,9 @@ struct FilledScan {
   TriangleSoup soup;
   std::vector<HoleResult> holes;                    ///< one for each loop, in the order of their numbers
   std::vector<NewPart> parts;                       ///< one for each of `holes`
-  std::size_t given_vertices = 0, given_faces = 0;  ///< of the prepared scan: they come first in `soup`
+  std::size_t given_vertices = 0, given_faces = 0;  ///< of the prepared scan, in `soup`: they come first there
   std::size_t turned_faces = 0;                     ///< to agree with their neighbours
+  bool stopped = false;                             ///< some loops may be unfinished
   Preparation prepared;
   std::vector<BadRimFace> trimmed;  ///< faces of the scan as it was before trimming
 };

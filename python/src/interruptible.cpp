@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interruptible.h"
 
+#include "core/error.h"
+
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -50,17 +53,25 @@ void answer(const std::vector<Event>& events, const py::object& on_event) {
   for (const Event& event : events) on_event(*event());
 }
 
+std::thread started(const std::function<void()>& work) {
+  try {
+    return std::thread(work);
+  } catch (const std::system_error&) {
+    throw Error("the work needs a thread of its own, and the system allows no more (ulimit -u). Raise that limit.");
+  }
+}
+
 }  // namespace
 
 void run_interruptibly(const std::function<void(const CancelToken& cancel, const PostEvent& post)>& work,
-                       const py::object& on_event) {
+                       const py::object& on_event, OnInterrupt on_interrupt) {
   constexpr std::chrono::milliseconds between_looks{50};
   const CancelToken cancel;
   Mailbox box;
   PostEvent post = [](const Event&) {};
   if (!on_event.is_none()) post = [&](Event event) { box.post(std::move(event)); };
   std::exception_ptr fault, stop;
-  std::thread worker([&] {
+  std::thread worker = started([&] {
     try {
       work(cancel, post);
     } catch (...) {
@@ -77,6 +88,11 @@ void run_interruptibly(const std::function<void(const CancelToken& cancel, const
     if (stop) continue;
     try {
       answer(events, on_event);
+    } catch (const py::error_already_set& raised) {
+      const bool is_kept = on_interrupt == OnInterrupt::keep_finished && !cancel.cancelled() &&
+                           raised.matches(PyExc_KeyboardInterrupt);
+      if (!is_kept) stop = std::current_exception();
+      cancel.cancel();
     } catch (...) {
       stop = std::current_exception();
       cancel.cancel();

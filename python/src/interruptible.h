@@ -15,12 +15,18 @@ using Event = std::function<pybind11::tuple()>;
 /// Takes an event from any thread; it is told later, by the thread that called run_interruptibly().
 using PostEvent = std::function<void(Event)>;
 
+/// What the first KeyboardInterrupt does.
+enum class OnInterrupt {
+  raise,         ///< it goes on when the work has ended
+  keep_finished  ///< it cancels the work, which hands back what it has; only a second one goes on
+};
+
 /// Calls work(cancel, post) without the GIL, and looks for signals 20 times a second. A signal's exception, or one that
 /// `on_event` raises, cancels the work; when that has ended, the exception goes on. Events are told in their order, all of
 /// them, those made while an exception is under way excepted.
 /// @param on_event  called with an event's tuple; None: nobody is told.
-/// @throws what the work threw, where no exception of Python came first.
+/// @throws Error where the system allows no further thread; what the work threw, where no exception of Python came first.
 void run_interruptibly(const std::function<void(const CancelToken& cancel, const PostEvent& post)>& work,
-                       const pybind11::object& on_event);
+                       const pybind11::object& on_event, OnInterrupt on_interrupt = OnInterrupt::raise);
 
 }  // namespace loopmend

@@ -70,6 +70,8 @@ FillCommand fill_command(const py::dict& options) {
   command.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
   command.trim_rounds = whole_number(options, "trim_boundary", 100);
   command.fill.threads = whole_number(options, "threads", 1024);
+  if (option<bool>(options, "patches_only")) command.content = FillCommand::Content::patches;
+  if (option<bool>(options, "keep_partial")) command.when_stopped = FillCommand::WhenStopped::keep_finished;
   command.fill.islands = worded<FillOptions::Islands>(
       options, "islands", {{"join", FillOptions::Islands::join}, {"cover", FillOptions::Islands::cover}});
   return command;
@@ -78,6 +80,7 @@ FillCommand fill_command(const py::dict& options) {
 py::dict fill(const py::array& vertices, const py::array& faces, const py::object& colors, const py::dict& options,
               const py::object& on_progress) {
   FillJob job{soup_of(vertices, faces, colors), fill_command(options)};
+  const bool keep = job.command.when_stopped == FillCommand::WhenStopped::keep_finished;
   FilledScan done;
   run_interruptibly(
       [&](const CancelToken& cancel, const PostEvent& post) {
@@ -86,7 +89,7 @@ py::dict fill(const py::array& vertices, const py::array& faces, const py::objec
         };
         done = run_fill_job(std::move(job), tell, cancel);
       },
-      on_progress);
+      on_progress, keep ? OnInterrupt::keep_finished : OnInterrupt::raise);
   return fill_result(std::move(done));
 }
 

@@ -97,7 +97,7 @@ py::dict fill_result(FilledScan done) {
   for (std::size_t k = 0; k < done.holes.size(); ++k)
     holes.append(hole_figures(done.holes[k], std::move(done.parts[k])));
   py::dict result("holes"_a = holes, "given_vertices"_a = done.given_vertices, "given_faces"_a = done.given_faces,
-                  "turned_faces"_a = done.turned_faces, "prepared"_a = preparation(done),
+                  "turned_faces"_a = done.turned_faces, "stopped"_a = done.stopped, "prepared"_a = preparation(done),
                   "trimmed_faces"_a = faces_of(done.trimmed));
   result["vertices"] = points_array(std::move(done.soup.points));
   result["faces"] = triangles_array(std::move(done.soup.triangles));

@@ -39,9 +39,12 @@ print(*(hole.status for hole in result.holes))')
 echo "the sample: $filled"
 [[ $filled == "skipped converged converged converged converged converged" ]]
 files=$(user/bin/python -m zipfile -l "$folder"/loopmend-*.whl | awk '{ print $1 }')
-for file in loopmend/__init__.py loopmend/_core.pyi loopmend/py.typed loopmend/LICENSE; do
+for file in loopmend/__init__.py loopmend/_core.pyi loopmend/py.typed loopmend/LICENSE loopmend/THIRD_PARTY_NOTICES.txt; do
   grep -qx "$file" <<<"$files" || { echo "$file is not in the wheel" >&2; exit 1; }
 done
+notices=$(user/bin/python -c 'import loopmend, pathlib
+print((pathlib.Path(loopmend.__file__).parent / "THIRD_PARTY_NOTICES.txt").read_text())')
+"$here/check_notices.sh" <<<"$notices"
 if grep -qE '\.(h|a|cmake)$|^(bin|include|lib|share)/' <<<"$files"; then
   echo "the wheel holds more than the package:" >&2
   echo "$files" >&2

@@ -24,6 +24,31 @@ def test_the_patch_of_a_hole_in_a_sphere_lies_on_the_sphere(sphere):
     assert np.linalg.norm(hole.center - [0, 0, np.cos(np.radians(17))]) < 0.05
 
 
+def test_patches_alone_are_those_of_the_whole(two_holes):
+    whole, alone = loopmend.fill(*two_holes), loopmend.fill(*two_holes, patches_only=True)
+    assert len(alone.faces) == len(whole.new_faces) and alone.given_faces == 0
+    assert alone.given_vertices == sum(hole.edges for hole in whole.holes)  # each vertex of a round hole once
+    assert set(map(bytes, alone.vertices[:alone.given_vertices])) <= set(map(bytes, two_holes[0]))
+    assert np.array_equal(alone.vertices[alone.faces], whole.vertices[whole.faces[whole.new_faces]])
+    for one, other in zip(alone.holes, whole.holes):
+        assert np.array_equal(alone.vertices[one.new_vertices], whole.vertices[other.new_vertices])
+        assert np.array_equal(alone.vertices[alone.faces[one.new_faces]], whole.vertices[whole.faces[other.new_faces]])
+    assert not whole.stopped and not alone.stopped
+
+
+def test_patches_alone_are_nothing_where_no_hole_is_filled(sphere):
+    alone = loopmend.fill(*sphere, max_edges=3, patches_only=True)
+    assert alone.vertices.shape == (0, 3) and alone.faces.shape == (0, 3)
+    assert (alone.given_vertices, alone.given_faces, alone.holes[0].is_filled) == (0, 0, False)
+
+
+def test_what_is_not_finished_in_time_is_left_and_said(sphere):
+    result = loopmend.fill(*sphere, max_time=1e-6)
+    assert result.stopped and result.holes[0].status == "skipped"
+    assert result.holes[0].message == "not finished in the time that --max-time allows: left open"
+    assert np.array_equal(result.vertices, sphere[0]) and np.array_equal(result.faces, sphere[1])
+
+
 def test_without_a_flow_the_patch_is_flat(sphere):
     result = loopmend.fill(*sphere, flow="none")
     radii = np.linalg.norm(result.vertices[result.new_vertices], axis=1)

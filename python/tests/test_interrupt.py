@@ -31,6 +31,57 @@ def test_ctrl_c_ends_a_fill_soon():
     assert loopmend.fill(scan.vertices, scan.faces, loops=6).holes[5].is_filled  # the next call is as good as ever
 
 
+def test_ctrl_c_keeps_what_is_finished_when_asked():
+    """Struck when the first of five holes is done: that one is kept, as it is without Ctrl-C."""
+    scan = loopmend.sample()
+    told = []
+
+    def strike(done, total, number):
+        told.append(number)
+        if len(told) == 1:
+            signal.raise_signal(signal.SIGINT)
+
+    slow = {"flow": "wf", "mode": "steps", "steps": 40, "sigma": 1e-2, "threads": 1}
+    result = loopmend.fill(scan.vertices, scan.faces, keep_partial=True, progress=strike, **slow)
+    assert result.stopped
+    kept = [hole.number for hole in result.holes if hole.is_filled]
+    assert told[0] in kept and len(kept) < 5
+    alone = loopmend.fill(scan.vertices, scan.faces, loops=kept, **slow)
+    assert alone.vertices.tobytes() == result.vertices.tobytes() and alone.faces.tobytes() == result.faces.tobytes()
+    open_ones = [hole.message for hole in result.holes if not hole.is_filled and hole.kind == "hole"]
+    assert set(open_ones) == {"not finished when stopped"}
+
+
+def test_a_second_ctrl_c_is_raised():
+    scan = loopmend.sample()
+    struck = []
+
+    def handler(number, frame):
+        struck.append(number)
+        if len(struck) == 2:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            signal.setitimer(signal.ITIMER_REAL, 0.3, 0.01)
+            loopmend.fill(scan.vertices, scan.faces, density=4, flow="wf", mode="steps", steps=1000, sigma=1e-3,
+                          keep_partial=True)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(struck) == 2
+
+
+def test_what_a_callback_raises_stops_the_work_also_when_ctrl_c_would_not(two_holes):
+    def stop(done, total, number):
+        raise ValueError("enough")
+
+    with pytest.raises(ValueError, match="enough"):
+        loopmend.fill(*two_holes, keep_partial=True, progress=stop)
+
+
 def test_a_handler_may_raise_what_it_likes():
     class Alarm(Exception):
         pass

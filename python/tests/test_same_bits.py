@@ -23,6 +23,8 @@ FILLS = [
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
+    (["--patches-only"], {"patches_only": True}),
+    (["--patches-only", "--loops", "6", "--trim-boundary", "3"], {"patches_only": True, "loops": 6, "trim_boundary": 3}),
     (["--at-vertex", "13,96", "--solver", "gmres", "--mode", "steps", "--steps", "2"],
      {"at_vertices": [13, 96], "solver": "gmres", "mode": "steps", "steps": 2}),
 ]

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace loopmend {
 namespace {
@@ -57,6 +58,39 @@ TEST_F(AddressSpace, AFillWorksOrSaysWhatIsMissing) {
       EXPECT_EQ(code, 0);
     }
   }
+}
+
+/// Runs the program as a user for whom the system makes no further process or thread.
+class NoThread : public test::ProgramTest {
+ protected:
+  test::Outcome run(const std::string& words) {
+    const std::string other_user = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+    const std::string command = other_user + "prlimit --nproc=1 " + LOOPMEND_PROGRAM + " " + words + " >" +
+                                path("stdout") + "2>" + path("stderr");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(work / "stdout"),
+            text_of(work / "stderr")};
+  }
+  void SetUp() override {
+    if (std::string(LOOPMEND_SANITIZERS) != "") GTEST_SKIP() << "sanitizers start threads of their own";
+    std::filesystem::permissions(work.folder(), std::filesystem::perms::all);
+    if (const test::Outcome none = run("--version"); none.code == 126 || none.code == 127)
+      GTEST_SKIP() << "another user, or a limit, is not to be had here: " << none.err;
+    write_mesh(work / "scan.ply", cut(make_icosphere(3), [](const Vec3& p) { return std::abs(p.z()) > 0.9; }));
+  }
+};
+
+TEST_F(NoThread, AFillIsDoneByTheOneThatThereIs) {
+  const test::Outcome done = run("fill " + path("scan.ply") + "-o " + path("out.ply"));
+  EXPECT_EQ(done.code, 0) << done.err;
+  ASSERT_EQ(test::loopmend_program("fill " + path("scan.ply") + "-o " + path("wanted.ply")).code, 0);
+  EXPECT_TRUE(text_of(work / "out.ply") == text_of(work / "wanted.ply"));
+}
+
+TEST_F(NoThread, WhatNeedsAnotherOneSaysSo) {
+  const test::Outcome none = run("fill " + path("scan.ply") + "-o " + path("out.ply") + "--max-time 100");
+  expect_refused(none, 5, "--max-time");
+  EXPECT_THAT(none.err, HasSubstr("ulimit -u"));
 }
 
 using Bounds = test::ProgramTest;

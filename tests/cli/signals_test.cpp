@@ -94,6 +94,18 @@ TEST_F(Signals, WhileAFileIsWrittenLeaveTheOldOneAndNothingElse) {
   }
 }
 
+TEST_F(Signals, AnInterruptBeforeMainIsNotLost) {
+  make_large_scan();
+  for (const int pause : {0, 1, 2, 4, 8, 16, 32}) {  // ms; loading the libraries takes some tens of them
+    std::ofstream(work / "out.ply") << "precious";
+    const pid_t child = start(fill({}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+    kill(child, SIGINT);
+    EXPECT_THAT(end_of(child), AnyOf(128 + SIGINT, 1000 + SIGINT)) << pause;  // the latter: before the program was loaded
+    EXPECT_EQ(text_of(work / "out.ply"), "precious") << pause;
+  }
+}
+
 TEST_F(Signals, ACrashRemovesUnfinishedFilesAndStaysACrash) {
   if (std::string(LOOPMEND_SANITIZERS) != "") GTEST_SKIP() << "sanitizers tell of crashes themselves";
   make_large_scan();
