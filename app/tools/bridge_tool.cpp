@@ -14,7 +14,11 @@ constexpr double pick_reach = 14;  ///< logical pixels
 
 }  // namespace
 
-BridgeTool::BridgeTool(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+BridgeTool::BridgeTool(const Document& document, const SceneVisibility& visibility, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      visibility_(visibility) {
+  connect(&visibility_, &SceneVisibility::changed, this, &BridgeTool::forget);
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
     connect(&document_, signal, this, &BridgeTool::forget);
 }
@@ -34,7 +38,7 @@ void BridgeTool::take_loops() {
   std::vector<float> xyz;
   seats_.clear();
   for (int loop = 0; loop < document_.loop_count(); ++loop) {
-    if (!document_.present(loop) || document_.patch_of(loop)) continue;
+    if (!document_.present(loop) || document_.patch_of(loop) || visibility_.is_hidden_loop(loop)) continue;
     const int scan = document_.scan_of(loop);
     const auto opened = document_.scan(scan);
     for (int v : document_.loop(loop).vertices) {

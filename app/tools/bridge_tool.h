@@ -2,7 +2,7 @@
 // Picks the two boundary vertices between which a bridge is laid.
 #pragma once
 
-#include "document/document.h"
+#include "document/scene_visibility.h"
 #include "tools/screen_points.h"
 
 #include <QObject>
@@ -13,7 +13,7 @@ class BridgeTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
-  explicit BridgeTool(const Document& document, QObject* parent = nullptr);
+  BridgeTool(const Document& document, const SceneVisibility& visibility, QObject* parent = nullptr);
 
   /// The soup point of the first of the two vertices; −1 while none is picked.
   int begun_point() const { return begun_ < 0 ? -1 : seats_[static_cast<std::size_t>(begun_)].soup_point; }
@@ -39,6 +39,7 @@ class BridgeTool : public QObject, public ViewTool {
   void take_loops();
 
   const Document& document_;
+  const SceneVisibility& visibility_;
   bool fresh_ = false;
   ScreenPoints points_;
   std::vector<Seat> seats_;

@@ -8,7 +8,11 @@
 
 namespace loopmend {
 
-RegionTool::RegionTool(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+RegionTool::RegionTool(const Document& document, const SceneVisibility& visibility, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      visibility_(visibility) {
+  connect(&visibility_, &SceneVisibility::changed, this, &RegionTool::forget);
   connect(&document_, &Document::opened, this, &RegionTool::forget);
   connect(&document_, &Document::scans_changed, this, &RegionTool::forget);
   connect(&document_, &Document::patches_changed, this, &RegionTool::forget);
@@ -29,6 +33,7 @@ void RegionTool::forget() {
 void RegionTool::take_surface() {
   if (std::exchange(fresh_, true)) return;
   std::vector<float> xyz;
+  std::vector<char> unseen;
   soup_.clear();
   scan_of_.clear();
   triangles_.clear();
@@ -40,6 +45,8 @@ void RegionTool::take_surface() {
     xyz.insert(xyz.end(), shape.points.begin(), shape.points.end());
     normals_.insert(normals_.end(), shape.normals.begin(), shape.normals.end());
     soup_.insert(soup_.end(), scan->model->soup_vertex.begin(), scan->model->soup_vertex.end());
+    const int vertices = static_cast<int>(shape.points.size() / 3);
+    for (int v = 0; v < vertices; ++v) unseen.push_back(visibility_.is_hidden_vertex(index, v));
     for (int v : shape.triangles) triangles_.push_back(first + v);
     int next_point = static_cast<int>(scan->model->soup.points.size());
     for (const OpenPatch& open : document_.patches()) {
@@ -50,13 +57,14 @@ void RegionTool::take_surface() {
       xyz.insert(xyz.end(), seen.points.begin(), seen.points.begin() + 3 * patch.free_count);
       normals_.insert(normals_.end(), seen.normals.begin(), seen.normals.begin() + 3 * patch.free_count);
       for (int i = 0; i < patch.free_count; ++i) soup_.push_back(next_point++);
+      unseen.resize(soup_.size(), visibility_.is_hidden_patch(open));
       for (int t = 0; t < patch.patch_triangles; ++t)
         for (int v : patch.triangles[static_cast<std::size_t>(t)])
           triangles_.push_back(v < patch.free_count ? own + v : first + patch.view_vertex[static_cast<std::size_t>(v)]);
     }
     scan_of_.resize(soup_.size(), index);
   }
-  points_.set_points(std::move(xyz));
+  points_.set_points(std::move(xyz), std::move(unseen));
   chosen_.assign(soup_.size(), 0);
   chosen_count_ = 0;
   scan_ = -1;

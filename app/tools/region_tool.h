@@ -2,7 +2,7 @@
 // Brush and lasso: which vertices of one scan, its patches included, make up a region.
 #pragma once
 
-#include "document/document.h"
+#include "document/scene_visibility.h"
 #include "tools/screen_points.h"
 
 #include <QObject>
@@ -13,7 +13,7 @@ class RegionTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
-  explicit RegionTool(const Document& document, QObject* parent = nullptr);
+  RegionTool(const Document& document, const SceneVisibility& visibility, QObject* parent = nullptr);
 
   enum class Means { brush, lasso };
   enum class Effect { add, erase };
@@ -52,6 +52,7 @@ class RegionTool : public QObject, public ViewTool {
   void move_edge(Ring ring);
 
   const Document& document_;
+  const SceneVisibility& visibility_;
   bool fresh_ = false;  ///< the arrays are those of the document
   ScreenPoints points_;
   std::vector<int> soup_, scan_of_;

@@ -12,11 +12,13 @@
 #include "panels/inspect_panel.h"
 #include "panels/look_panel.h"
 #include "panels/patch_panel.h"
+#include "panels/scene_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
 #include "views/example_controller.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
+#include "views/piece_menu.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
 
@@ -26,6 +28,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMimeData>
 #include <QScreen>
 #include <QStackedLayout>
@@ -40,6 +43,7 @@ namespace loopmend {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
+      visibility_(document_),
       controller_(document_, undo_),
       autosave_(document_, undo_),
       check_(document_, controller_),
@@ -50,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
   const QSize frame(20, 40);
   resize(QSize(1360, 860).boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
   build_centre();
-  files_ = new FileDesk(document_, undo_, controller_, check_, *banner_, this);
+  files_ = new FileDesk(document_, undo_, controller_, check_, visibility_, *banner_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
   examples_ = new ExampleController({document_, selection_, controller_, *tools_, *compare_, *view_, *banner_}, this);
@@ -80,7 +84,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::build_centre() {
-  view_ = new MeshView(document_, selection_);
+  view_ = new MeshView(document_, visibility_, selection_);
   welcome_ = new Welcome;
   auto* middle = new QWidget;
   auto* column = new QVBoxLayout(middle);
@@ -104,8 +108,10 @@ void MainWindow::build_docks() {
   holes_ = new HolesPanel(document_, selection_);
   patch_ = new PatchPanel(document_, selection_, controller_);
   look_ = new LookPanel;
+  scene_ = new ScenePanel(document_, visibility_);
+  pieces_ = new PieceMenu(document_, visibility_, selection_, *view_, this);
   inspect_ = new InspectPanel(document_, selection_);
-  tools_ = new ToolController(document_, selection_, controller_, *view_, this);
+  tools_ = new ToolController(document_, visibility_, selection_, controller_, *view_, this);
   const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
     auto* made = new QDockWidget(title);
     made->setObjectName(QLatin1String(name));
@@ -115,10 +121,12 @@ void MainWindow::build_docks() {
     return made;
   };
   QDockWidget* left = dock("holesDock", tr("Holes"), holes_, Qt::LeftDockWidgetArea);
+  QDockWidget* scene = dock("sceneDock", tr("Scene"), scene_, Qt::LeftDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
   QDockWidget* look = dock("lookDock", tr("Display"), look_, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("inspectDock", tr("Inspect"), inspect_, Qt::BottomDockWidgetArea);
   QDockWidget* tools = dock("toolsDock", tr("Tools"), tools_->panel(), Qt::RightDockWidgetArea);
+  tabifyDockWidget(left, scene);
   tabifyDockWidget(right, tools);
   tabifyDockWidget(tools, look);
   connect(tools_, &ToolController::tool_changed, tools, [this, tools](Tool tool) {
@@ -128,6 +136,7 @@ void MainWindow::build_docks() {
   connect(tools, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (!visible && isVisible() && !isMinimized()) tools_->take(Tool::none);
   });
+  left->raise();
   right->raise();
   resizeDocks({left, right}, {424, 272}, Qt::Horizontal);
   resizeDocks({bottom}, {214}, Qt::Vertical);
@@ -210,8 +219,16 @@ void MainWindow::connect_panels() {
     look_->know_range(view_->range());
     update_actions();
   });
-  connect(view_, &MeshView::hole_menu_wanted, actions_, &WindowActions::show_hole_menu);
-  connect(holes_, &HolesPanel::hole_menu_wanted, actions_, &WindowActions::show_hole_menu);
+  const auto show_hole_menu = [this](const QPoint& at) {
+    QMenu* menu = actions_->make_hole_menu();
+    pieces_->add_entries(menu, pieces_->of_selected_holes());
+    menu->popup(at);
+  };
+  connect(view_, &MeshView::hole_menu_wanted, this, show_hole_menu);
+  connect(holes_, &HolesPanel::hole_menu_wanted, this, show_hole_menu);
+  connect(view_, &MeshView::piece_menu_wanted, pieces_, &PieceMenu::show);
+  connect(scene_, &ScenePanel::menu_wanted, pieces_, &PieceMenu::show_for);
+  connect(pieces_, &PieceMenu::notice, banner_, &Banner::show_notice);
   connect(view_, &MeshView::probed, status_, &StatusLine::say);
   connect(&patch_->flow_box(), &FlowBox::compare_wanted, (*actions_)["compare"], &QAction::trigger);
   connect(compare_, &CompareController::failed, banner_, &Banner::show_problem);

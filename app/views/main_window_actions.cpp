@@ -22,6 +22,7 @@
 #include "panels/theme.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
+#include "views/piece_menu.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
 
@@ -84,6 +85,10 @@ void MainWindow::connect_view_actions() {
   });
   for (const auto& [name, side] : sides) a.on(name, this, [this, from = side] { view_->look_from(from); });
   a.on("probe", view_, &MeshView::probe_middle);
+  a.on("hidePiece", pieces_, &PieceMenu::hide);
+  a.on("isolatePiece", pieces_, &PieceMenu::isolate);
+  a.on("showPieces", &visibility_, &SceneVisibility::show_all);
+  connect(&visibility_, &SceneVisibility::changed, this, &MainWindow::update_actions);
   a.on("undo", this, [this] { undo_.undo(); });
   a.on("redo", this, [this] { undo_.redo(); });
   a.on("nextHole", this, [this] { holes_->go(HolesPanel::Way::next); });
@@ -153,6 +158,8 @@ void MainWindow::update_actions() {
                            "clip",
                            "screenshot",
                            "frame",
+                           "hidePiece",
+                           "isolatePiece",
                            "probe",
                            "wireframe",
                            "seams",
@@ -167,6 +174,7 @@ void MainWindow::update_actions() {
     a[name]->setEnabled(scan);
   a["scanColors"]->setEnabled(has_scan_colors_);
   a["orthographic"]->setEnabled(scan);
+  a["showPieces"]->setEnabled(visibility_.hidden_count() > 0);
   for (const auto& [name, side] : sides) a[name]->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));

@@ -11,19 +11,19 @@
 
 namespace loopmend {
 
-ToolController::ToolController(Document& document, HoleSelection& selection, FillController& controller, MeshView& view,
-                               QObject* parent)
+ToolController::ToolController(Document& document, const SceneVisibility& visibility, HoleSelection& selection,
+                               FillController& controller, MeshView& view, QObject* parent)
     : QObject(parent),
       document_(document),
       selection_(selection),
       view_(view),
-      region_(new RegionTool(document, this)),
-      points_(new PointsTool(document, this)),
+      region_(new RegionTool(document, visibility, this)),
+      points_(new PointsTool(document, visibility, this)),
       part_(new PartTool(document, this)),
-      bridge_(new BridgeTool(document, this)),
+      bridge_(new BridgeTool(document, visibility, this)),
       measure_(new MeasureTool(
-          [&document](const Vec3& at) {
-            const std::optional<Probe> found = probe(document, at);
+          [&document, &visibility](const Vec3& at) {
+            const std::optional<SurfacePlace> found = place_near(document, visibility, at);
             return found ? std::optional(found->at) : std::nullopt;
           },
           this)),

@@ -18,8 +18,8 @@ class ToolController : public QObject {
   Q_OBJECT
 
  public:
-  ToolController(Document& document, HoleSelection& selection, FillController& controller, MeshView& view,
-                 QObject* parent);
+  ToolController(Document& document, const SceneVisibility& visibility, HoleSelection& selection,
+                 FillController& controller, MeshView& view, QObject* parent);
 
   ToolsPanel* panel() { return panel_; }
   ProblemController& trial() { return *trial_; }

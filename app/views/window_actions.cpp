@@ -84,6 +84,15 @@ const Spec specs[] = {
     {"clip", QT_TRANSLATE_NOOP("loopmend::WindowActions", "C&lipping plane"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Cut the surfaces open across the line of sight, to see the inside"),
      "X", nullptr, toggle},
+    {"hidePiece", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Hide piece"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Hide the piece under the mouse, or those of the selected holes; it is filled and exported "
+                       "as before"),
+     "H", nullptr},
+    {"isolatePiece", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Isolate piece"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Hide all other pieces"), "Shift+H", nullptr},
+    {"showPieces", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Sho&w all pieces"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show everything that was hidden"), "Ctrl+H", nullptr},
     {"lookFront", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Front"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the front"), "Ctrl+1", nullptr},
     {"lookBack", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Back"),
@@ -176,7 +185,7 @@ QAction* WindowActions::operator[](const char* name) const {
   return window_->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
 }
 
-void WindowActions::show_hole_menu(const QPoint& at) {
+QMenu* WindowActions::make_hole_menu() {
   auto* menu = new QMenu(window_);
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -187,7 +196,7 @@ void WindowActions::show_hole_menu(const QPoint& at) {
     else
       menu->addAction((*this)[name]);
   }
-  menu->popup(at);
+  return menu;
 }
 
 QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const char*> names) {
@@ -213,10 +222,11 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   file->insertMenu((*this)["sample"], recent_);
   file->insertMenu((*this)["quit"], close_);
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
-  QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian",  "plain",     "zebra",   "isophotes",  "scanColors",
-                                       "-",         "wireframe", "seams",     "-",       "frame",      "lookFront",
-                                       "lookBack",  "lookLeft",  "lookRight", "lookTop", "lookBottom", "orthographic",
-                                       "clip",      "-",         "probe",     "-"});
+  QMenu* view = add_menu(
+      tr("&View"), {"curvature",    "gaussian",   "plain",      "zebra",        "isophotes", "scanColors", "-",
+                    "wireframe",    "seams",      "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
+                    "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",      "-",          "hidePiece",
+                    "isolatePiece", "showPieces", "-",          "probe",        "-"});
   view->addActions(docks);
   add_menu(tr("&Patch"),
            {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "repairAction", "-", "runAction",

@@ -878,6 +878,13 @@
             <source>Looking for open edges and intersections…</source>
             <translation>Offene Kanten und Überschneidungen werden gesucht…</translation>
         </message>
+        <message numerus="yes">
+            <source>%n hidden piece(s) or patch(es) are written as well.</source>
+            <translation>
+                <numerusform>%n ausgeblendetes Teil wird mitgeschrieben.</numerusform>
+                <numerusform>%n ausgeblendete Teile werden mitgeschrieben.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FileDesk</name>
@@ -2174,6 +2181,10 @@
             <source>Display</source>
             <translation>Ansicht</translation>
         </message>
+        <message>
+            <source>Scene</source>
+            <translation>Szene</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::MeasureBox</name>
@@ -2247,6 +2258,17 @@
         <message>
             <source>%1 %2 · %3 edges · %4 across · %5</source>
             <translation>%1 %2 · %3 Kanten · %4 breit · %5</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden (Ctrl+H). It is filled and exported all the same</source>
+            <translation>Alles Ausgeblendete einblenden (Strg+H). Gefüllt und exportiert wird es in jedem Fall</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n hidden: show all</source>
+            <translation>
+                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
+                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -3777,6 +3799,30 @@
             <source>The distance between two vertices</source>
             <translation>Der Abstand zweier Ecken</translation>
         </message>
+        <message>
+            <source>&amp;Hide piece</source>
+            <translation>Stück a&amp;usblenden</translation>
+        </message>
+        <message>
+            <source>Hide the piece under the mouse, or those of the selected holes; it is filled and exported as before</source>
+            <translation>Das Stück unter der Maus ausblenden oder die der gewählten Löcher; gefüllt und exportiert wird es wie zuvor</translation>
+        </message>
+        <message>
+            <source>&amp;Isolate piece</source>
+            <translation>Nur dieses Stück &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>Hide all other pieces</source>
+            <translation>Alle anderen Stücke ausblenden</translation>
+        </message>
+        <message>
+            <source>Sho&amp;w all pieces</source>
+            <translation>Alle Stücke ein&amp;blenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden</source>
+            <translation>Alles Ausgeblendete einblenden</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::labels</name>
@@ -4175,6 +4221,105 @@
         <message>
             <source>volume %1, in cubic units of the scan</source>
             <translation>Rauminhalt %1, in Kubikeinheiten des Scans</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PieceMenu</name>
+        <message>
+            <source>Move the mouse over the piece, or select one of its holes, and press the key again.</source>
+            <translation>Die Maus auf das Stück bewegen oder eines seiner Löcher wählen und die Taste noch einmal drücken.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n piece(s)</source>
+            <translation>
+                <numerusform>%n Stück</numerusform>
+                <numerusform>%n Stücke</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>piece %1 of %2</source>
+            <translation>Stück %1 von %2</translation>
+        </message>
+        <message>
+            <source>&amp;Hide %1</source>
+            <translation>%1 &amp;ausblenden</translation>
+        </message>
+        <message>
+            <source>It is filled and exported as before</source>
+            <translation>Gefüllt und exportiert wird es wie zuvor</translation>
+        </message>
+        <message>
+            <source>&amp;Isolate %1</source>
+            <translation>Nur %1 &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>Hide all other pieces</source>
+            <translation>Alle anderen Stücke ausblenden</translation>
+        </message>
+        <message>
+            <source>Sho&amp;w all pieces</source>
+            <translation>A&amp;lle Stücke einblenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden</source>
+            <translation>Alles Ausgeblendete einblenden</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ScenePanel</name>
+        <message>
+            <source>&amp;Isolate</source>
+            <translation>&amp;Nur dies</translation>
+        </message>
+        <message>
+            <source>Hide everything but the chosen row (Shift+H)</source>
+            <translation>Alles außer der gewählten Zeile ausblenden (Umschalt+H)</translation>
+        </message>
+        <message>
+            <source>Show a&amp;ll</source>
+            <translation>A&amp;lles einblenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden (Ctrl+H)</source>
+            <translation>Alles Ausgeblendete einblenden (Strg+H)</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>Szene</translation>
+        </message>
+        <message>
+            <source>Scans, their pieces and patches; the check boxes hide and show them</source>
+            <translation>Scans, ihre Stücke und Flicken; die Kästchen blenden sie aus und ein</translation>
+        </message>
+        <message>
+            <source>Shown</source>
+            <translation>Gezeigt</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Dreiecke</translation>
+        </message>
+        <message>
+            <source>Hiding changes the picture alone: what is hidden is filled, checked and exported as before.</source>
+            <translation>Ausblenden ändert nur das Bild: Ausgeblendetes wird gefüllt, geprüft und exportiert wie zuvor.</translation>
+        </message>
+        <message>
+            <source>Piece %1, %2 across</source>
+            <translation>Stück %1, Größe %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n smaller piece(s)</source>
+            <translation>
+                <numerusform>%n kleineres Stück</numerusform>
+                <numerusform>%n kleinere Stücke</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n patch(es)</source>
+            <translation>
+                <numerusform>%n Flicken</numerusform>
+                <numerusform>%n Flicken</numerusform>
+            </translation>
         </message>
     </context>
 </TS>

@@ -138,4 +138,51 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>loopmend::ExportDialog</name>
+        <message numerus="yes">
+            <source>%n hidden piece(s) or patch(es) are written as well.</source>
+            <translation>
+                <numerusform>%n hidden piece or patch is written as well.</numerusform>
+                <numerusform>%n hidden pieces or patches are written as well.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::MeshView</name>
+        <message numerus="yes">
+            <source>%n hidden: show all</source>
+            <translation>
+                <numerusform>%n hidden: show all</numerusform>
+                <numerusform>%n hidden: show all</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PieceMenu</name>
+        <message numerus="yes">
+            <source>%n piece(s)</source>
+            <translation>
+                <numerusform>%n piece</numerusform>
+                <numerusform>%n pieces</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ScenePanel</name>
+        <message numerus="yes">
+            <source>%n smaller piece(s)</source>
+            <translation>
+                <numerusform>%n smaller piece</numerusform>
+                <numerusform>%n smaller pieces</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n patch(es)</source>
+            <translation>
+                <numerusform>%n patch</numerusform>
+                <numerusform>%n patches</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>
