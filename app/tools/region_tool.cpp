@@ -96,6 +96,24 @@ void RegionTool::choose(const std::vector<int>& found, Effect effect) {
   if (other) recount();
 }
 
+bool RegionTool::shows_outside(const ViewSpace& space, int vertex) const {
+  const Eigen::Vector3d p = points_.point(vertex).cast<double>();
+  const Eigen::Vector4d clip = space.to_clip * Eigen::Vector4d(p.x(), p.y(), p.z(), 1);
+  const Eigen::Matrix4d back = space.to_clip.inverse();
+  const auto at_depth = [&](double depth) {
+    const Eigen::Vector4d q = back * Eigen::Vector4d(clip.x() / clip.w(), clip.y() / clip.w(), depth, 1);
+    return Eigen::Vector3d(q.head<3>() / q.w());
+  };
+  const Eigen::Vector3d sight = at_depth(1) - at_depth(-1);
+  const Eigen::Map<const Eigen::Vector3f> normal(normals_.data() + 3 * static_cast<std::size_t>(vertex));
+  return normal.cast<double>().dot(sight) <= 0;
+}
+
+std::vector<int> RegionTool::on_painted_side(const ViewSpace& space, std::vector<int> found) const {
+  std::erase_if(found, [&](int v) { return shows_outside(space, v) != outside_; });
+  return found;
+}
+
 void RegionTool::move_edge(Ring ring) {
   if (chosen_count_ == 0) return;
   const char from = ring == Ring::outward;
@@ -173,15 +191,25 @@ bool RegionTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
     }
     const std::vector<int> found = points_.under_brush(space, at, at, radius_);
     if (found.empty()) return false;  // beside the surface: the picture turns
-    choose(found, stroke_);
+    const auto depth = [&](int v) { return space.to_screen(points_.point(v).cast<double>()).z(); };
+    outside_ = shows_outside(
+        space, *std::min_element(found.begin(), found.end(), [&](int a, int b) { return depth(a) < depth(b); }));
+    choose(on_painted_side(space, found), stroke_);
     return true;
   }
   if (means_ == Means::brush) {
-    if (act == Act::move) choose(points_.under_brush(space, before, at, radius_), stroke_);
+    if (act == Act::move) choose(on_painted_side(space, points_.under_brush(space, before, at, radius_)), stroke_);
     return true;
   }
   outline_ << at;
-  if (act == Act::release) choose(points_.within(space, std::exchange(outline_, {}), hidden_), stroke_);
+  if (act != Act::release) return true;
+  std::vector<int> found = points_.within(space, std::exchange(outline_, {}), hidden_);
+  if (hidden_ == ScreenPoints::Hidden::left_out) {
+    const auto outside = std::count_if(found.begin(), found.end(), [&](int v) { return shows_outside(space, v); });
+    outside_ = 2 * outside >= static_cast<std::ptrdiff_t>(found.size());
+    found = on_painted_side(space, std::move(found));
+  }
+  choose(found, stroke_);
   return true;
 }
 

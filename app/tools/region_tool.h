@@ -47,6 +47,10 @@ class RegionTool : public QObject, public ViewTool {
   void take_surface();
   void forget();
   void choose(const std::vector<int>& found, Effect effect);
+  /// Whether the surface shows its outside at this vertex.
+  bool shows_outside(const ViewSpace& space, int vertex) const;
+  /// Those that show the side that is painted: through a hole, the brush does not reach the wall behind it.
+  std::vector<int> on_painted_side(const ViewSpace& space, std::vector<int> found) const;
   void recount();
   enum class Ring { outward, inward };
   void move_edge(Ring ring);
@@ -64,6 +68,7 @@ class RegionTool : public QObject, public ViewTool {
   Effect effect_ = Effect::add, stroke_ = Effect::add;
   ScreenPoints::Hidden hidden_ = ScreenPoints::Hidden::left_out;
   int radius_ = 24;
+  bool outside_ = true;  ///< the side that is painted: that of what is nearest to the eye
   QPolygonF outline_;
   QPointF at_{-1000, -1000};
 };

@@ -196,6 +196,16 @@ void MainWindow::connect_document() {
     update_title();
     update_actions();
   });
+  // Later, so that whoever puts another scan in the place of one can say first what is selected on it.
+  connect(
+      &document_, &Document::scans_changed, this,
+      [this] {
+        std::set<int> selected = selection_.selected();
+        std::erase_if(selected,
+                      [this](int loop) { return loop >= document_.loop_count() || !document_.present(loop); });
+        selection_.select(selected);
+      },
+      Qt::QueuedConnection);
   connect(&document_, &Document::shape_changed, this, [this] { look_->know_range(view_->range()); });
   connect(&undo_, &UndoHistory::changed, this, [this] {
     update_actions();
@@ -235,6 +245,12 @@ void MainWindow::connect_panels() {
   connect(tools_, &ToolController::failed, banner_, &Banner::show_problem);
   connect(tools_, &ToolController::notice, banner_, &Banner::show_notice);
   connect(tools_, &ToolController::notice, inspect_, &InspectPanel::log);
+  const auto as_chosen = [this] { return FillAndSmooth{patch_->fill_box().choice(), patch_->flow_box().options()}; };
+  connect(tools_, &ToolController::part_wanted, this,
+          [this, as_chosen](const HolePart& part) { controller_.fill_part(part, as_chosen()); });
+  connect(tools_, &ToolController::refill_wanted, this, [this, as_chosen](int scan, const std::vector<int>& points) {
+    controller_.erase(scan, points, as_chosen());
+  });
   connect(tools_, &ToolController::compare_wanted, this,
           [this] { compare_->compare_trial(tools_->trial(), look_->look()); });
   connect(welcome_, &Welcome::open_wanted, this, [this] { files_->ask_open(OpenMode::replace); });

@@ -10,6 +10,7 @@
 #include "dialogs/repair_dialog.h"
 #include "dialogs/shortcut_sheet.h"
 #include "document/targets.h"
+#include "jobs/change_surface.h"
 #include "panels/banner.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
@@ -103,6 +104,7 @@ void MainWindow::connect_patch_actions() {
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
   for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim}, {"stitchAction", Mending::stitch}})
     a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
+  a.on("partAction", this, [this] { controller_.mend(Mending::part, selection_.selected()); });
   a.on("repairAction", this, &MainWindow::show_repair_dialog);
   connect(&patch_->fill_box(), &FillBox::repair_wanted, this, &MainWindow::show_repair_dialog);
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
@@ -117,6 +119,7 @@ void MainWindow::connect_patch_actions() {
                                    {"toolPointsAction", Tool::points},
                                    {"toolBlendAction", Tool::blend},
                                    {"toolBridgeAction", Tool::bridge},
+                                   {"toolFillPartAction", Tool::fill_part},
                                    {"toolMeasureAction", Tool::measure}})
     a.on(name, this, [this, wanted = tool] {
       findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
@@ -154,6 +157,7 @@ void MainWindow::update_actions() {
                            "toolPointsAction",
                            "toolBlendAction",
                            "toolBridgeAction",
+                           "toolFillPartAction",
                            "toolMeasureAction",
                            "clip",
                            "screenshot",
@@ -184,6 +188,8 @@ void MainWindow::update_actions() {
   follow("trimAction", "trim");
   follow("stitchAction", "stitch");
   follow("repairAction", "repair");
+  const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
+  a["partAction"]->setEnabled(idle && std::any_of(selection_.selected().begin(), selection_.selected().end(), touches));
   follow("stepAction", "step");
   follow("runAction", "run");
   follow("acceptAction", "accept");

@@ -138,6 +138,13 @@ const Spec specs[] = {
     {"toolBridgeAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Brid&ge"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part a hole into two by a strip between two of its vertices"), "G",
      nullptr},
+    {"toolFillPartAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Fill a &part\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Click two vertices of a hole; the part between them is filled"),
+     "Shift+G", nullptr},
+    {"partAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part where it to&uches itself"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Part the boundary at vertices that it passes twice: what hangs there becomes an island"),
+     "", nullptr},
     {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
     {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
@@ -189,8 +196,9 @@ QMenu* WindowActions::make_hole_menu() {
   auto* menu = new QMenu(window_);
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const char* name : {"fillAction", "initialAction", "runAction", "-", "trimAction", "stitchAction",
-                           "toolBridgeAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
+  for (const char* name :
+       {"fillAction", "initialAction", "runAction", "-", "toolFillPartAction", "-", "trimAction", "stitchAction",
+        "toolBridgeAction", "partAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
     if (*name == '-')
       menu->addSeparator();
     else
@@ -228,11 +236,11 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                     "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",      "-",          "hidePiece",
                     "isolatePiece", "showPieces", "-",          "probe",        "-"});
   view->addActions(docks);
-  add_menu(tr("&Patch"),
-           {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "repairAction", "-", "runAction",
-            "stepAction", "-", "compare", "-", "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "partAction",
+                          "repairAction", "-", "runAction", "stepAction", "-", "compare", "-", "acceptAction",
+                          "rejectAction", "copyAction", "-", "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
-                          "-", "toolMeasureAction"});
+                          "toolFillPartAction", "-", "toolMeasureAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
 }
 

@@ -86,6 +86,34 @@
                 <numerusform>%n loose crumbs removed</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n patch(es) are a part of the scan now.</source>
+            <translation>
+                <numerusform>%n patch is a part of the scan now.</numerusform>
+                <numerusform>%n patches are a part of the scan now.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 %n patch(es) of this scan were removed.</source>
+            <translation>
+                <numerusform>%1 %n patch of this scan was removed.</numerusform>
+                <numerusform>%1 %n patches of this scan were removed.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
+            <translation>
+                <numerusform>%1: %n face was erased; Ctrl+Z brings it back.</numerusform>
+                <numerusform>%1: %n faces were erased; Ctrl+Z brings them back.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
+            <translation>
+                <numerusform>%1: the boundary was parted at %n vertex; Ctrl+Z takes it back.</numerusform>
+                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HolesPanel</name>

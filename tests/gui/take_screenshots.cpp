@@ -282,6 +282,13 @@ void show_bridge(MainWindow& window) {
   QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
   QCoreApplication::sendEvent(canvas, &move);
   shoot(window, "bridge");
+  trigger(window, "toolFillPartAction");
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, position(0));
+  QCoreApplication::sendEvent(canvas, &move);
+  shoot(window, "fill_part");
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
+  wait_until([&] { return !window.document().patches().empty() && !window.controller().busy(); }, 60);
+  shoot(window, "fill_part_done");
   window.tools().take(Tool::none);
 }
 
