@@ -16,7 +16,8 @@ ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QSt
     : QFileDialog(parent, tr("Export"), QFileInfo(proposal).path()),
       check_(check),
       content_(new QComboBox),
-      verdict_(new QLabel) {
+      verdict_(new QLabel),
+      hidden_(new QLabel) {
   setObjectName(QStringLiteral("exportDialog"));
   setOption(QFileDialog::DontUseNativeDialog);  // which has no room for what is below
   setAcceptMode(QFileDialog::AcceptSave);
@@ -37,10 +38,19 @@ ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QSt
   grid->addWidget(content_, row, 1);
   grid->addWidget(new QLabel(tr("Printing:")), row + 1, 0);
   grid->addWidget(verdict_, row + 1, 1, 1, 2);
+  hidden_->setObjectName(QStringLiteral("exportHidden"));
+  hidden_->setWordWrap(true);
+  hidden_->hide();
+  grid->addWidget(hidden_, row + 2, 1, 1, 2);
   connect(&check_, &PrintCheck::changed, this, &ExportDialog::show_verdict);
   connect(content_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportDialog::show_verdict);
   check_.start();
   show_verdict();
+}
+
+void ExportDialog::tell_of_hidden(int count) {
+  hidden_->setText(tr("%n hidden piece(s) or patch(es) are written as well.", nullptr, count));
+  hidden_->setVisible(count > 0);
 }
 
 ExportContent ExportDialog::content() const { return static_cast<ExportContent>(content_->currentData().toInt()); }

@@ -20,6 +20,9 @@ class ExportDialog : public QFileDialog {
   ExportDialog(PrintCheck& check, const QString& proposal, const QStringList& filters, const QString& filter,
                QWidget* parent = nullptr);
 
+  /// Says that what is hidden in the picture is written all the same.
+  void tell_of_hidden(int count);
+
   ExportContent content() const;
   /// With the format's ending where none was given.
   QString path() const;
@@ -29,7 +32,7 @@ class ExportDialog : public QFileDialog {
 
   PrintCheck& check_;
   QComboBox* content_;
-  QLabel* verdict_;
+  QLabel *verdict_, *hidden_;
 };
 
 }  // namespace loopmend

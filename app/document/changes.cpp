@@ -128,6 +128,14 @@ void ChangeGroup::undo() {
   for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) (*part)->undo();
 }
 
+bool ChangeGroup::mergeWith(const QUndoCommand* next) {
+  const auto* change = dynamic_cast<const PatchChange*>(next);
+  if (!change || change->joining() == PatchChange::Joining::none || forgotten()) return false;
+  auto* last = parts_.empty() ? nullptr : dynamic_cast<PatchChange*>(parts_.back().get());
+  if (!last || !last->mergeWith(next)) parts_.push_back(change->copy());
+  return true;
+}
+
 std::size_t ChangeGroup::held_bytes(std::set<const void*>& seen) const {
   std::size_t sum = 0;
   for (const auto& part : parts_) sum += part->held_bytes(seen);

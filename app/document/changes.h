@@ -36,6 +36,9 @@ class PatchChange : public Change {
   std::size_t held_bytes(std::set<const void*>& seen) const override;
   void forget() override { pairs_.clear(); }
   bool forgotten() const override { return pairs_.empty(); }
+  Joining joining() const { return joining_; }
+  /// The same change again, to be a part of another.
+  std::unique_ptr<PatchChange> copy() const { return std::make_unique<PatchChange>(document_, pairs_, text()); }
 
  private:
   enum class Direction { back, forth };
@@ -80,12 +83,14 @@ class CloseScan : public Change {
   std::vector<OpenPatch> patches_;
 };
 
-/// Several changes that are one for the person: done in their order, undone backwards.
+/// Several changes that are one for the person: done in their order, undone backwards. Takes up patch changes that are joined to it.
 class ChangeGroup : public Change {
  public:
   ChangeGroup(std::vector<std::unique_ptr<Change>> parts, const QString& text);
   void undo() override;
   void redo() override;
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* next) override;
   std::size_t held_bytes(std::set<const void*>& seen) const override;
   void forget() override;
   bool forgotten() const override;

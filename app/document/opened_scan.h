@@ -2,6 +2,7 @@
 // A scan as the worker prepared it.
 #pragma once
 
+#include "document/scan_pieces.h"
 #include "io/read_mesh.h"
 #include "mesh/boundary_loops.h"
 #include "scene/surface_shape.h"
@@ -28,6 +29,7 @@ struct OpenedScan {
   ImportReport import;
   std::shared_ptr<const SurfaceModel> model;
   std::vector<BoundaryLoop> loops;
+  ScanPieces pieces;
   Vec3 origin = Vec3::Zero();  ///< of `shape`
   std::shared_ptr<const SurfaceShape> shape;
   std::vector<std::shared_ptr<const SurfaceShape>> colored;  ///< the parts that it is drawn by in its own colours

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/timeline.h"
-#include "jobs/mend_scan.h"
 #include "jobs/state_making.h"
 
 #include <algorithm>
@@ -172,68 +171,6 @@ void FillController::preview_fill(const std::set<int>& loops, const FillChoice& 
       [](const QString&) {});  // Fill will say it in words
 }
 
-void FillController::mend(Mending what, const std::set<int>& loops) {
-  if (busy()) return;
-  std::map<int, MendingTask> by_scan;
-  for (int loop : loops)
-    if (document_.present(loop)) by_scan[document_.scan_of(loop)].loops.push_back(document_.loop(loop));
-  if (loops.empty() && what != Mending::trim)
-    for (int scan : document_.scans()) by_scan[scan];
-  if (by_scan.empty()) return;
-  std::vector<MendingTask> tasks;
-  for (auto& [scan, task] : by_scan) {
-    task.scan = scan;
-    task.opened = document_.scan(scan);
-    tasks.push_back(std::move(task));
-  }
-  run_mending(what, std::move(tasks));
-}
-
-void FillController::repair(const std::set<Defect>& defects) {
-  if (busy()) return;
-  std::vector<MendingTask> tasks;
-  for (int scan : document_.scans()) tasks.push_back({scan, document_.scan(scan), {}, {-1, -1}, 0, defects});
-  if (!tasks.empty()) run_mending(Mending::repair, std::move(tasks));
-}
-
-void FillController::bridge(int scan, int soup_a, int soup_b) {
-  if (busy() || !document_.scan(scan)) return;
-  run_mending(Mending::bridge, {{scan, document_.scan(scan), {}, {soup_a, soup_b}, 0}});
-}
-
-void FillController::run_mending(Mending what, std::vector<MendingTask> tasks) {
-  for (MendingTask& task : tasks)
-    for (const OpenPatch& patch : document_.patches()) task.patches += patch.scan == task.scan;
-  const JobPtr job = begin(Activity::filling, mending_title(what));
-  tasks_.run(
-      job,
-      [what, tasks] {
-        std::vector<MendedScan> all;
-        for (const MendingTask& task : tasks) {
-          try {
-            if (auto scan = mended(what, task)) all.push_back(std::move(*scan));
-          } catch (const Error& error) {  // one scan does not take the others with it
-            all.push_back({task.scan, nullptr, {}, QString::fromStdString(error.what())});
-          }
-        }
-        return all;
-      },
-      [this, what](const std::vector<MendedScan>& all) {
-        end();
-        for (const MendedScan& one : all) {
-          if (one.made) {
-            replace_scans({one.scan}, one.made, one.title);
-            Q_EMIT logged(one.words);
-            if (one.lost_patches > 0) Q_EMIT notice(tr("%1 The patches of this scan were removed.").arg(one.words));
-          } else {
-            Q_EMIT notice(labels::sentence(one.words));
-          }
-        }
-        if (all.empty()) Q_EMIT notice(nothing_to_mend(what));
-      },
-      [this](const QString& text) { give_up(text); });
-}
-
 void FillController::drop_fill_preview() {
   if (preview_job_) preview_job_->cancel();
   preview_job_.reset();
@@ -260,7 +197,7 @@ void FillController::on_filled(FillResult result, const std::set<int>& wanted, c
   const std::set<int> done = loops_of(result.patches);
   if (!done.empty()) {
     const QString name = labels::holes(document_, done);
-    push(std::move(pairs), tr("Fill %1").arg(name));
+    push(std::move(pairs), tr("Fill %1").arg(name), then ? then->joining : PatchChange::Joining::none);
     Q_EMIT logged(
         tr("Filled %1 with %2 triangles in %3 s.").arg(name, labels::count(triangles), labels::seconds(milliseconds)));
   }

@@ -39,8 +39,11 @@ enum class Mending {
   stitch,  ///< --stitch: boundaries that nearly coincide are zipped, all over the scan
   repair,  ///< --repair: the scan becomes an oriented manifold
   bridge,  ///< --bridge A,B: a strip parts a hole into two, or joins two
+  erase,   ///< faces that were painted go
+  part,    ///< what hangs at a boundary by a vertex alone becomes an island
 };
 
+struct MendedScan;
 struct MendingTask;
 
 /// How holes are filled.
@@ -48,6 +51,19 @@ struct FillChoice {
   double density = 1;  ///< InitialPatchOptions::density
   FillOptions::Islands islands = FillOptions::Islands::join;
   bool operator==(const FillChoice&) const = default;
+};
+
+/// How a hole that has just been made is filled and smoothed.
+struct FillAndSmooth {
+  FillChoice choice;
+  EvolutionOptions options;
+};
+
+/// A part of a hole: between two vertices of its boundary (soup points), on the side of a third.
+struct HolePart {
+  int scan = 0;
+  int from = 0, to = 0;
+  int beside = 0;
 };
 
 /// A session to be opened.
@@ -92,6 +108,11 @@ class FillController : public QObject {
   void repair(const std::set<Defect>& defects);
   /// A strip between the boundary edges that begin at these soup points of a scan; as with_bridge() of the engine.
   void bridge(int scan, int soup_a, int soup_b);
+  /// A bridge, and one of the two holes that it makes filled and smoothed: one change for undo.
+  void fill_part(const HolePart& part, const FillAndSmooth& how);
+  /// Takes away all faces with a corner at one of these points: of the scan's soup, its patches' own after them. With `then`,
+  /// the holes that this makes are filled and smoothed: one change for undo.
+  void erase(int scan, const std::vector<int>& points, const std::optional<FillAndSmooth>& then);
   void evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
   /// Fills the loops, then takes their patches and these others to the steady state: one change for undo.
   void fill_and_smooth(const std::set<int>& loops, const std::set<int>& patch_ids, const FillChoice& choice,
@@ -141,6 +162,7 @@ class FillController : public QObject {
   struct Smoothing {
     std::set<int> patch_ids;  ///< besides those that the fill makes
     EvolutionOptions options;
+    PatchChange::Joining joining = PatchChange::Joining::none;  ///< of the fill to the change before it
   };
 
   void start_fill(const std::set<int>& loops, const FillChoice& choice, const std::optional<Smoothing>& then);
@@ -150,7 +172,10 @@ class FillController : public QObject {
   void report_failure(const QString& words);
   /// The job has failed.
   void give_up(const QString& text);
-  void run_mending(Mending what, std::vector<MendingTask> tasks);
+  void run_mending(Mending what, std::vector<MendingTask> tasks, const std::optional<FillAndSmooth>& then = {});
+  void on_mended(const std::vector<MendedScan>& all, Mending what, const std::optional<FillAndSmooth>& then);
+  /// @returns its loops that are to be filled.
+  std::set<int> take_mended(const MendedScan& mended);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
   void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);

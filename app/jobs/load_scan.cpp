@@ -70,6 +70,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(imported.soup)));
   if (cancel.cancelled()) return nullptr;
   scan->loops = find_boundary_loops(*scan->model);
+  scan->pieces = scan_pieces(scan->model->mesh);
   if (cancel.cancelled()) return nullptr;
   if (!view_is_file(*scan->model))
     scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, CurvatureField{}, scan->origin));
@@ -91,6 +92,7 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
   scan->fingerprint = fingerprint_of(surface);
   scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(surface)));
   scan->loops = find_boundary_loops(*scan->model);
+  scan->pieces = scan_pieces(scan->model->mesh);
   scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, curvature_field(scan->model->mesh), origin));
   add_colors(*scan, {});
   return scan;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/mend_scan.h"
 
+#include "jobs/change_surface.h"
 #include "jobs/fill_controller.h"
+#include "pipeline/append_colored_patch.h"
 #include "pipeline/hand_bridge.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 #include "rim/trim_rim.h"
+
+#include <algorithm>
 
 namespace loopmend {
 
@@ -21,7 +25,7 @@ std::optional<MendedScan> trimmed(const MendingTask& task) {
           .arg(old.name)
           .arg(result.removed.size());
   return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
-                    FillController::tr("Trim the boundaries of %1").arg(old.name), words};
+                    FillController::tr("Trim the boundaries of %1").arg(old.name), words, NewPoints{}};
 }
 
 std::optional<MendedScan> stitched(const MendingTask& task) {
@@ -70,8 +74,81 @@ MendedScan bridged(const MendingTask& task) {
           .arg(old.name)
           .arg(a)
           .arg(b);
-  return MendedScan{task.scan, made_scan(with_bridge(*old.model, a, b), old.name, old.origin),
-                    FillController::tr("Bridge a hole of %1").arg(old.name), words};
+  const bool fills = task.part_to_fill >= 0;
+  MendedScan result{
+      task.scan, made_scan(with_bridge(*old.model, a, b), old.name, old.origin),
+      (fills ? FillController::tr("Fill a part of a hole of %1") : FillController::tr("Bridge a hole of %1"))
+          .arg(old.name),
+      words, NewPoints{}};
+  for (std::size_t l = 0; fills && l < result.made->loops.size(); ++l) {
+    const std::vector<int>& vertices = result.made->loops[l].vertices;
+    if (std::any_of(vertices.begin(), vertices.end(), [&](int v) {
+          return result.made->model->soup_vertex[static_cast<std::size_t>(v)] == task.part_to_fill;
+        }))
+      result.to_fill.push_back(static_cast<int>(l));
+  }
+  return result;
+}
+
+/// Whether something is erased within a patch, or in the two rings around it: then its boundary is another.
+bool is_touched(const Patch& patch, const OpenedScan& scan, int first_point, const std::vector<char>& erased) {
+  for (int i = 0; i < patch.vertex_count(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (patch.ring[at] > 2) continue;
+    const int point = i < patch.free_count ? first_point + i
+                                           : scan.model->soup_vertex[static_cast<std::size_t>(patch.view_vertex[at])];
+    if (erased[static_cast<std::size_t>(point)]) return true;
+  }
+  return false;
+}
+
+/// Patches that lose faces, or have some beside them, become a part of the scan; the others are carried over.
+std::optional<MendedScan> erased(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  if (task.erased.empty()) return std::nullopt;
+  const int own = static_cast<int>(old.model->soup.points.size());
+  std::vector<char> chosen(static_cast<std::size_t>(std::max(own, task.erased.back() + 1)), 0);
+  for (int p : task.erased) chosen[static_cast<std::size_t>(p)] = 1;
+  for (const OpenPatch& open : task.patches)  // so that every patch has its entries
+    chosen.resize(chosen.size() + static_cast<std::size_t>(open.state->patch.free_count), 0);
+  std::vector<int> points;
+  for (int p : task.erased)
+    if (p < own) points.push_back(p);
+  SurfaceModel base = *old.model;
+  int first_point = own, joined = 0;
+  for (const OpenPatch& open : task.patches) {
+    const Patch& patch = open.state->patch;
+    if (is_touched(patch, old, first_point, chosen)) {
+      const int first_joined = static_cast<int>(base.soup.points.size());
+      append_colored_patch(base, patch_geometry(patch));
+      for (int i = 0; i < patch.free_count; ++i)
+        if (chosen[static_cast<std::size_t>(first_point + i)]) points.push_back(first_joined + i);
+      ++joined;
+    }
+    first_point += patch.free_count;
+  }
+  ChangedSurface changed = without_faces_at(base.soup, points);
+  MendedScan result{task.scan, made_scan(std::move(changed.soup), old.name, old.origin),
+                    FillController::tr("Erase a region of %1").arg(old.name),
+                    FillController::tr("%1: %n face(s) were erased; Ctrl+Z brings them back.", nullptr,
+                                       static_cast<int>(changed.changes))
+                        .arg(old.name),
+                    changed.new_points};
+  result.joined_patches = joined;
+  result.to_fill = loops_opened(base, *result.made, changed.new_points);
+  return result;
+}
+
+std::optional<MendedScan> parted(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  ChangedSurface changed = parted_at_touches(*old.model, task.loops);
+  if (changed.changes == 0) return std::nullopt;
+  return MendedScan{task.scan, made_scan(std::move(changed.soup), old.name, old.origin),
+                    FillController::tr("Part a boundary of %1").arg(old.name),
+                    FillController::tr("%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.", nullptr,
+                                       static_cast<int>(changed.changes))
+                        .arg(old.name),
+                    NewPoints{}};
 }
 
 }  // namespace
@@ -83,8 +160,13 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
     case Mending::stitch: result = stitched(task); break;
     case Mending::repair: result = repaired(task); break;
     case Mending::bridge: result = bridged(task); break;
+    case Mending::erase: result = erased(task); break;
+    case Mending::part: result = parted(task); break;
   }
-  if (result) result->lost_patches = task.patches;
+  if (!result) return result;
+  if (result->new_points)
+    result->carried = carried_patches(task.patches, task.first_loop, *task.opened, *result->made, *result->new_points);
+  result->lost_patches = static_cast<int>(task.patches.size() - result->carried.size()) - result->joined_patches;
   return result;
 }
 
@@ -93,7 +175,9 @@ QString nothing_to_mend(Mending what) {
     case Mending::trim: return FillController::tr("There are no bad triangles at these boundaries.");
     case Mending::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
     case Mending::repair: return FillController::tr("There is nothing to repair.");
-    case Mending::bridge: break;
+    case Mending::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
+    case Mending::bridge:
+    case Mending::erase: break;
   }
   return {};
 }
@@ -104,6 +188,8 @@ QString mending_title(Mending what) {
     case Mending::stitch: return FillController::tr("Stitching boundaries");
     case Mending::repair: return FillController::tr("Repairing the scan");
     case Mending::bridge: return FillController::tr("Bridging a hole");
+    case Mending::erase: return FillController::tr("Erasing a region");
+    case Mending::part: return FillController::tr("Parting a boundary");
   }
   return {};
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done to a scan before it is filled: trimming, stitching, repairing, bridging.
+// What is done to a scan before it is filled: trimming, stitching, repairing, bridging, erasing, parting.
 #pragma once
 
 #include "document/opened_scan.h"
+#include "jobs/carry_patches.h"
 #include "jobs/load_scan.h"
 #include "mesh/boundary_loops.h"
 #include "repair/repair_surface.h"
@@ -24,16 +25,23 @@ struct MendingTask {
   int scan = 0;
   std::shared_ptr<const OpenedScan> opened;
   std::vector<BoundaryLoop> loops;
-  std::array<int, 2> bridge_ends{-1, -1};       ///< soup points
-  int patches = 0;                              ///< of the scan, which the mended one will not have
+  std::array<int, 2> bridge_ends{-1, -1};  ///< soup points
+  int part_to_fill = -1;    ///< a soup point of the boundary, in the part that is filled next; −1: neither
+  std::vector<int> erased;  ///< points of the scan, its patches' own after them, in the order of `patches`
   std::set<Defect> defects = harmless_repairs;  ///< to be repaired
+  std::vector<OpenPatch> patches{};             ///< all of the scan
+  int first_loop = 0;                           ///< of the scan, in the numbers of the patches' loops
 };
 
 struct MendedScan {
   int scan = 0;
-  OpenedScanPtr made;    ///< null: it could not be mended, and `words` say why
-  QString title, words;  ///< of the change, and of what was done
+  OpenedScanPtr made;                     ///< null: it could not be mended, and `words` say why
+  QString title, words;                   ///< of the change, and of what was done
+  std::optional<NewPoints> new_points{};  ///< empty: points cannot be followed
+  std::vector<OpenPatch> carried{};       ///< patches that are the same in the mended scan; see carried_patches()
+  int joined_patches = 0;                 ///< that are a part of it now
   int lost_patches = 0;
+  std::vector<int> to_fill{};  ///< loops within the mended scan
 };
 
 /// The mended scan; empty where there is nothing to mend. @throws Error as the function of the engine does.

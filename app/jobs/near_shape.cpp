@@ -32,6 +32,7 @@ std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const Surfa
 
 std::shared_ptr<const SurfaceShape> without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out) {
   auto rest = std::make_shared<SurfaceShape>();
+  rest->picture = shape.picture;
   std::vector<int> number(shape.points.size() / 3, -1);
   const auto keep = [&](int v) {
     int& n = number[static_cast<std::size_t>(v)];
@@ -44,6 +45,8 @@ std::shared_ptr<const SurfaceShape> without_triangles(const SurfaceShape& shape,
     }
     if (!shape.colors.empty())
       for (std::size_t k = 0; k < 3; ++k) rest->colors.push_back(shape.colors[at + k]);
+    if (!shape.texture.empty())
+      for (std::size_t k = 0; k < 2; ++k) rest->texture.push_back(shape.texture[2 * static_cast<std::size_t>(v) + k]);
     if (!shape.H.empty()) rest->H.push_back(shape.H[static_cast<std::size_t>(v)]);
     if (!shape.K.empty()) rest->K.push_back(shape.K[static_cast<std::size_t>(v)]);
     return n;

@@ -33,6 +33,7 @@ class FillBox : public QGroupBox {
   void mend(Mending what);
   void fill_and_smooth(const std::set<int>& loops);
   void update_state();
+  FillChoice choice() const;
 
  Q_SIGNALS:
   void repair_wanted();
@@ -41,7 +42,6 @@ class FillBox : public QGroupBox {
 
  private:
   void build();
-  FillChoice choice() const;
   std::set<int> patches_to_smooth() const;
   QString target_words(const std::set<int>& loops) const;
   QString estimate(const std::set<int>& loops) const;

@@ -141,6 +141,7 @@ std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors&
     shape->colors = three_bytes(part.colors);
     shape->texture = part.texture;
     shape->picture = part.picture;
+    shape->view_vertex = part.view_vertex;
     parts.push_back(std::move(shape));
   }
   return parts;

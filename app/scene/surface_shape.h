@@ -24,6 +24,7 @@ struct SurfaceShape {
   std::vector<unsigned char> colors;  ///< 3 × #V, red, green, blue; empty: it has none of its own
   std::vector<float> texture;         ///< 2 × #V, of a part of a scan that has a picture; else empty
   std::shared_ptr<const Picture> picture;  ///< of `texture`
+  std::vector<int> view_vertex;            ///< of a part of a scan: the vertex of its view that each one is; else empty
   /// Of a patch: colours of the scan, per vertex of its view; null: it has none.
   std::shared_ptr<const std::vector<Color>> scan_colors;
 };

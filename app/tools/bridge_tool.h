@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Picks the two boundary vertices between which a bridge is laid.
+// Picks the two boundary vertices between which a bridge is laid, or a part of a hole is filled.
 #pragma once
 
-#include "document/document.h"
+#include "document/scene_visibility.h"
 #include "tools/screen_points.h"
 
 #include <QObject>
@@ -13,7 +13,13 @@ class BridgeTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
-  explicit BridgeTool(const Document& document, QObject* parent = nullptr);
+  BridgeTool(const Document& document, const SceneVisibility& visibility, QObject* parent = nullptr);
+
+  enum class Purpose {
+    bridge,
+    fill_part,  ///< both on one loop; the shorter part of it is filled, with Ctrl the longer one
+  };
+  void set_purpose(Purpose purpose);
 
   /// The soup point of the first of the two vertices; −1 while none is picked.
   int begun_point() const { return begun_ < 0 ? -1 : seats_[static_cast<std::size_t>(begun_)].soup_point; }
@@ -28,22 +34,31 @@ class BridgeTool : public QObject, public ViewTool {
  Q_SIGNALS:
   void changed();
   void bridge_wanted(int scan, int soup_a, int soup_b);
+  /// @param beside  soup point, in the middle of the part that is to be filled
+  void part_wanted(int scan, int soup_a, int soup_b, int beside);
 
  private:
   /// A vertex of an open loop.
   struct Seat {
     int scan = 0, soup_point = 0;
+    int loop = 0, first = 0, count = 0;  ///< of the document; the seats of the loop are first, first + 1, ...
     bool operator==(const Seat&) const = default;
   };
   void forget();
   void take_loops();
+  /// The seats of the part that would be filled between the first vertex and the one under the mouse; empty: none.
+  std::vector<int> part() const;
+  double length(int seat, int steps) const;
 
   const Document& document_;
+  const SceneVisibility& visibility_;
   bool fresh_ = false;
   ScreenPoints points_;
   std::vector<Seat> seats_;
   QPointF at_;
   int hovered_ = -1, begun_ = -1;
+  Purpose purpose_ = Purpose::bridge;
+  bool longer_ = false;  ///< Ctrl is held
 };
 
 }  // namespace loopmend

@@ -15,7 +15,11 @@ constexpr int most_dots = 6000;                   ///< beyond these the dots hid
 
 }  // namespace
 
-PointsTool::PointsTool(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+PointsTool::PointsTool(const Document& document, const SceneVisibility& visibility, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      visibility_(visibility) {
+  connect(&visibility_, &SceneVisibility::changed, this, &PointsTool::forget);
   connect(&document_, &Document::opened, this, &PointsTool::forget);
   connect(&document_, &Document::scans_changed, this, &PointsTool::forget);
 }
@@ -53,8 +57,10 @@ void PointsTool::take_surface() {
   if (fresh_ || scan() < 0) return;
   fresh_ = true;
   const auto opened = document_.scan(scan());
-  points_.set_points(opened->shape->points);
   soup_ = opened->model->soup_vertex;
+  std::vector<char> unseen;
+  for (int v = 0; v < static_cast<int>(soup_.size()); ++v) unseen.push_back(visibility_.is_hidden_vertex(scan(), v));
+  points_.set_points(opened->shape->points, std::move(unseen));
   fixed_.assign(soup_.size(), 0);
 }
 

@@ -2,7 +2,7 @@
 // Picks the vertices of a polyhedron that stay where they are: one by one, or by a box.
 #pragma once
 
-#include "document/document.h"
+#include "document/scene_visibility.h"
 #include "tools/screen_points.h"
 
 #include <QObject>
@@ -13,7 +13,7 @@ class PointsTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
-  explicit PointsTool(const Document& document, QObject* parent = nullptr);
+  PointsTool(const Document& document, const SceneVisibility& visibility, QObject* parent = nullptr);
 
   enum class Choice { all, picked };
   void set_choice(Choice choice);
@@ -40,6 +40,7 @@ class PointsTool : public QObject, public ViewTool {
   void forget();
 
   const Document& document_;
+  const SceneVisibility& visibility_;
   bool fresh_ = false;
   int scan_ = -1;
   Choice choice_ = Choice::all;

@@ -37,12 +37,17 @@ RegionBox::RegionBox(RegionTool& tool, QWidget* parent)
       count_(make_note("regionCount")),
       grow_(make_button("regionGrow", tr("&Grow"), tr("One ring of triangles more"))),
       shrink_(make_button("regionShrink", tr("S&hrink"), tr("One ring of triangles less"))),
-      clear_(make_button("regionClear", tr("Clea&r"), tr("Begin the region anew"))) {
+      clear_(make_button("regionClear", tr("Clea&r"), tr("Begin the region anew"))),
+      erase_faces_(make_button("regionEraseFaces", tr("&Erase"),
+                               tr("Take the painted faces away, as at a ragged boundary; Ctrl+Z brings them back"))),
+      refill_(make_button("regionRefill", tr("Erase and &fill"),
+                          tr("Take the painted faces away, a spike or a bump, and fill and smooth the hole that this "
+                             "makes; one Ctrl+Z brings them back"))) {
   for (QPushButton* button : {grow_, shrink_, clear_}) button->setMinimumWidth(40);
   auto* hint = make_note("regionHint");
   hint->setText(
-      tr("Paint what shall become smooth; everything else is held. Drag beside the surface, or with Shift, to "
-         "turn the picture."));
+      tr("Paint what shall become smooth, or be erased; everything else is held. Drag beside the surface, or with "
+         "Shift, to turn the picture."));
   radius_->setObjectName(QStringLiteral("regionRadius"));
   radius_->setRange(4, 120);
   radius_->setValue(24);
@@ -73,6 +78,8 @@ RegionBox::RegionBox(RegionTool& tool, QWidget* parent)
   grid->addWidget(shrink_, 5, 2, 1, 2);
   grid->addWidget(clear_, 5, 4, 1, 2);
   grid->addWidget(count_, 6, 0, 1, 6);
+  grid->addWidget(erase_faces_, 7, 0, 1, 2);
+  grid->addWidget(refill_, 7, 2, 1, 4);
   connect(brush_, &QRadioButton::toggled, this, [this](bool on) {
     tool_.set_means(on ? RegionTool::Means::brush : RegionTool::Means::lasso);
     update_state();
@@ -85,6 +92,8 @@ RegionBox::RegionBox(RegionTool& tool, QWidget* parent)
   connect(grow_, &QPushButton::clicked, &tool_, &RegionTool::grow);
   connect(shrink_, &QPushButton::clicked, &tool_, &RegionTool::shrink);
   connect(clear_, &QPushButton::clicked, &tool_, &RegionTool::clear);
+  connect(erase_faces_, &QPushButton::clicked, this, &RegionBox::erase_wanted);
+  connect(refill_, &QPushButton::clicked, this, &RegionBox::erase_and_fill_wanted);
   connect(&tool_, &RegionTool::changed, this, &RegionBox::update_state);
   update_state();
 }
@@ -94,7 +103,7 @@ void RegionBox::update_state() {
   radius_->setVisible(brush);
   radius_title_->setVisible(brush);
   hidden_->setVisible(!brush);
-  for (QPushButton* button : {grow_, shrink_, clear_}) button->setEnabled(some);
+  for (QPushButton* button : {grow_, shrink_, clear_, erase_faces_, refill_}) button->setEnabled(some);
   count_->setText(some ? tr("%1 vertices").arg(labels::count(static_cast<std::size_t>(tool_.count())))
                        : tr("Nothing is painted yet."));
 }

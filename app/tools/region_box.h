@@ -20,6 +20,10 @@ class RegionBox : public QWidget {
  public:
   explicit RegionBox(RegionTool& tool, QWidget* parent = nullptr);
 
+ Q_SIGNALS:
+  void erase_wanted();
+  void erase_and_fill_wanted();
+
  private:
   void update_state();
 
@@ -28,7 +32,7 @@ class RegionBox : public QWidget {
   QSlider* radius_;
   QCheckBox* hidden_;
   QLabel *radius_title_, *count_;
-  QPushButton *grow_, *shrink_, *clear_;
+  QPushButton *grow_, *shrink_, *clear_, *erase_faces_, *refill_;
 };
 
 }  // namespace loopmend

@@ -8,7 +8,11 @@
 
 namespace loopmend {
 
-RegionTool::RegionTool(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+RegionTool::RegionTool(const Document& document, const SceneVisibility& visibility, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      visibility_(visibility) {
+  connect(&visibility_, &SceneVisibility::changed, this, &RegionTool::forget);
   connect(&document_, &Document::opened, this, &RegionTool::forget);
   connect(&document_, &Document::scans_changed, this, &RegionTool::forget);
   connect(&document_, &Document::patches_changed, this, &RegionTool::forget);
@@ -29,6 +33,7 @@ void RegionTool::forget() {
 void RegionTool::take_surface() {
   if (std::exchange(fresh_, true)) return;
   std::vector<float> xyz;
+  std::vector<char> unseen;
   soup_.clear();
   scan_of_.clear();
   triangles_.clear();
@@ -40,6 +45,8 @@ void RegionTool::take_surface() {
     xyz.insert(xyz.end(), shape.points.begin(), shape.points.end());
     normals_.insert(normals_.end(), shape.normals.begin(), shape.normals.end());
     soup_.insert(soup_.end(), scan->model->soup_vertex.begin(), scan->model->soup_vertex.end());
+    const int vertices = static_cast<int>(shape.points.size() / 3);
+    for (int v = 0; v < vertices; ++v) unseen.push_back(visibility_.is_hidden_vertex(index, v));
     for (int v : shape.triangles) triangles_.push_back(first + v);
     int next_point = static_cast<int>(scan->model->soup.points.size());
     for (const OpenPatch& open : document_.patches()) {
@@ -50,13 +57,14 @@ void RegionTool::take_surface() {
       xyz.insert(xyz.end(), seen.points.begin(), seen.points.begin() + 3 * patch.free_count);
       normals_.insert(normals_.end(), seen.normals.begin(), seen.normals.begin() + 3 * patch.free_count);
       for (int i = 0; i < patch.free_count; ++i) soup_.push_back(next_point++);
+      unseen.resize(soup_.size(), visibility_.is_hidden_patch(open));
       for (int t = 0; t < patch.patch_triangles; ++t)
         for (int v : patch.triangles[static_cast<std::size_t>(t)])
           triangles_.push_back(v < patch.free_count ? own + v : first + patch.view_vertex[static_cast<std::size_t>(v)]);
     }
     scan_of_.resize(soup_.size(), index);
   }
-  points_.set_points(std::move(xyz));
+  points_.set_points(std::move(xyz), std::move(unseen));
   chosen_.assign(soup_.size(), 0);
   chosen_count_ = 0;
   scan_ = -1;
@@ -86,6 +94,24 @@ void RegionTool::choose(const std::vector<int>& found, Effect effect) {
     chosen_[at] = wanted;
   }
   if (other) recount();
+}
+
+bool RegionTool::shows_outside(const ViewSpace& space, int vertex) const {
+  const Eigen::Vector3d p = points_.point(vertex).cast<double>();
+  const Eigen::Vector4d clip = space.to_clip * Eigen::Vector4d(p.x(), p.y(), p.z(), 1);
+  const Eigen::Matrix4d back = space.to_clip.inverse();
+  const auto at_depth = [&](double depth) {
+    const Eigen::Vector4d q = back * Eigen::Vector4d(clip.x() / clip.w(), clip.y() / clip.w(), depth, 1);
+    return Eigen::Vector3d(q.head<3>() / q.w());
+  };
+  const Eigen::Vector3d sight = at_depth(1) - at_depth(-1);
+  const Eigen::Map<const Eigen::Vector3f> normal(normals_.data() + 3 * static_cast<std::size_t>(vertex));
+  return normal.cast<double>().dot(sight) <= 0;
+}
+
+std::vector<int> RegionTool::on_painted_side(const ViewSpace& space, std::vector<int> found) const {
+  std::erase_if(found, [&](int v) { return shows_outside(space, v) != outside_; });
+  return found;
 }
 
 void RegionTool::move_edge(Ring ring) {
@@ -165,15 +191,25 @@ bool RegionTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
     }
     const std::vector<int> found = points_.under_brush(space, at, at, radius_);
     if (found.empty()) return false;  // beside the surface: the picture turns
-    choose(found, stroke_);
+    const auto depth = [&](int v) { return space.to_screen(points_.point(v).cast<double>()).z(); };
+    outside_ = shows_outside(
+        space, *std::min_element(found.begin(), found.end(), [&](int a, int b) { return depth(a) < depth(b); }));
+    choose(on_painted_side(space, found), stroke_);
     return true;
   }
   if (means_ == Means::brush) {
-    if (act == Act::move) choose(points_.under_brush(space, before, at, radius_), stroke_);
+    if (act == Act::move) choose(on_painted_side(space, points_.under_brush(space, before, at, radius_)), stroke_);
     return true;
   }
   outline_ << at;
-  if (act == Act::release) choose(points_.within(space, std::exchange(outline_, {}), hidden_), stroke_);
+  if (act != Act::release) return true;
+  std::vector<int> found = points_.within(space, std::exchange(outline_, {}), hidden_);
+  if (hidden_ == ScreenPoints::Hidden::left_out) {
+    const auto outside = std::count_if(found.begin(), found.end(), [&](int v) { return shows_outside(space, v); });
+    outside_ = 2 * outside >= static_cast<std::ptrdiff_t>(found.size());
+    found = on_painted_side(space, std::move(found));
+  }
+  choose(found, stroke_);
   return true;
 }
 

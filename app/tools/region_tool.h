@@ -2,7 +2,7 @@
 // Brush and lasso: which vertices of one scan, its patches included, make up a region.
 #pragma once
 
-#include "document/document.h"
+#include "document/scene_visibility.h"
 #include "tools/screen_points.h"
 
 #include <QObject>
@@ -13,7 +13,7 @@ class RegionTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
-  explicit RegionTool(const Document& document, QObject* parent = nullptr);
+  RegionTool(const Document& document, const SceneVisibility& visibility, QObject* parent = nullptr);
 
   enum class Means { brush, lasso };
   enum class Effect { add, erase };
@@ -47,11 +47,16 @@ class RegionTool : public QObject, public ViewTool {
   void take_surface();
   void forget();
   void choose(const std::vector<int>& found, Effect effect);
+  /// Whether the surface shows its outside at this vertex.
+  bool shows_outside(const ViewSpace& space, int vertex) const;
+  /// Those that show the side that is painted: through a hole, the brush does not reach the wall behind it.
+  std::vector<int> on_painted_side(const ViewSpace& space, std::vector<int> found) const;
   void recount();
   enum class Ring { outward, inward };
   void move_edge(Ring ring);
 
   const Document& document_;
+  const SceneVisibility& visibility_;
   bool fresh_ = false;  ///< the arrays are those of the document
   ScreenPoints points_;
   std::vector<int> soup_, scan_of_;
@@ -63,6 +68,7 @@ class RegionTool : public QObject, public ViewTool {
   Effect effect_ = Effect::add, stroke_ = Effect::add;
   ScreenPoints::Hidden hidden_ = ScreenPoints::Hidden::left_out;
   int radius_ = 24;
+  bool outside_ = true;  ///< the side that is painted: that of what is nearest to the eye
   QPolygonF outline_;
   QPointF at_{-1000, -1000};
 };

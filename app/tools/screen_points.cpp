@@ -7,8 +7,9 @@
 
 namespace loopmend {
 
-void ScreenPoints::set_points(std::vector<float> xyz) {
+void ScreenPoints::set_points(std::vector<float> xyz, std::vector<char> unseen) {
   xyz_ = std::move(xyz);
+  unseen_ = std::move(unseen);
   seen_from_.setZero();
 }
 
@@ -21,6 +22,8 @@ void ScreenPoints::project(const ViewSpace& space) {
   pixels_.resize(static_cast<std::size_t>(count()));
   for (int i = 0; i < count(); ++i)
     pixels_[static_cast<std::size_t>(i)] = space.to_screen(point(i).cast<double>()).cast<float>();
+  for (std::size_t i = 0; i < unseen_.size(); ++i)
+    if (unseen_[i]) pixels_[i].z() = -1;  // as if it were behind the eye
 }
 
 bool ScreenPoints::is_seen(const ViewSpace& space, int i) {

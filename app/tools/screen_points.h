@@ -12,8 +12,9 @@ namespace loopmend {
 
 class ScreenPoints {
  public:
-  /// @param xyz  3 × #V, in the scene's frame.
-  void set_points(std::vector<float> xyz);
+  /// @param xyz       3 × #V, in the scene's frame
+  /// @param unseen  #V, those that are not drawn and so never found; empty: none
+  void set_points(std::vector<float> xyz, std::vector<char> unseen = {});
   int count() const { return static_cast<int>(xyz_.size() / 3); }
   Eigen::Vector3f point(int i) const { return Eigen::Map<const Eigen::Vector3f>(xyz_.data() + 3 * i); }
 
@@ -31,6 +32,7 @@ class ScreenPoints {
   void project(const ViewSpace& space);
 
   std::vector<float> xyz_;
+  std::vector<char> unseen_;
   std::vector<Eigen::Vector3f> pixels_;  ///< device pixels and depth; depth < 0 behind the eye
   Eigen::Matrix4d seen_from_ = Eigen::Matrix4d::Zero();
   int width_ = 0, height_ = 0;

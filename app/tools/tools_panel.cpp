@@ -48,25 +48,31 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Me
   choice("toolBlend", tr("Blend"), tr("Join two or more boundaries by one patch (B)"), Tool::blend);
   choice("toolBridge", tr("Bridge"), tr("Part a hole into two by a strip between two of its vertices (G)"),
          Tool::bridge);
+  choice("toolFillPart", tr("Fill part"), tr("Fill a part of a hole, between two of its vertices (Shift+G)"),
+         Tool::fill_part);
   choice("toolMeasure", tr("Distance"), tr("The distance between two vertices (D)"), Tool::measure);
   auto* none = make_note("toolsHint");
-  none->setText(
-      tr("Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
-         "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Distance "
-         "measures between two vertices."));
+  none->setText(tr(
+      "Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
+      "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Fill part closes "
+      "a hole between two of its vertices; Distance measures between two vertices."));
   none->setAlignment(Qt::AlignTop);
   auto* bridge = make_note("bridgeHint");
   bridge->setText(
       tr("Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On "
-         "one "
-         "loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one. "
-         "Patches of the scan are removed: bridge first, then fill."));
+         "one loop it makes two simpler holes. Between two loops it joins them into one."));
   bridge->setAlignment(Qt::AlignTop);
+  auto* fill_part = make_note("fillPartHint");
+  fill_part->setText(
+      tr("Click two vertices of one hole. A bridge is laid between them, and the marked part of the hole is filled and "
+         "smoothed: the shorter one, or with Ctrl the longer one. One Ctrl+Z takes all of it back."));
+  fill_part->setAlignment(Qt::AlignTop);
   pages_ = {none,
             group(tr("Region"), region),
             group(tr("Surface through points"), points),
             group(tr("Join boundaries"), blend),
             group(tr("Bridge"), bridge),
+            group(tr("Fill a part of a hole"), fill_part),
             group(tr("Distance"), measure)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);

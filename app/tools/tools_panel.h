@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace loopmend {
 
-enum class Tool { none, region, points, blend, bridge, measure };
+enum class Tool { none, region, points, blend, bridge, fill_part, measure };
 /// Whether what it makes is tried out before it is accepted.
 constexpr bool makes_surfaces(Tool tool) { return tool == Tool::region || tool == Tool::points || tool == Tool::blend; }
 

@@ -3,6 +3,7 @@
 
 #include "dialogs/export_dialog.h"
 #include "document/preferences.h"
+#include "document/scene_visibility.h"
 #include "panels/banner.h"
 
 #include <QAction>
@@ -15,13 +16,14 @@
 
 namespace loopmend {
 
-FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& controller, PrintCheck& check, Banner& banner,
-                   QWidget* window)
+FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& controller, PrintCheck& check,
+                   const SceneVisibility& visibility, Banner& banner, QWidget* window)
     : QObject(window),
       document_(document),
       undo_(undo),
       controller_(controller),
       check_(check),
+      visibility_(visibility),
       banner_(banner),
       window_(window) {
   connect(&controller_, &FillController::file_opened, this, [this](const QString& path) {
@@ -108,6 +110,7 @@ void FileDesk::ask_export() {
   const QString chosen = filters.value(format);
   const QString ending = chosen.section(QStringLiteral("*"), 1).chopped(1);
   ExportDialog dialog(check_, proposal(QStringLiteral("-filled") + ending), filters, chosen, window_);
+  dialog.tell_of_hidden(visibility_.hidden_count());
   if (dialog.exec() == QDialog::Accepted && !dialog.path().isEmpty()) export_to(dialog.path(), dialog.content());
 }
 

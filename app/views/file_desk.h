@@ -16,14 +16,14 @@ class QWidget;
 namespace loopmend {
 
 class Banner;
-class MeshView;
+class SceneVisibility;
 
 class FileDesk : public QObject {
   Q_OBJECT
 
  public:
-  FileDesk(Document& document, UndoHistory& undo, FillController& controller, PrintCheck& check, Banner& banner,
-           QWidget* window);
+  FileDesk(Document& document, UndoHistory& undo, FillController& controller, PrintCheck& check,
+           const SceneVisibility& visibility, Banner& banner, QWidget* window);
 
   /// Scans, or one session. Asks first when patches would be lost.
   void open(const QStringList& paths, OpenMode mode);
@@ -64,6 +64,7 @@ class FileDesk : public QObject {
   UndoHistory& undo_;
   FillController& controller_;
   PrintCheck& check_;
+  const SceneVisibility& visibility_;
   Banner& banner_;
   QWidget* window_;
   QString session_path_;

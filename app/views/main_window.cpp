@@ -12,11 +12,13 @@
 #include "panels/inspect_panel.h"
 #include "panels/look_panel.h"
 #include "panels/patch_panel.h"
+#include "panels/scene_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
 #include "views/example_controller.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
+#include "views/piece_menu.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
 
@@ -26,6 +28,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMimeData>
 #include <QScreen>
 #include <QStackedLayout>
@@ -40,6 +43,7 @@ namespace loopmend {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
+      visibility_(document_),
       controller_(document_, undo_),
       autosave_(document_, undo_),
       check_(document_, controller_),
@@ -50,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
   const QSize frame(20, 40);
   resize(QSize(1360, 860).boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
   build_centre();
-  files_ = new FileDesk(document_, undo_, controller_, check_, *banner_, this);
+  files_ = new FileDesk(document_, undo_, controller_, check_, visibility_, *banner_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
   examples_ = new ExampleController({document_, selection_, controller_, *tools_, *compare_, *view_, *banner_}, this);
@@ -80,7 +84,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::build_centre() {
-  view_ = new MeshView(document_, selection_);
+  view_ = new MeshView(document_, visibility_, selection_);
   welcome_ = new Welcome;
   auto* middle = new QWidget;
   auto* column = new QVBoxLayout(middle);
@@ -104,8 +108,10 @@ void MainWindow::build_docks() {
   holes_ = new HolesPanel(document_, selection_);
   patch_ = new PatchPanel(document_, selection_, controller_);
   look_ = new LookPanel;
+  scene_ = new ScenePanel(document_, visibility_);
+  pieces_ = new PieceMenu(document_, visibility_, selection_, *view_, this);
   inspect_ = new InspectPanel(document_, selection_);
-  tools_ = new ToolController(document_, selection_, controller_, *view_, this);
+  tools_ = new ToolController(document_, visibility_, selection_, controller_, *view_, this);
   const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
     auto* made = new QDockWidget(title);
     made->setObjectName(QLatin1String(name));
@@ -115,10 +121,12 @@ void MainWindow::build_docks() {
     return made;
   };
   QDockWidget* left = dock("holesDock", tr("Holes"), holes_, Qt::LeftDockWidgetArea);
+  QDockWidget* scene = dock("sceneDock", tr("Scene"), scene_, Qt::LeftDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
   QDockWidget* look = dock("lookDock", tr("Display"), look_, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("inspectDock", tr("Inspect"), inspect_, Qt::BottomDockWidgetArea);
   QDockWidget* tools = dock("toolsDock", tr("Tools"), tools_->panel(), Qt::RightDockWidgetArea);
+  tabifyDockWidget(left, scene);
   tabifyDockWidget(right, tools);
   tabifyDockWidget(tools, look);
   connect(tools_, &ToolController::tool_changed, tools, [this, tools](Tool tool) {
@@ -128,6 +136,7 @@ void MainWindow::build_docks() {
   connect(tools, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (!visible && isVisible() && !isMinimized()) tools_->take(Tool::none);
   });
+  left->raise();
   right->raise();
   resizeDocks({left, right}, {424, 272}, Qt::Horizontal);
   resizeDocks({bottom}, {214}, Qt::Vertical);
@@ -187,6 +196,16 @@ void MainWindow::connect_document() {
     update_title();
     update_actions();
   });
+  // Later, so that whoever puts another scan in the place of one can say first what is selected on it.
+  connect(
+      &document_, &Document::scans_changed, this,
+      [this] {
+        std::set<int> selected = selection_.selected();
+        std::erase_if(selected,
+                      [this](int loop) { return loop >= document_.loop_count() || !document_.present(loop); });
+        selection_.select(selected);
+      },
+      Qt::QueuedConnection);
   connect(&document_, &Document::shape_changed, this, [this] { look_->know_range(view_->range()); });
   connect(&undo_, &UndoHistory::changed, this, [this] {
     update_actions();
@@ -210,14 +229,28 @@ void MainWindow::connect_panels() {
     look_->know_range(view_->range());
     update_actions();
   });
-  connect(view_, &MeshView::hole_menu_wanted, actions_, &WindowActions::show_hole_menu);
-  connect(holes_, &HolesPanel::hole_menu_wanted, actions_, &WindowActions::show_hole_menu);
+  const auto show_hole_menu = [this](const QPoint& at) {
+    QMenu* menu = actions_->make_hole_menu();
+    pieces_->add_entries(menu, pieces_->of_selected_holes());
+    menu->popup(at);
+  };
+  connect(view_, &MeshView::hole_menu_wanted, this, show_hole_menu);
+  connect(holes_, &HolesPanel::hole_menu_wanted, this, show_hole_menu);
+  connect(view_, &MeshView::piece_menu_wanted, pieces_, &PieceMenu::show);
+  connect(scene_, &ScenePanel::menu_wanted, pieces_, &PieceMenu::show_for);
+  connect(pieces_, &PieceMenu::notice, banner_, &Banner::show_notice);
   connect(view_, &MeshView::probed, status_, &StatusLine::say);
   connect(&patch_->flow_box(), &FlowBox::compare_wanted, (*actions_)["compare"], &QAction::trigger);
   connect(compare_, &CompareController::failed, banner_, &Banner::show_problem);
   connect(tools_, &ToolController::failed, banner_, &Banner::show_problem);
   connect(tools_, &ToolController::notice, banner_, &Banner::show_notice);
   connect(tools_, &ToolController::notice, inspect_, &InspectPanel::log);
+  const auto as_chosen = [this] { return FillAndSmooth{patch_->fill_box().choice(), patch_->flow_box().options()}; };
+  connect(tools_, &ToolController::part_wanted, this,
+          [this, as_chosen](const HolePart& part) { controller_.fill_part(part, as_chosen()); });
+  connect(tools_, &ToolController::refill_wanted, this, [this, as_chosen](int scan, const std::vector<int>& points) {
+    controller_.erase(scan, points, as_chosen());
+  });
   connect(tools_, &ToolController::compare_wanted, this,
           [this] { compare_->compare_trial(tools_->trial(), look_->look()); });
   connect(welcome_, &Welcome::open_wanted, this, [this] { files_->ask_open(OpenMode::replace); });

@@ -5,6 +5,7 @@
 #include "document/document.h"
 #include "document/hole_selection.h"
 #include "document/preferences.h"
+#include "document/scene_visibility.h"
 #include "document/undo_history.h"
 #include "jobs/autosave.h"
 #include "jobs/fill_controller.h"
@@ -25,6 +26,8 @@ class InspectPanel;
 class LookPanel;
 class MeshView;
 class PatchPanel;
+class PieceMenu;
+class ScenePanel;
 class StatusLine;
 class ToolController;
 class Welcome;
@@ -50,6 +53,7 @@ class MainWindow : public QMainWindow {
 
   const Document& document() const { return document_; }
   HoleSelection& selection() { return selection_; }
+  SceneVisibility& visibility() { return visibility_; }
   FillController& controller() { return controller_; }
   UndoHistory& undo() { return undo_; }
   Autosave& autosave() { return autosave_; }
@@ -89,6 +93,7 @@ class MainWindow : public QMainWindow {
   void show_centre();
 
   Document document_;
+  SceneVisibility visibility_;
   HoleSelection selection_;
   UndoHistory undo_;
   FillController controller_;
@@ -105,6 +110,8 @@ class MainWindow : public QMainWindow {
   HolesPanel* holes_ = nullptr;
   PatchPanel* patch_ = nullptr;
   LookPanel* look_ = nullptr;
+  ScenePanel* scene_ = nullptr;
+  PieceMenu* pieces_ = nullptr;
   InspectPanel* inspect_ = nullptr;
   StatusLine* status_ = nullptr;
   ToolController* tools_ = nullptr;

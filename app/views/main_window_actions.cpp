@@ -10,6 +10,7 @@
 #include "dialogs/repair_dialog.h"
 #include "dialogs/shortcut_sheet.h"
 #include "document/targets.h"
+#include "jobs/change_surface.h"
 #include "panels/banner.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
@@ -22,6 +23,7 @@
 #include "panels/theme.h"
 #include "views/file_desk.h"
 #include "views/mesh_view.h"
+#include "views/piece_menu.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
 
@@ -84,6 +86,10 @@ void MainWindow::connect_view_actions() {
   });
   for (const auto& [name, side] : sides) a.on(name, this, [this, from = side] { view_->look_from(from); });
   a.on("probe", view_, &MeshView::probe_middle);
+  a.on("hidePiece", pieces_, &PieceMenu::hide);
+  a.on("isolatePiece", pieces_, &PieceMenu::isolate);
+  a.on("showPieces", &visibility_, &SceneVisibility::show_all);
+  connect(&visibility_, &SceneVisibility::changed, this, &MainWindow::update_actions);
   a.on("undo", this, [this] { undo_.undo(); });
   a.on("redo", this, [this] { undo_.redo(); });
   a.on("nextHole", this, [this] { holes_->go(HolesPanel::Way::next); });
@@ -98,6 +104,7 @@ void MainWindow::connect_patch_actions() {
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
   for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim}, {"stitchAction", Mending::stitch}})
     a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
+  a.on("partAction", this, [this] { controller_.mend(Mending::part, selection_.selected()); });
   a.on("repairAction", this, &MainWindow::show_repair_dialog);
   connect(&patch_->fill_box(), &FillBox::repair_wanted, this, &MainWindow::show_repair_dialog);
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
@@ -112,6 +119,7 @@ void MainWindow::connect_patch_actions() {
                                    {"toolPointsAction", Tool::points},
                                    {"toolBlendAction", Tool::blend},
                                    {"toolBridgeAction", Tool::bridge},
+                                   {"toolFillPartAction", Tool::fill_part},
                                    {"toolMeasureAction", Tool::measure}})
     a.on(name, this, [this, wanted = tool] {
       findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
@@ -149,10 +157,13 @@ void MainWindow::update_actions() {
                            "toolPointsAction",
                            "toolBlendAction",
                            "toolBridgeAction",
+                           "toolFillPartAction",
                            "toolMeasureAction",
                            "clip",
                            "screenshot",
                            "frame",
+                           "hidePiece",
+                           "isolatePiece",
                            "probe",
                            "wireframe",
                            "seams",
@@ -167,6 +178,7 @@ void MainWindow::update_actions() {
     a[name]->setEnabled(scan);
   a["scanColors"]->setEnabled(has_scan_colors_);
   a["orthographic"]->setEnabled(scan);
+  a["showPieces"]->setEnabled(visibility_.hidden_count() > 0);
   for (const auto& [name, side] : sides) a[name]->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {
     (*actions_)[action]->setEnabled(patch_->findChild<QWidget*>(QLatin1String(button))->isEnabledTo(patch_));
@@ -176,6 +188,8 @@ void MainWindow::update_actions() {
   follow("trimAction", "trim");
   follow("stitchAction", "stitch");
   follow("repairAction", "repair");
+  const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
+  a["partAction"]->setEnabled(idle && std::any_of(selection_.selected().begin(), selection_.selected().end(), touches));
   follow("stepAction", "step");
   follow("runAction", "run");
   follow("acceptAction", "accept");

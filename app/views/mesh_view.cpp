@@ -2,6 +2,7 @@
 #include "views/mesh_view.h"
 
 #include "document/labels.h"
+#include "panels/parts.h"
 #include "views/mesh_view_impl.h"
 #include "views/picture_pace.h"
 #include "views/turn_style.h"
@@ -45,9 +46,9 @@ void MeshView::prepare_graphics() {
   QSurfaceFormat::setDefaultFormat(format);
 }
 
-MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* parent)
+MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSelection& selection, QWidget* parent)
     : QWidget(parent),
-      impl_(std::make_unique<Impl>(document, selection)) {
+      impl_(std::make_unique<Impl>(document, visibility, selection)) {
   setObjectName(QStringLiteral("meshView"));
   setMinimumSize(320, 240);
   impl_->canvas = new QVTKOpenGLNativeWidget(this);
@@ -63,6 +64,12 @@ MeshView::MeshView(const Document& document, HoleSelection& selection, QWidget* 
     if (impl_->tool) impl_->tool->paint(painter, space());
   });
   impl_->flight = new CameraFlight(this);
+  impl_->hidden_note = make_button("hiddenNote", {},
+                                   tr("Show everything that was hidden (Ctrl+H). It is filled and "
+                                      "exported all the same"));
+  impl_->hidden_note->setParent(this);
+  impl_->hidden_note->hide();
+  connect(impl_->hidden_note, &QPushButton::clicked, &impl_->visibility, &SceneVisibility::show_all);
 
   impl_->window->SetMultiSamples(0);
   impl_->canvas->setRenderWindow(impl_->window);
@@ -107,15 +114,13 @@ void MeshView::follow_document() {
     redraw();
   });
   connect(&document, &Document::scans_changed, this, &MeshView::on_scans_changed);
-  connect(&document, &Document::shape_changed, this, [this](int scan) {
-    if (!impl_->trial.hidden_scans.contains(scan)) {
-      const auto now = impl_->document.scan(scan);
-      impl_->scene.set_scan(scan, now->shape, now->colored);
-    }
+  connect(&document, &Document::shape_changed, this, [this] {
+    show_surfaces();
     update_range();
     redraw();
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
+  connect(&impl_->visibility, &SceneVisibility::changed, this, &MeshView::on_visibility_changed);
   connect(&document, &Document::patch_moved, this, &MeshView::on_patch_moved);
   connect(&document, &Document::running_changed, this, [this] {
     for (const OpenPatch& patch : impl_->document.patches())
@@ -238,11 +243,12 @@ void MeshView::drop_preview() {
 
 void MeshView::on_scans_changed() {
   const Document& document = impl_->document;
+  update_hidden_note();
   show_surfaces();
   update_range();
   std::vector<std::vector<float>> lines(document.loops().size());
   for (int loop = 0; loop < document.loop_count(); ++loop)
-    if (document.present(loop))
+    if (impl_->shows(loop))
       lines[static_cast<std::size_t>(loop)] =
           line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
   impl_->picker.set_loops(std::move(lines));
@@ -256,7 +262,30 @@ void MeshView::on_scans_changed() {
   first_seen ? face_front() : redraw();
 }
 
+/// Scans that come or go tell it as well, and bring their own picture.
+void MeshView::on_visibility_changed() {
+  update_hidden_note();
+  if (impl_->preview_shown || !impl_->document.has_scan()) return;
+  const int hovered = impl_->selection.hovered();
+  if (hovered >= 0 && hovered < impl_->document.loop_count() && !impl_->shows(hovered)) impl_->selection.hover(no_loop);
+  on_scans_changed();
+}
+
+/// In the corner where neither banner nor legend, axes nor scale are.
+void MeshView::update_hidden_note() {
+  constexpr int margin = 10;
+  const int hidden = impl_->document.has_scan() ? impl_->visibility.hidden_count() : 0;
+  QPushButton* note = impl_->hidden_note;
+  note->setText(tr("%n hidden: show all", nullptr, hidden));
+  note->setAccessibleName(note->text());
+  note->resize(note->sizeHint());
+  note->move(width() - note->width() - margin, height() - note->height() - margin);
+  note->setVisible(hidden > 0);
+  note->raise();
+}
+
 void MeshView::on_patches_changed() {
+  update_hidden_note();
   show_surfaces();
   redraw_at_leisure();
 }
@@ -273,15 +302,17 @@ void MeshView::show_surfaces() {
   std::vector<int> scans, patches;
   for (int index : document.scans()) {
     if (impl_->trial.hidden_scans.contains(index)) continue;
+    const ShownShapes::Shown& shown = impl_->shapes.of(document, impl_->visibility, index);
+    if (!shown.whole) continue;
     scans.push_back(index);
-    impl_->scene.set_scan(index, document.scan(index)->shape, document.scan(index)->colored);
+    impl_->scene.set_scan(index, shown.whole, shown.parts);
   }
   if (impl_->trial.backdrop) {
     scans.push_back(trial);
     impl_->scene.set_scan(trial, impl_->trial.backdrop);
   }
   for (const OpenPatch& patch : document.patches()) {
-    if (impl_->trial.hidden_scans.contains(patch.scan)) continue;
+    if (impl_->trial.hidden_scans.contains(patch.scan) || impl_->visibility.is_hidden_patch(patch)) continue;
     patches.push_back(patch.id);
     impl_->scene.set_patch(patch.id, patch.state->shape, Arrival::soon);
   }
@@ -306,7 +337,7 @@ void MeshView::place_scan(int scan, const Eigen::Matrix4d& placement) {
 
 void MeshView::on_patch_moved(int id) {
   const OpenPatch* patch = impl_->document.patch(id);
-  if (patch && !impl_->trial.hidden_scans.contains(patch->scan))
+  if (patch && !impl_->trial.hidden_scans.contains(patch->scan) && !impl_->visibility.is_hidden_patch(*patch))
     impl_->scene.set_patch(id, patch->state->shape, arrival(id));
   redraw();
 }
@@ -320,7 +351,7 @@ bool MeshView::update_loops() {
   impl_->loop_styles = styles;
   std::vector<LoopLine> lines;
   for (int loop = 0; loop < document.loop_count(); ++loop) {
-    if (!document.present(loop)) continue;
+    if (!impl_->shows(loop)) continue;
     const auto scan = document.scan(document.scan_of(loop));
     lines.push_back({line_of(*scan->shape, document.loop(loop)), styles[static_cast<std::size_t>(loop)]});
   }
@@ -331,7 +362,7 @@ bool MeshView::update_loops() {
 void MeshView::update_highlight() {
   const Document& document = impl_->document;
   const int loop = impl_->selection.hovered();
-  if (loop < 0 || loop >= impl_->picker.count() || !document.present(loop)) {
+  if (loop < 0 || loop >= impl_->picker.count() || !impl_->shows(loop)) {
     impl_->overlay->clear_highlight();
     return;
   }

@@ -2,6 +2,7 @@
 // The picture in the middle: shows the document, finds the loop under the mouse, turns, flies.
 #pragma once
 
+#include "document/scene_visibility.h"
 #include "scene/clipping.h"
 #include "scene/look.h"
 #include "scene/shape_glide.h"
@@ -13,11 +14,13 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 namespace loopmend {
 
-class Document;
 class HoleSelection;
+
+struct SurfacePlace;
 
 /// A picture that leaves the program.
 struct PictureOptions {
@@ -33,7 +36,7 @@ class MeshView : public QWidget {
   /// To be called once, before the QApplication is made.
   static void prepare_graphics();
 
-  MeshView(const Document& document, HoleSelection& selection, QWidget* parent = nullptr);
+  MeshView(const Document& document, SceneVisibility& visibility, HoleSelection& selection, QWidget* parent = nullptr);
   ~MeshView() override;
 
   const Look& look() const;
@@ -68,7 +71,7 @@ class MeshView : public QWidget {
   void look_from(NamedView side);
   /// Everything, from where the eye is.
   void frame();
-  /// Turns and moves until the loop is seen from above.
+  /// Turns and moves until the loop is seen from above. What hides it is shown.
   void fly_to(int loop);
 
   /// As seen, without overlay, in device pixels.
@@ -78,6 +81,8 @@ class MeshView : public QWidget {
   /// The values at the middle of the picture.
   void probe_middle();
   void drop_probe();
+  /// The piece of surface under the mouse; none beside everything.
+  std::optional<PieceId> piece_under_mouse();
 
   /// Where a loop's vertex appears, in widget pixels; for tests.
   QPoint position_of(int loop, int vertex) const;
@@ -88,6 +93,8 @@ class MeshView : public QWidget {
   void probed(const QString& words);
   /// A right click on a boundary, which is selected now. @param at  of the screen
   void hole_menu_wanted(const QPoint& at);
+  /// A right click on a surface. @param at  of the screen
+  void piece_menu_wanted(const PieceId& piece, const QPoint& at);
   /// A click beside everything.
   void clicked_nothing();
   /// A picture is on the screen.
@@ -105,6 +112,8 @@ class MeshView : public QWidget {
   void update_range();
   void update_legend_words();
   void on_patches_changed();
+  void on_visibility_changed();
+  void update_hidden_note();
   void on_patch_moved(int id);
   Arrival arrival(int patch) const;
   void show_surfaces();
@@ -117,6 +126,7 @@ class MeshView : public QWidget {
   void ask_for_menu(const QPoint& at);
   void click(const QPoint& at, Qt::KeyboardModifiers modifiers);
   void probe_at(const QPoint& at);
+  std::optional<SurfacePlace> place_at(const QPoint& at);
   void update_probe();
   bool slide_by_key(int key);
   void move_by_key(int key, Qt::KeyboardModifiers modifiers);

@@ -9,6 +9,7 @@
 #include "views/camera_flight.h"
 #include "views/loop_picker.h"
 #include "views/mesh_view.h"
+#include "views/shown_shapes.h"
 #include "views/surface_probe.h"
 #include "views/tool_sheet.h"
 #include "views/view_overlay.h"
@@ -22,6 +23,7 @@
 #include <vtkRenderer.h>
 
 #include <QElapsedTimer>
+#include <QPushButton>
 #include <QTimer>
 
 #include <algorithm>
@@ -31,16 +33,19 @@
 namespace loopmend {
 
 struct MeshView::Impl {
-  Impl(const Document& d, HoleSelection& s) : document(d), selection(s) {}
+  Impl(const Document& d, SceneVisibility& v, HoleSelection& s) : document(d), visibility(v), selection(s) {}
 
   const Document& document;
+  SceneVisibility& visibility;
   HoleSelection& selection;
   QVTKOpenGLNativeWidget* canvas = nullptr;
   ViewOverlay* overlay = nullptr;
   ToolSheet* sheet = nullptr;
   CameraFlight* flight = nullptr;
+  QPushButton* hidden_note = nullptr;  ///< says what is hidden, and shows it
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   MeshScene scene;
+  ShownShapes shapes;
   LoopPicker picker;
   QTimer redraw_timer;
   QElapsedTimer last_picture;
@@ -50,6 +55,7 @@ struct MeshView::Impl {
   QSize seen_size;
   bool depth_is_fresh = false;
   QPoint pressed_at;
+  std::optional<QPoint> mouse_at;  ///< while it is over the picture
   Look look;
   std::optional<Probe> probe;
   bool preview_shown = false;
@@ -65,6 +71,8 @@ struct MeshView::Impl {
 
   vtkRenderer* renderer() const { return scene.renderer(); }
   vtkCamera* camera() const { return renderer()->GetActiveCamera(); }
+  /// Whether the loop is in the scene, and shown.
+  bool shows(int loop) const { return document.present(loop) && !visibility.is_hidden_loop(loop); }
   QSize pixels() const { return canvas->size() * canvas->devicePixelRatioF(); }
 
   void follow_camera() {

@@ -21,6 +21,8 @@ constexpr double loop_share = 2.4;  ///< how many loop diameters are seen around
 
 bool MeshView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != impl_->canvas) return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseMove) impl_->mouse_at = static_cast<QMouseEvent*>(event)->pos();
+  if (event->type() == QEvent::Leave) impl_->mouse_at.reset();
   if (impl_->tool && tool_takes(event)) return true;
   switch (event->type()) {
     case QEvent::MouseMove: {
@@ -58,10 +60,13 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MeshView::ask_for_menu(const QPoint& at) {
-  const int loop = loop_at(at);
-  if (loop == no_loop) return;
-  if (!impl_->selection.selected().contains(loop)) impl_->selection.select({loop});
-  Q_EMIT hole_menu_wanted(impl_->canvas->mapToGlobal(at));
+  const QPoint on_screen = impl_->canvas->mapToGlobal(at);
+  if (const int loop = loop_at(at); loop != no_loop) {
+    if (!impl_->selection.selected().contains(loop)) impl_->selection.select({loop});
+    Q_EMIT hole_menu_wanted(on_screen);
+  } else if (const auto place = place_at(at)) {
+    Q_EMIT piece_menu_wanted(piece_at(impl_->document, impl_->visibility, *place), on_screen);
+  }
 }
 
 bool MeshView::tool_takes(QEvent* event) {
@@ -145,15 +150,27 @@ void MeshView::click(const QPoint& at, Qt::KeyboardModifiers modifiers) {
 /// On a surface: its values there. Beside everything: the selection goes.
 void MeshView::probe_at(const QPoint& at) {
   if (!impl_->document.has_scan()) return;
-  const std::optional<Vec3> surface = space().surface_at(at);
+  const std::optional<SurfacePlace> place = place_at(at);
   drop_probe();
-  if (!surface) {
+  if (!place) {
     impl_->selection.select({});
     return;
   }
-  impl_->probe = probe(impl_->document, *surface);
+  impl_->probe = probe(impl_->document, *place);
   update_probe();
-  if (impl_->probe) Q_EMIT probed(impl_->probe->lines.join(QStringLiteral(" \u00b7 ")));
+  Q_EMIT probed(impl_->probe->lines.join(QStringLiteral(" \u00b7 ")));
+}
+
+std::optional<SurfacePlace> MeshView::place_at(const QPoint& at) {
+  if (!impl_->document.has_scan()) return std::nullopt;
+  const std::optional<Vec3> surface = space().surface_at(at);
+  return surface ? place_near(impl_->document, impl_->visibility, *surface) : std::nullopt;
+}
+
+std::optional<PieceId> MeshView::piece_under_mouse() {
+  if (!impl_->mouse_at) return std::nullopt;
+  const std::optional<SurfacePlace> place = place_at(*impl_->mouse_at);
+  return place ? std::optional(piece_at(impl_->document, impl_->visibility, *place)) : std::nullopt;
 }
 
 void MeshView::drop_probe() {
@@ -287,6 +304,8 @@ void MeshView::frame() {
 void MeshView::fly_to(int loop) {
   const Document& document = impl_->document;
   if (loop < 0 || loop >= document.loop_count() || !document.present(loop)) return;
+  if (impl_->visibility.is_hidden_loop(loop))
+    impl_->visibility.set_pieces({impl_->visibility.piece_of_loop(loop)}, SceneVisibility::Visible::shown);
   const OpenedScan& scan = *document.scan(document.scan_of(loop));
   const BoundaryLoop& target = document.loop(loop);
   Stand stand;
@@ -375,6 +394,7 @@ void MeshView::resizeEvent(QResizeEvent* event) {
   impl_->overlay->raise();
   impl_->sheet->setGeometry(rect());
   impl_->sheet->raise();
+  update_hidden_note();
   const QSize size = this->size() * devicePixelRatioF();
   impl_->scene.set_pixel_ratio(devicePixelRatioF());
   impl_->scene.set_size(size.width(), size.height());

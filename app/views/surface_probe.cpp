@@ -13,64 +13,68 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("loopmend", text); }
 
-struct Nearest {
-  const SurfaceShape* shape = nullptr;
-  std::size_t vertex = 0;
-  float distance2 = std::numeric_limits<float>::max();
-
-  /// @param count  how many of the shape's vertices may be meant.
-  bool look(const SurfaceShape& in, std::size_t count, const Eigen::Vector3f& at) {
-    bool found = false;
-    for (std::size_t v = 0; v < count; ++v) {
-      const Eigen::Map<const Eigen::Vector3f> p(in.points.data() + 3 * v);
-      const float d2 = (p - at).squaredNorm();
-      if (d2 >= distance2) continue;
-      distance2 = d2;
-      shape = &in;
-      vertex = v;
-      found = true;
-    }
-    return found;
-  }
-};
-
 QString value(const std::vector<float>& values, std::size_t vertex) {
   if (values.empty() || !std::isfinite(values[vertex])) return tr("not known");
   return labels::number(static_cast<double>(values[vertex]));
 }
 
+const SurfaceShape& shape_at(const Document& document, const SurfacePlace& place) {
+  return place.patch < 0 ? *document.scan(place.scan)->shape : *document.patch(place.patch)->state->shape;
+}
+
 }  // namespace
 
-std::optional<Probe> probe(const Document& document, const Vec3& at) {
-  Nearest nearest;
-  QString where;
+std::optional<SurfacePlace> place_near(const Document& document, const SceneVisibility& visibility, const Vec3& at) {
+  std::optional<SurfacePlace> found;
   const Eigen::Vector3f point = at.cast<float>();
-  std::shared_ptr<const OpenedScan> in_scan;
+  float best = std::numeric_limits<float>::max();
+  const auto look = [&](const SurfaceShape& shape, std::size_t count, int scan, int patch, const auto& is_shown) {
+    for (std::size_t v = 0; v < count; ++v) {
+      const float d2 = (Eigen::Map<const Eigen::Vector3f>(shape.points.data() + 3 * v) - point).squaredNorm();
+      if (d2 >= best || !is_shown(static_cast<int>(v))) continue;
+      best = d2;
+      found = SurfacePlace{scan, patch, static_cast<int>(v), {}};
+    }
+  };
   for (int index : document.scans()) {
-    const auto scan = document.scan(index);
-    if (nearest.look(*scan->shape, scan->shape->points.size() / 3, point)) {
-      where = scan->name;
-      in_scan = scan;
-    }
+    const SurfaceShape& shape = *document.scan(index)->shape;
+    const bool whole = !visibility.hides_pieces_of(index);
+    look(shape, shape.points.size() / 3, index, -1,
+         [&](int v) { return whole || !visibility.is_hidden_vertex(index, v); });
   }
-  for (const OpenPatch& patch : document.patches()) {
-    const auto free = static_cast<std::size_t>(patch.state->patch.free_count);
-    if (nearest.look(*patch.state->shape, free, point)) {
-      where = tr("Patch of %1").arg(labels::holes(document, {patch.loops.begin(), patch.loops.end()}));
-      in_scan = nullptr;
-    }
-  }
-  if (!nearest.shape) return std::nullopt;
-  if (in_scan) where += tr(", vertex %1").arg(in_scan->model->soup_vertex[nearest.vertex]);  // its number in the file
-  Probe found;
-  for (int k = 0; k < 3; ++k) found.at[k] = nearest.shape->points[3 * nearest.vertex + static_cast<std::size_t>(k)];
-  const Vec3 place = found.at + document.origin();
-  found.lines << where
-              << QStringLiteral("x %1   y %2   z %3")
-                     .arg(labels::number(place.x()), labels::number(place.y()), labels::number(place.z()))
-              << QStringLiteral("H %1   K %2")
-                     .arg(value(nearest.shape->H, nearest.vertex), value(nearest.shape->K, nearest.vertex));
+  for (const OpenPatch& patch : document.patches())
+    if (!visibility.is_hidden_patch(patch))
+      look(*patch.state->shape, static_cast<std::size_t>(patch.state->patch.free_count), patch.scan, patch.id,
+           [](int) { return true; });
+  if (!found) return std::nullopt;
+  const SurfaceShape& shape = shape_at(document, *found);
+  for (int k = 0; k < 3; ++k)
+    found->at[k] = shape.points[3 * static_cast<std::size_t>(found->vertex) + static_cast<std::size_t>(k)];
   return found;
+}
+
+PieceId piece_at(const Document& document, const SceneVisibility& visibility, const SurfacePlace& place) {
+  if (place.patch >= 0) return visibility.piece_of_loop(document.patch(place.patch)->loops.front());
+  return {place.scan, document.scan(place.scan)->pieces.piece_of(place.vertex)};
+}
+
+Probe probe(const Document& document, const SurfacePlace& place) {
+  const SurfaceShape& shape = shape_at(document, place);
+  const auto vertex = static_cast<std::size_t>(place.vertex);
+  const auto scan = document.scan(place.scan);
+  QString where;
+  if (place.patch < 0) {
+    where = scan->name + tr(", vertex %1").arg(scan->model->soup_vertex[vertex]);  // its number in the file
+  } else {
+    const std::vector<int>& loops = document.patch(place.patch)->loops;
+    where = tr("Patch of %1").arg(labels::holes(document, {loops.begin(), loops.end()}));
+  }
+  const Vec3 at = place.at + document.origin();
+  return {
+      place.at,
+      {where,
+       QStringLiteral("x %1   y %2   z %3").arg(labels::number(at.x()), labels::number(at.y()), labels::number(at.z())),
+       QStringLiteral("H %1   K %2").arg(value(shape.H, vertex), value(shape.K, vertex))}};
 }
 
 }  // namespace loopmend

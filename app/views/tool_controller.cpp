@@ -11,19 +11,19 @@
 
 namespace loopmend {
 
-ToolController::ToolController(Document& document, HoleSelection& selection, FillController& controller, MeshView& view,
-                               QObject* parent)
+ToolController::ToolController(Document& document, const SceneVisibility& visibility, HoleSelection& selection,
+                               FillController& controller, MeshView& view, QObject* parent)
     : QObject(parent),
       document_(document),
       selection_(selection),
       view_(view),
-      region_(new RegionTool(document, this)),
-      points_(new PointsTool(document, this)),
+      region_(new RegionTool(document, visibility, this)),
+      points_(new PointsTool(document, visibility, this)),
       part_(new PartTool(document, this)),
-      bridge_(new BridgeTool(document, this)),
+      bridge_(new BridgeTool(document, visibility, this)),
       measure_(new MeasureTool(
-          [&document](const Vec3& at) {
-            const std::optional<Probe> found = probe(document, at);
+          [&document, &visibility](const Vec3& at) {
+            const std::optional<SurfacePlace> found = place_near(document, visibility, at);
             return found ? std::optional(found->at) : std::nullopt;
           },
           this)),
@@ -32,7 +32,8 @@ ToolController::ToolController(Document& document, HoleSelection& selection, Fil
       points_box_(new PointsBox(document, *points_)),
       blend_box_(new BlendBox(document, selection, *part_)),
       trial_box_(new ProblemBox(*trial_)),
-      panel_(new ToolsPanel(new RegionBox(*region_), points_box_, blend_box_, new MeasureBox(*measure_), trial_box_)) {
+      region_box_(new RegionBox(*region_)),
+      panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new MeasureBox(*measure_), trial_box_)) {
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
     give_up_trial();
@@ -52,6 +53,13 @@ ToolController::ToolController(Document& document, HoleSelection& selection, Fil
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
     connect(&document_, signal, measure_, &MeasureTool::clear);
   connect(bridge_, &BridgeTool::bridge_wanted, &controller, &FillController::bridge);
+  connect(bridge_, &BridgeTool::part_wanted, this, [this](int scan, int soup_a, int soup_b, int beside) {
+    Q_EMIT part_wanted({scan, soup_a, soup_b, beside});
+  });
+  connect(region_box_, &RegionBox::erase_wanted, this,
+          [this, &controller] { controller.erase(region_->scan(), region_->vertices(), std::nullopt); });
+  connect(region_box_, &RegionBox::erase_and_fill_wanted, this,
+          [this] { Q_EMIT refill_wanted(region_->scan(), region_->vertices()); });
   connect(part_, &PartTool::placed, this, [this] {
     give_up_trial();
     view_.place_scan(part_->scan(), part_->placement().matrix());
@@ -91,7 +99,11 @@ void ToolController::on_tool(Tool tool) {
     case Tool::region: view_.set_tool(region_); break;
     case Tool::points: view_.set_tool(points_); break;
     case Tool::blend: view_.set_tool(part_); break;
-    case Tool::bridge: view_.set_tool(bridge_); break;
+    case Tool::bridge:
+    case Tool::fill_part:
+      bridge_->set_purpose(tool == Tool::bridge ? BridgeTool::Purpose::bridge : BridgeTool::Purpose::fill_part);
+      view_.set_tool(bridge_);
+      break;
     case Tool::measure: view_.set_tool(measure_); break;
   }
   show_region();
@@ -128,6 +140,7 @@ void ToolController::update_wanting() {
   switch (panel_->tool()) {
     case Tool::none:
     case Tool::bridge:
+    case Tool::fill_part:
     case Tool::measure: break;
     case Tool::region: words = region_->count() > 0 ? QString() : tr("Paint a region first."); break;
     case Tool::points: words = points_box_->wanting(); break;
@@ -157,6 +170,7 @@ ProblemRequest ToolController::request() const {
   switch (panel_->tool()) {
     case Tool::none:
     case Tool::bridge:
+    case Tool::fill_part:
     case Tool::measure: break;
     case Tool::region: return region_wish();
     case Tool::points: return points_wish();

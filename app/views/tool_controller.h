@@ -18,8 +18,8 @@ class ToolController : public QObject {
   Q_OBJECT
 
  public:
-  ToolController(Document& document, HoleSelection& selection, FillController& controller, MeshView& view,
-                 QObject* parent);
+  ToolController(Document& document, const SceneVisibility& visibility, HoleSelection& selection,
+                 FillController& controller, MeshView& view, QObject* parent);
 
   ToolsPanel* panel() { return panel_; }
   ProblemController& trial() { return *trial_; }
@@ -42,6 +42,10 @@ class ToolController : public QObject {
  Q_SIGNALS:
   void tool_changed(Tool tool);
   void compare_wanted();
+  /// To be filled as it is chosen in the patch dock.
+  void part_wanted(const HolePart& part);
+  /// These points of a scan to be erased, and the hole filled likewise.
+  void refill_wanted(int scan, const std::vector<int>& points);
   void failed(const QString& words);
   void notice(const QString& words);
 
@@ -73,6 +77,7 @@ class ToolController : public QObject {
   PointsBox* points_box_;
   BlendBox* blend_box_;
   ProblemBox* trial_box_;
+  RegionBox* region_box_;
   ToolsPanel* panel_;
   Then then_ = Then::look;
   bool current_ = false;  ///< the trial is of what is chosen now

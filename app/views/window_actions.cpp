@@ -84,6 +84,15 @@ const Spec specs[] = {
     {"clip", QT_TRANSLATE_NOOP("loopmend::WindowActions", "C&lipping plane"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Cut the surfaces open across the line of sight, to see the inside"),
      "X", nullptr, toggle},
+    {"hidePiece", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Hide piece"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Hide the piece under the mouse, or those of the selected holes; it is filled and exported "
+                       "as before"),
+     "H", nullptr},
+    {"isolatePiece", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Isolate piece"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Hide all other pieces"), "Shift+H", nullptr},
+    {"showPieces", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Sho&w all pieces"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show everything that was hidden"), "Ctrl+H", nullptr},
     {"lookFront", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Front"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the front"), "Ctrl+1", nullptr},
     {"lookBack", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Back"),
@@ -129,6 +138,13 @@ const Spec specs[] = {
     {"toolBridgeAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Brid&ge"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part a hole into two by a strip between two of its vertices"), "G",
      nullptr},
+    {"toolFillPartAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Fill a &part\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Click two vertices of a hole; the part between them is filled"),
+     "Shift+G", nullptr},
+    {"partAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part where it to&uches itself"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Part the boundary at vertices that it passes twice: what hangs there becomes an island"),
+     "", nullptr},
     {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
     {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
@@ -176,18 +192,19 @@ QAction* WindowActions::operator[](const char* name) const {
   return window_->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
 }
 
-void WindowActions::show_hole_menu(const QPoint& at) {
+QMenu* WindowActions::make_hole_menu() {
   auto* menu = new QMenu(window_);
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const char* name : {"fillAction", "initialAction", "runAction", "-", "trimAction", "stitchAction",
-                           "toolBridgeAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
+  for (const char* name :
+       {"fillAction", "initialAction", "runAction", "-", "toolFillPartAction", "-", "trimAction", "stitchAction",
+        "toolBridgeAction", "partAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
     if (*name == '-')
       menu->addSeparator();
     else
       menu->addAction((*this)[name]);
   }
-  menu->popup(at);
+  return menu;
 }
 
 QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const char*> names) {
@@ -213,16 +230,17 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   file->insertMenu((*this)["sample"], recent_);
   file->insertMenu((*this)["quit"], close_);
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
-  QMenu* view = add_menu(tr("&View"), {"curvature", "gaussian",  "plain",     "zebra",   "isophotes",  "scanColors",
-                                       "-",         "wireframe", "seams",     "-",       "frame",      "lookFront",
-                                       "lookBack",  "lookLeft",  "lookRight", "lookTop", "lookBottom", "orthographic",
-                                       "clip",      "-",         "probe",     "-"});
+  QMenu* view = add_menu(
+      tr("&View"), {"curvature",    "gaussian",   "plain",      "zebra",        "isophotes", "scanColors", "-",
+                    "wireframe",    "seams",      "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
+                    "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",      "-",          "hidePiece",
+                    "isolatePiece", "showPieces", "-",          "probe",        "-"});
   view->addActions(docks);
-  add_menu(tr("&Patch"),
-           {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "repairAction", "-", "runAction",
-            "stepAction", "-", "compare", "-", "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "partAction",
+                          "repairAction", "-", "runAction", "stepAction", "-", "compare", "-", "acceptAction",
+                          "rejectAction", "copyAction", "-", "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
-                          "-", "toolMeasureAction"});
+                          "toolFillPartAction", "-", "toolMeasureAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
 }
 

@@ -26,8 +26,8 @@ class WindowActions : public QObject {
 
   void build_menus(const QList<QAction*>& docks);
   void build_toolbar();
-  /// What applies to the selected holes. @param at  of the screen
-  void show_hole_menu(const QPoint& at);
+  /// What applies to the selected holes; goes when it is closed.
+  QMenu* make_hole_menu();
   /// Icons in the palette's ink.
   void update_icons();
 

@@ -878,6 +878,13 @@
             <source>Looking for open edges and intersections…</source>
             <translation>Offene Kanten und Überschneidungen werden gesucht…</translation>
         </message>
+        <message numerus="yes">
+            <source>%n hidden piece(s) or patch(es) are written as well.</source>
+            <translation>
+                <numerusform>%n ausgeblendetes Teil wird mitgeschrieben.</numerusform>
+                <numerusform>%n ausgeblendete Teile werden mitgeschrieben.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FileDesk</name>
@@ -1303,10 +1310,6 @@
             <translation>Loch wird überbrückt</translation>
         </message>
         <message>
-            <source>%1 The patches of this scan were removed.</source>
-            <translation>%1 Die Flicken dieses Scans wurden entfernt.</translation>
-        </message>
-        <message>
             <source>Fill and smooth %1</source>
             <translation>%1 füllen und glätten</translation>
         </message>
@@ -1380,6 +1383,62 @@
         <message>
             <source>Discard %1</source>
             <translation>Verwerfen: %1</translation>
+        </message>
+        <message>
+            <source>No hole was made that could be filled: what was erased lay at an outer rim, or was a whole piece.</source>
+            <translation>Es entstand kein Loch, das sich füllen ließe: was gelöscht wurde, lag an einem Außenrand oder war ein ganzes Stück.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n patch(es) are a part of the scan now.</source>
+            <translation>
+                <numerusform>%n Flicken ist jetzt ein Teil des Scans.</numerusform>
+                <numerusform>%n Flicken sind jetzt ein Teil des Scans.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 %n patch(es) of this scan were removed.</source>
+            <translation>
+                <numerusform>%1 %n Flicken dieses Scans wurde entfernt.</numerusform>
+                <numerusform>%1 %n Flicken dieses Scans wurden entfernt.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Fill a part of a hole of %1</source>
+            <translation>Einen Teil eines Lochs von %1 füllen</translation>
+        </message>
+        <message>
+            <source>Erase a region of %1</source>
+            <translation>Ein Gebiet von %1 löschen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
+            <translation>
+                <numerusform>%1: %n Fläche wurde gelöscht; Strg+Z holt sie zurück.</numerusform>
+                <numerusform>%1: %n Flächen wurden gelöscht; Strg+Z holt sie zurück.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Part a boundary of %1</source>
+            <translation>Einen Rand von %1 teilen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
+            <translation>
+                <numerusform>%1: der Rand wurde an %n Ecke geteilt; Strg+Z nimmt es zurück.</numerusform>
+                <numerusform>%1: der Rand wurde an %n Ecken geteilt; Strg+Z nimmt es zurück.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>No vertex was found at which the boundary could be parted.</source>
+            <translation>Es fand sich keine Ecke, an der sich der Rand teilen ließe.</translation>
+        </message>
+        <message>
+            <source>Erasing a region</source>
+            <translation>Ein Gebiet wird gelöscht</translation>
+        </message>
+        <message>
+            <source>Parting a boundary</source>
+            <translation>Ein Rand wird geteilt</translation>
         </message>
     </context>
     <context>
@@ -2182,6 +2241,10 @@
             <source>Display</source>
             <translation>Ansicht</translation>
         </message>
+        <message>
+            <source>Scene</source>
+            <translation>Szene</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::MeasureBox</name>
@@ -2255,6 +2318,17 @@
         <message>
             <source>%1 %2 · %3 edges · %4 across · %5</source>
             <translation>%1 %2 · %3 Kanten · %4 breit · %5</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden (Ctrl+H). It is filled and exported all the same</source>
+            <translation>Alles Ausgeblendete einblenden (Strg+H). Gefüllt und exportiert wird es in jedem Fall</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n hidden: show all</source>
+            <translation>
+                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
+                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -2797,10 +2871,6 @@
             <translation>Das Gebiet neu beginnen</translation>
         </message>
         <message>
-            <source>Paint what shall become smooth; everything else is held. Drag beside the surface, or with Shift, to turn the picture.</source>
-            <translation>Malen, was glatt werden soll; alles andere wird gehalten. Neben der Fläche oder mit Umschalt ziehen dreht das Bild.</translation>
-        </message>
-        <message>
             <source>How wide the brush is on the screen</source>
             <translation>Wie breit der Pinsel auf dem Bildschirm ist</translation>
         </message>
@@ -2819,6 +2889,26 @@
         <message>
             <source>Nothing is painted yet.</source>
             <translation>Noch ist nichts gemalt.</translation>
+        </message>
+        <message>
+            <source>&amp;Erase</source>
+            <translation>&amp;Löschen</translation>
+        </message>
+        <message>
+            <source>Take the painted faces away, as at a ragged boundary; Ctrl+Z brings them back</source>
+            <translation>Die bemalten Flächen wegnehmen, etwa an einem ausgefransten Rand; Strg+Z holt sie zurück</translation>
+        </message>
+        <message>
+            <source>Erase and &amp;fill</source>
+            <translation>Löschen und &amp;füllen</translation>
+        </message>
+        <message>
+            <source>Take the painted faces away, a spike or a bump, and fill and smooth the hole that this makes; one Ctrl+Z brings them back</source>
+            <translation>Die bemalten Flächen wegnehmen, eine Spitze oder Beule, und das entstandene Loch füllen und glätten; ein Strg+Z holt sie zurück</translation>
+        </message>
+        <message>
+            <source>Paint what shall become smooth, or be erased; everything else is held. Drag beside the surface, or with Shift, to turn the picture.</source>
+            <translation>Bemalen, was glatt werden oder gelöscht werden soll; alles andere wird festgehalten. Neben der Fläche ziehen oder mit Umschalt, um das Bild zu drehen.</translation>
         </message>
     </context>
     <context>
@@ -3240,10 +3330,6 @@
             <translation>Ränder verbinden</translation>
         </message>
         <message>
-            <source>Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On one loop it makes two simpler holes, of which you may fill one only. Between two loops it joins them into one. Patches of the scan are removed: bridge first, then fill.</source>
-            <translation>Klicken Sie zwei Ecken eines Randes an. Sofort wird ein Flächenstreifen zwischen sie gelegt; Strg+Z nimmt ihn zurück. Auf einem Rand entstehen so zwei einfachere Löcher, von denen Sie auch nur eines füllen können. Zwischen zwei Rändern verbindet er sie zu einem. Flicken des Scans werden entfernt: erst überbrücken, dann füllen.</translation>
-        </message>
-        <message>
             <source>Distance</source>
             <translation>Abstand</translation>
         </message>
@@ -3252,8 +3338,28 @@
             <translation>Der Abstand zweier Ecken (D)</translation>
         </message>
         <message>
-            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Distance measures between two vertices.</source>
-            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei; Abstand misst zwischen zwei Ecken.</translation>
+            <source>Fill part</source>
+            <translation>Teil füllen</translation>
+        </message>
+        <message>
+            <source>Fill a part of a hole, between two of its vertices (Shift+G)</source>
+            <translation>Einen Teil eines Lochs füllen, zwischen zwei seiner Ecken (Umschalt+G)</translation>
+        </message>
+        <message>
+            <source>Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Fill part closes a hole between two of its vertices; Distance measures between two vertices.</source>
+            <translation>Ein Werkzeug wählen. Gebiet glättet einen Teil einer Fläche; Punkte findet eine Fläche durch die Ecken eines Polyeders; Verbinden fügt Ränder eines oder mehrerer Teile zusammen; Brücke teilt ein Loch in zwei; Teil füllen schließt ein Loch zwischen zwei seiner Ecken; Abstand misst zwischen zwei Ecken.</translation>
+        </message>
+        <message>
+            <source>Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On one loop it makes two simpler holes. Between two loops it joins them into one.</source>
+            <translation>Klicken Sie zwei Ecken eines Randes an. Sofort wird ein Flächenstreifen zwischen sie gelegt; Strg+Z nimmt ihn zurück. Auf einem Rand macht er zwei einfachere Löcher. Zwischen zwei Rändern macht er einen daraus.</translation>
+        </message>
+        <message>
+            <source>Click two vertices of one hole. A bridge is laid between them, and the marked part of the hole is filled and smoothed: the shorter one, or with Ctrl the longer one. One Ctrl+Z takes all of it back.</source>
+            <translation>Klicken Sie zwei Ecken eines Lochs an. Zwischen sie wird eine Brücke gelegt, und der markierte Teil des Lochs wird gefüllt und geglättet: der kürzere, mit Strg der längere. Ein Strg+Z nimmt alles zurück.</translation>
+        </message>
+        <message>
+            <source>Fill a part of a hole</source>
+            <translation>Einen Teil eines Lochs füllen</translation>
         </message>
     </context>
     <context>
@@ -3785,6 +3891,46 @@
             <source>The distance between two vertices</source>
             <translation>Der Abstand zweier Ecken</translation>
         </message>
+        <message>
+            <source>&amp;Hide piece</source>
+            <translation>Stück a&amp;usblenden</translation>
+        </message>
+        <message>
+            <source>Hide the piece under the mouse, or those of the selected holes; it is filled and exported as before</source>
+            <translation>Das Stück unter der Maus ausblenden oder die der gewählten Löcher; gefüllt und exportiert wird es wie zuvor</translation>
+        </message>
+        <message>
+            <source>&amp;Isolate piece</source>
+            <translation>Nur dieses Stück &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>Hide all other pieces</source>
+            <translation>Alle anderen Stücke ausblenden</translation>
+        </message>
+        <message>
+            <source>Sho&amp;w all pieces</source>
+            <translation>Alle Stücke ein&amp;blenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden</source>
+            <translation>Alles Ausgeblendete einblenden</translation>
+        </message>
+        <message>
+            <source>Fill a &amp;part…</source>
+            <translation>Einen &amp;Teil füllen…</translation>
+        </message>
+        <message>
+            <source>Click two vertices of a hole; the part between them is filled</source>
+            <translation>Zwei Ecken eines Lochs anklicken; der Teil dazwischen wird gefüllt</translation>
+        </message>
+        <message>
+            <source>Part where it to&amp;uches itself</source>
+            <translation>Te&amp;ilen, wo er sich berührt</translation>
+        </message>
+        <message>
+            <source>Part the boundary at vertices that it passes twice: what hangs there becomes an island</source>
+            <translation>Den Rand an Ecken teilen, durch die er zweimal läuft: was dort hängt, wird eine Insel</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::labels</name>
@@ -4187,6 +4333,105 @@
         <message>
             <source>%1 touching boundary vertices joined</source>
             <translation>%1 Randpunkte an derselben Stelle verbunden</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PieceMenu</name>
+        <message>
+            <source>Move the mouse over the piece, or select one of its holes, and press the key again.</source>
+            <translation>Die Maus auf das Stück bewegen oder eines seiner Löcher wählen und die Taste noch einmal drücken.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n piece(s)</source>
+            <translation>
+                <numerusform>%n Stück</numerusform>
+                <numerusform>%n Stücke</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>piece %1 of %2</source>
+            <translation>Stück %1 von %2</translation>
+        </message>
+        <message>
+            <source>&amp;Hide %1</source>
+            <translation>%1 &amp;ausblenden</translation>
+        </message>
+        <message>
+            <source>It is filled and exported as before</source>
+            <translation>Gefüllt und exportiert wird es wie zuvor</translation>
+        </message>
+        <message>
+            <source>&amp;Isolate %1</source>
+            <translation>Nur %1 &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>Hide all other pieces</source>
+            <translation>Alle anderen Stücke ausblenden</translation>
+        </message>
+        <message>
+            <source>Sho&amp;w all pieces</source>
+            <translation>A&amp;lle Stücke einblenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden</source>
+            <translation>Alles Ausgeblendete einblenden</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ScenePanel</name>
+        <message>
+            <source>&amp;Isolate</source>
+            <translation>&amp;Nur dies</translation>
+        </message>
+        <message>
+            <source>Hide everything but the chosen row (Shift+H)</source>
+            <translation>Alles außer der gewählten Zeile ausblenden (Umschalt+H)</translation>
+        </message>
+        <message>
+            <source>Show a&amp;ll</source>
+            <translation>A&amp;lles einblenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden (Ctrl+H)</source>
+            <translation>Alles Ausgeblendete einblenden (Strg+H)</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>Szene</translation>
+        </message>
+        <message>
+            <source>Scans, their pieces and patches; the check boxes hide and show them</source>
+            <translation>Scans, ihre Stücke und Flicken; die Kästchen blenden sie aus und ein</translation>
+        </message>
+        <message>
+            <source>Shown</source>
+            <translation>Gezeigt</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Dreiecke</translation>
+        </message>
+        <message>
+            <source>Hiding changes the picture alone: what is hidden is filled, checked and exported as before.</source>
+            <translation>Ausblenden ändert nur das Bild: Ausgeblendetes wird gefüllt, geprüft und exportiert wie zuvor.</translation>
+        </message>
+        <message>
+            <source>Piece %1, %2 across</source>
+            <translation>Stück %1, Größe %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n smaller piece(s)</source>
+            <translation>
+                <numerusform>%n kleineres Stück</numerusform>
+                <numerusform>%n kleinere Stücke</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n patch(es)</source>
+            <translation>
+                <numerusform>%n Flicken</numerusform>
+                <numerusform>%n Flicken</numerusform>
+            </translation>
         </message>
     </context>
 </TS>

@@ -22,6 +22,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
@@ -281,7 +282,36 @@ void show_bridge(MainWindow& window) {
   QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
   QCoreApplication::sendEvent(canvas, &move);
   shoot(window, "bridge");
+  trigger(window, "toolFillPartAction");
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, position(0));
+  QCoreApplication::sendEvent(canvas, &move);
+  shoot(window, "fill_part");
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
+  wait_until([&] { return !window.document().patches().empty() && !window.controller().busy(); }, 60);
+  shoot(window, "fill_part_done");
   window.tools().take(Tool::none);
+}
+
+/// Two balls, filled; one of them hidden.
+void show_scene(MainWindow& window) {
+  TriangleSoup small = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; });
+  for (Vec3& p : small.points) p = 0.5 * p + Vec3(2, 0, 0.3);
+  const TriangleSoup large = cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.85 || p.y() < -0.93; });
+  show_example(window, joined({large, small}), QStringLiteral("balls"));
+  press(window, "fillAndSmooth");
+  wait_idle(window);
+  part<QDockWidget>(window, "sceneDock")->raise();
+  window.view().frame();
+  shoot(window, "scene");
+  window.visibility().set_pieces({PieceId{window.document().scans().front(), 1}}, SceneVisibility::Visible::hidden);
+  shoot(window, "scene_hidden");
+  shoot_part(window, part<QDockWidget>(window, "sceneDock"), "scene_list");
+  const QPoint middle = window.view().canvas()->rect().center() + QPoint(-60, 0);
+  QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, middle);
+  shoot(window, "piece_menu");
+  for (QMenu* menu : window.findChildren<QMenu*>(QStringLiteral("pieceMenu"))) menu->close();
+  window.visibility().show_all();
+  part<QDockWidget>(window, "holesDock")->raise();
 }
 
 /// A ball with a duplicate triangle, a crumb beside it, and a spike through its other side.
@@ -340,6 +370,11 @@ int main(int argc, char** argv) {
   window.show();
   if (!QTest::qWaitForWindowExposed(&window)) return 1;
   QApplication::setActiveWindow(&window);
+  if (qEnvironmentVariableIsSet("LOOPMEND_SCENE_ONLY")) {
+    show_scene(window);
+    window.autosave().finish();
+    return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
+  }
   if (qEnvironmentVariableIsSet("LOOPMEND_TOOLS_ONLY")) {
     shoot(window, "welcome");
     window.open(QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
@@ -364,6 +399,7 @@ int main(int argc, char** argv) {
   show_blend(window);
   show_bridge(window);
   show_mending(window);
+  show_scene(window);
   window.autosave().finish();
   return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
 }

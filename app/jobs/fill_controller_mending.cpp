@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the controller does to scans themselves: each change makes another scan, which comes in the place of the old one.
+#include "core/error.h"
+#include "document/labels.h"
+#include "jobs/fill_controller.h"
+#include "jobs/mend_scan.h"
+
+namespace loopmend {
+
+void FillController::mend(Mending what, const std::set<int>& loops) {
+  if (busy()) return;
+  std::map<int, MendingTask> by_scan;
+  for (int loop : loops)
+    if (document_.present(loop)) by_scan[document_.scan_of(loop)].loops.push_back(document_.loop(loop));
+  if (loops.empty() && (what == Mending::stitch || what == Mending::repair))
+    for (int scan : document_.scans()) by_scan[scan];
+  if (by_scan.empty()) return;
+  std::vector<MendingTask> tasks;
+  for (auto& [scan, task] : by_scan) {
+    task.scan = scan;
+    tasks.push_back(std::move(task));
+  }
+  run_mending(what, std::move(tasks));
+}
+
+void FillController::repair(const std::set<Defect>& defects) {
+  if (busy()) return;
+  std::vector<MendingTask> tasks;
+  for (int scan : document_.scans()) {
+    MendingTask task;
+    task.scan = scan;
+    task.defects = defects;
+    tasks.push_back(std::move(task));
+  }
+  if (!tasks.empty()) run_mending(Mending::repair, std::move(tasks));
+}
+
+void FillController::bridge(int scan, int soup_a, int soup_b) {
+  if (busy() || !document_.scan(scan)) return;
+  MendingTask task;
+  task.scan = scan;
+  task.bridge_ends = {soup_a, soup_b};
+  run_mending(Mending::bridge, {std::move(task)});
+}
+
+void FillController::fill_part(const HolePart& part, const FillAndSmooth& how) {
+  if (busy() || !document_.scan(part.scan)) return;
+  MendingTask task;
+  task.scan = part.scan;
+  task.bridge_ends = {part.from, part.to};
+  task.part_to_fill = part.beside;
+  run_mending(Mending::bridge, {std::move(task)}, how);
+}
+
+void FillController::erase(int scan, const std::vector<int>& points, const std::optional<FillAndSmooth>& then) {
+  if (busy() || !document_.scan(scan) || points.empty()) return;
+  MendingTask task;
+  task.scan = scan;
+  task.erased = points;
+  run_mending(Mending::erase, {std::move(task)}, then);
+}
+
+void FillController::run_mending(Mending what, std::vector<MendingTask> tasks,
+                                 const std::optional<FillAndSmooth>& then) {
+  for (MendingTask& task : tasks) {
+    task.opened = document_.scan(task.scan);
+    task.first_loop = document_.first_loop_of(task.scan);
+    for (const OpenPatch& patch : document_.patches())
+      if (patch.scan == task.scan) task.patches.push_back(patch);
+  }
+  const JobPtr job = begin(Activity::filling, mending_title(what));
+  tasks_.run(
+      job,
+      [what, tasks] {
+        std::vector<MendedScan> all;
+        for (const MendingTask& task : tasks) {
+          try {
+            if (auto scan = mended(what, task)) all.push_back(std::move(*scan));
+          } catch (const Error& error) {  // one scan does not take the others with it
+            MendedScan failed;
+            failed.scan = task.scan;
+            failed.words = QString::fromStdString(error.what());
+            all.push_back(std::move(failed));
+          }
+        }
+        return all;
+      },
+      [this, what, then](const std::vector<MendedScan>& all) { on_mended(all, what, then); },
+      [this](const QString& text) { give_up(text); });
+}
+
+void FillController::on_mended(const std::vector<MendedScan>& all, Mending what,
+                               const std::optional<FillAndSmooth>& then) {
+  end();
+  std::set<int> to_fill;
+  bool changed = false;
+  for (const MendedScan& one : all) {
+    if (!one.made) {
+      Q_EMIT notice(labels::sentence(one.words));
+      continue;
+    }
+    changed = true;
+    to_fill.merge(take_mended(one));
+  }
+  if (all.empty()) Q_EMIT notice(nothing_to_mend(what));
+  if (!then || !changed) return;
+  if (to_fill.empty()) {
+    Q_EMIT notice(
+        tr("No hole was made that could be filled: what was erased lay at an outer rim, or was a whole piece."));
+    return;
+  }
+  start_fill(to_fill, then->choice, Smoothing{{}, then->options, PatchChange::Joining::previous});
+}
+
+std::set<int> FillController::take_mended(const MendedScan& mended) {
+  const int come = document_.add_scan(mended.made), first_loop = document_.first_loop_of(come);
+  std::vector<PatchChange::Pair> pairs;
+  for (OpenPatch patch : mended.carried) {
+    patch.scan = come;
+    patch.id = document_.next_patch_id();
+    for (int& loop : patch.loops) loop += first_loop;
+    pairs.push_back({std::nullopt, std::move(patch)});
+  }
+  std::vector<std::unique_ptr<Change>> parts;
+  parts.push_back(std::make_unique<AddScan>(document_, come, mended.title));
+  parts.push_back(std::make_unique<CloseScan>(document_, mended.scan, mended.title));
+  if (!pairs.empty()) parts.push_back(std::make_unique<PatchChange>(document_, std::move(pairs), mended.title));
+  undo_.push(std::make_unique<ChangeGroup>(std::move(parts), mended.title));
+  QString words = mended.words;
+  if (mended.joined_patches > 0)
+    words += QLatin1Char(' ') + tr("%n patch(es) are a part of the scan now.", nullptr, mended.joined_patches);
+  Q_EMIT logged(words);
+  if (mended.lost_patches > 0)
+    Q_EMIT notice(tr("%1 %n patch(es) of this scan were removed.", nullptr, mended.lost_patches).arg(words));
+  std::set<int> to_fill;
+  for (int loop : mended.to_fill) to_fill.insert(first_loop + loop);
+  return to_fill;
+}
+
+}  // namespace loopmend

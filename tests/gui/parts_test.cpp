@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Around the hole by hand: a part of it filled, a region erased and filled, a boundary trimmed by the brush, and a boundary that
+// touches itself parted. Each is undone at once.
+#include "driver.h"
+#include "test_main.h"
+
+#include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
+#include "views/tool_controller.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+void trigger(MainWindow& window, const char* action) {
+  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
+
+/// A ball with two holes above: an oblong one and a small round one beside it.
+TriangleSoup two_holes() {
+  return cut(make_icosphere(5), [](const Vec3& p) {
+    const bool oblong = p.z() > 0 && std::abs(p.y()) < 0.16 && std::abs(p.x()) < 0.6;
+    return oblong || (p - Vec3(0, 0.7, 0.72).normalized()).norm() < 0.15;
+  });
+}
+
+const OpenedScan& last_scan(MainWindow& window) { return *window.document().scan(window.document().scans().back()); }
+
+int open_loops(MainWindow& window) {
+  int open = 0;
+  for (int loop = 0; loop < window.document().loop_count(); ++loop)
+    open += window.document().present(loop) && !window.document().patch_of(loop);
+  return open;
+}
+
+/// The vertex of a loop of the first scan that lies farthest along a direction.
+int extreme_point(MainWindow& window, int loop, const Vec3& way) {
+  const OpenedScan& scan = *window.document().scan(0);
+  const auto along = [&](int v) { return way.dot(Vec3(scan.model->mesh.point(TriMesh::VertexHandle(v)))); };
+  const std::vector<int>& vertices = window.document().loop(loop).vertices;
+  const int best =
+      *std::max_element(vertices.begin(), vertices.end(), [&](int a, int b) { return along(a) < along(b); });
+  return scan.model->soup_vertex[static_cast<std::size_t>(best)];
+}
+
+void click_vertex(MainWindow& window, int soup_point, Qt::KeyboardModifiers with = {}) {
+  const QPoint at = window.tools().bridge().position_of(0, soup_point, window.view().space()).toPoint();
+  QTest::mouseMove(window.view().canvas(), at);
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, with, at);
+}
+
+QPoint on_canvas(MainWindow& window, const Vec3& point) {
+  const ViewSpace space = window.view().space();
+  const Eigen::Vector3d at = space.to_screen(point - window.document().origin());
+  return QPointF(at.x() / space.ratio, at.y() / space.ratio).toPoint();
+}
+
+/// Patches and scan as one: the largest distance of a vertex from the middle.
+double farthest(MainWindow& window) {
+  double most = 0;
+  for (const Vec3& p : last_scan(window).model->soup.points) most = std::max(most, p.norm());
+  for (const OpenPatch& open : window.document().patches())
+    for (int i = 0; i < open.state->patch.free_count; ++i)
+      most = std::max(most, open.state->patch.to_mesh(open.state->patch.positions[static_cast<std::size_t>(i)]).norm());
+  return most;
+}
+
+}  // namespace
+
+class PartsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_part_of_a_hole_is_filled_by_two_clicks();
+  void ctrl_fills_the_longer_part();
+  void a_spike_is_erased_and_filled();
+  void the_brush_trims_a_boundary();
+  void erasing_takes_in_the_patch_that_it_meets();
+  void a_boundary_is_parted_where_it_touches_itself();
+
+ private:
+  QString file(const char* name, const TriangleSoup& soup) {
+    const QString path = folder_.filePath(QLatin1String(name));
+    write_mesh(path.toStdString(), soup);
+    return path;
+  }
+  QTemporaryDir folder_;
+};
+
+void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
+  Shown shown({file("part.ply", two_holes())});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  QCOMPARE(document.loop_count(), 2);
+  // The round hole is filled before, and its patch outlasts the bridge over the other one.
+  window.selection().select({1});
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  const PatchStatePtr round = document.patch_of(1)->state;
+  window.view().look_from(NamedView::front);
+  window.view().fly_to(0);
+  settle(900);
+  // It is found by a right click on the hole.
+  QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, visible_point(window, 0));
+  QAction* offered = window.findChild<QAction*>(QStringLiteral("toolFillPartAction"));
+  QMenu* menu = nullptr;
+  QVERIFY(wait_until(
+      [&] {
+        for (QMenu* found : window.findChildren<QMenu*>(QStringLiteral("holeMenu")))
+          if (found->isVisible()) menu = found;
+        return menu != nullptr;
+      },
+      5));
+  QVERIFY(menu->actions().contains(offered));
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(offered).center());
+  QVERIFY(wait_until([&] { return window.tools().panel()->tool() == Tool::fill_part; }, 5));
+
+  // Across the oblong hole, at a third of its length.
+  const OpenedScan& scan = *document.scan(0);
+  const auto near = [&](const Vec3& wanted) {
+    int best = -1;
+    double least = 1e300;
+    for (int v : document.loop(0).vertices) {
+      const double d = (Vec3(scan.model->mesh.point(TriMesh::VertexHandle(v))) - wanted).norm();
+      if (d < least) least = d, best = scan.model->soup_vertex[static_cast<std::size_t>(v)];
+    }
+    return best;
+  };
+  const std::size_t before = scan.model->soup.triangles.size();
+  click_vertex(window, near({0.3, 0.16, 0.94}));
+  QVERIFY(window.tools().bridge().is_begun());
+  click_vertex(window, near({0.3, -0.16, 0.94}));
+  QVERIFY(wait_until([&] { return document.scans() == std::vector<int>{1}; }, 30));
+  QVERIFY(wait_idle(window));
+  QVERIFY(last_scan(window).model->soup.triangles.size() > before);  // the strip
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  QCOMPARE(open_loops(window), 1);
+  int smoothed = 0, kept = 0;
+  for (const OpenPatch& patch : document.patches()) {
+    kept += patch.state->patch.positions == round->patch.positions;
+    if (patch.state->patch.positions == round->patch.positions) continue;
+    QVERIFY(!patch.state->recipe.runs.empty());
+    // The smaller part lies at the end where x is positive.
+    ++smoothed;
+    QVERIFY(document.loop(patch.loops.front()).center.x() > 0.3);
+  }
+  QCOMPARE(smoothed, 1);
+  QCOMPARE(kept, 1);
+  trigger(window, "undo");  // without a window manager, no key reaches the window behind a menu that was open
+  QCOMPARE(document.scans(), std::vector<int>{0});
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  QVERIFY(document.patch_of(1) && document.patch_of(1)->state == round);
+  trigger(window, "redo");
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  QCOMPARE(open_loops(window), 1);
+}
+
+void PartsTest::ctrl_fills_the_longer_part() {
+  Shown shown({file("longer.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }))});
+  MainWindow& window = shown.window;
+  window.view().fly_to(0);
+  settle(900);
+  key(window, Qt::Key_G, Qt::ShiftModifier);
+  QVERIFY(window.tools().panel()->tool() == Tool::fill_part);
+  const int left = extreme_point(window, 0, {-1, 0.7, 0}), right = extreme_point(window, 0, {1, 0.7, 0});
+  click_vertex(window, left);
+  click_vertex(window, right, Qt::ControlModifier);
+  QVERIFY(wait_until([&] { return window.document().patches().size() == 1; }, 60));
+  QVERIFY(wait_idle(window));
+  const Document& document = window.document();
+  const int filled = document.patches().front().loops.front();
+  for (int loop = document.first_loop_of(1); loop < document.loop_count(); ++loop)
+    QVERIFY(document.loop(loop).perimeter <= document.loop(filled).perimeter);
+  // Two vertices of one edge: nothing can lie between them, and that is said.
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.scans(), std::vector<int>{0});
+  const OpenedScan& scan = *document.scan(0);
+  const std::vector<int>& vertices = document.loop(0).vertices;
+  window.controller().fill_part({0, scan.model->soup_vertex[static_cast<std::size_t>(vertices[0])],
+                                 scan.model->soup_vertex[static_cast<std::size_t>(vertices[1])],
+                                 scan.model->soup_vertex[static_cast<std::size_t>(vertices[1])]},
+                                {});
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.scans(), std::vector<int>{0});
+  QVERIFY(part<QLabel>(window, "bannerText")->text().contains(QStringLiteral("in common")));
+}
+
+void PartsTest::a_spike_is_erased_and_filled() {
+  TriangleSoup ball = make_icosphere(5);
+  const Vec3 peak = Vec3(0.1, 0.2, 1).normalized();
+  for (Vec3& p : ball.points)
+    if ((p - peak).norm() < 0.12) p *= 1.5 - 4 * (p - peak).norm();
+  Shown shown({file("spike.ply", ball)});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  QCOMPARE(document.loop_count(), 0);
+  QVERIFY(farthest(window) > 1.2);
+  window.view().set_viewpoint({Vec3::Zero(), 4 * peak, Vec3::UnitX()});  // no side of it is hidden
+  settle(300);
+  trigger(window, "toolRegionAction");
+  QVERIFY(!part<QPushButton>(window, "regionRefill")->isEnabled());
+  // As wide as the spike.
+  const QPoint at = on_canvas(window, peak), edge = on_canvas(window, (peak + Vec3(0.17, 0, 0)).normalized());
+  part<QSlider>(window, "regionRadius")->setValue(static_cast<int>(QLineF(at, edge).length()));
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, at);
+  QVERIFY(window.tools().region().count() > 20);
+  press(window, "regionRefill");
+  QVERIFY(wait_until([&] { return document.patches().size() == 1; }, 60));
+  QVERIFY(wait_idle(window));
+  QCOMPARE(open_loops(window), 0);
+  QVERIFY2(farthest(window) < 1.02, qPrintable(QString::number(farthest(window))));
+  QVERIFY(!document.patches().front().state->recipe.runs.empty());
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.scans(), std::vector<int>{0});
+  QVERIFY(document.patches().empty());
+}
+
+void PartsTest::the_brush_trims_a_boundary() {
+  Shown shown({file("trimmed.ply", two_holes())});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  window.selection().select({1});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  window.view().fly_to(0);
+  settle(900);
+  key(window, Qt::Key_R);
+  part<QSlider>(window, "regionRadius")->setValue(40);
+  settle(300);  // the dock takes its place
+  const int end = extreme_point(window, 0, {1, 0, 0});
+  const Vec3 place = document.scan(0)->model->soup.points[static_cast<std::size_t>(end)];
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, on_canvas(window, place));
+  QVERIFY(window.tools().region().count() > 0);
+  const std::size_t faces = document.scan(0)->model->soup.triangles.size(),
+                    points = document.scan(0)->model->soup.points.size();
+  const double length = document.loop(0).diameter;
+  press(window, "regionEraseFaces");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.scans(), std::vector<int>{1});
+  QVERIFY(last_scan(window).model->soup.triangles.size() < faces);
+  QVERIFY(last_scan(window).model->soup.points.size() < points);  // no vertex without a face is left behind
+  QCOMPARE(last_scan(window).model->repairs.unreferenced_vertices, std::size_t(0));
+  QVERIFY(last_scan(window).loops.front().diameter > length);
+  // The wall behind the hole, which is seen through it, was not painted.
+  QCOMPARE(last_scan(window).loops.size(), std::size_t(2));
+  QCOMPARE(document.patches().size(), std::size_t(1));  // that of the other hole is what it was
+  QCOMPARE(open_loops(window), 1);
+  // It fits its new scan: what is exported is closed there.
+  QCOMPARE(document.loop(document.patches().front().loops.front()).number, 2);
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(open_loops(window), 0);
+  const QString path = folder_.filePath(QStringLiteral("trimmed-filled.ply"));
+  window.controller().export_to(path);
+  QVERIFY(wait_idle(window));
+  Shown exported({path});
+  QVERIFY(exported.ready);
+  QCOMPARE(exported.window.document().loop_count(), 0);
+}
+
+void PartsTest::erasing_takes_in_the_patch_that_it_meets() {
+  Shown shown({file("meets.ply", two_holes())});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  window.view().fly_to(1);
+  settle(900);
+  key(window, Qt::Key_R);
+  const Vec3 middle = document.loop(1).center.normalized();
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, on_canvas(window, middle));
+  QVERIFY(window.tools().region().count() > 0);
+  press(window, "regionEraseFaces");
+  QVERIFY(wait_idle(window));
+  // The rest of that patch is a part of the scan; the other patch stays one.
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  QCOMPARE(open_loops(window), 1);
+  QVERIFY(part<QLabel>(window, "bannerText")->isHidden() ||
+          !part<QLabel>(window, "bannerText")->text().contains(QStringLiteral("removed")));
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.patches().size(), std::size_t(2));
+}
+
+void PartsTest::a_boundary_is_parted_where_it_touches_itself() {
+  TriangleSoup ball = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
+  const SurfaceModel open = make_surface_model(ball);
+  const BoundaryLoop loop = find_boundary_loops(open).front();
+  const int held = open.soup_vertex[static_cast<std::size_t>(loop.vertices.front())];
+  // A flap that hangs at one vertex of the boundary, towards the middle of the hole.
+  const Vec3 from = ball.points[static_cast<std::size_t>(held)], way = loop.center - from;
+  const Vec3 side = way.cross(Vec3::UnitZ()).normalized() * 0.1;
+  const int first = static_cast<int>(ball.points.size());
+  ball.points.push_back(from + 0.4 * way + side);
+  ball.points.push_back(from + 0.4 * way - side);
+  ball.points.push_back(from + 0.6 * way);
+  ball.triangles.push_back({held, first, first + 1});
+  ball.triangles.push_back({first, first + 2, first + 1});
+  Shown shown({file("touching.ply", ball)});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  QCOMPARE(document.loop_count(), 1);
+  QAction* action = window.findChild<QAction*>(QStringLiteral("partAction"));
+  QVERIFY(!action->isEnabled());
+  window.selection().select({0});
+  QVERIFY(action->isEnabled());
+  action->trigger();
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.scans(), std::vector<int>{1});
+  QCOMPARE(last_scan(window).loops.size(), std::size_t(2));
+  QCOMPARE(last_scan(window).pieces.list.size(), std::size_t(2));
+  for (const BoundaryLoop& now : last_scan(window).loops) QVERIFY(now.edges() == 4 || now.edges() == loop.edges());
+  window.selection().select({document.first_loop_of(1)});
+  QVERIFY(!action->isEnabled());
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.scans(), std::vector<int>{0});
+}
+
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<PartsTest>(); }
+
+#include "parts_test.moc"
