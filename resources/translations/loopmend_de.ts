@@ -885,6 +885,10 @@
                 <numerusform>%n ausgeblendete Teile werden mitgeschrieben.</numerusform>
             </translation>
         </message>
+        <message>
+            <source>. Lengths are in %1.</source>
+            <translation>. Längen in %1.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FileDesk</name>
@@ -907,14 +911,6 @@
         <message>
             <source>Open</source>
             <translation>Öffnen</translation>
-        </message>
-        <message>
-            <source>Save session</source>
-            <translation>Sitzung sichern</translation>
-        </message>
-        <message>
-            <source>Loopmend session (*.loopmend)</source>
-            <translation>Loopmend-Sitzung (*.loopmend)</translation>
         </message>
         <message>
             <source>&amp;Close without saving</source>
@@ -1440,6 +1436,18 @@
             <source>Parting a boundary</source>
             <translation>Ein Rand wird geteilt</translation>
         </message>
+        <message>
+            <source>Lengths in %1</source>
+            <translation>Längen in %1</translation>
+        </message>
+        <message>
+            <source>Lengths without a unit</source>
+            <translation>Längen ohne Einheit</translation>
+        </message>
+        <message>
+            <source>Erase a ring of faces of %1</source>
+            <translation>Einen Ring von Flächen von %1 löschen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowBox</name>
@@ -1790,6 +1798,10 @@
         <message>
             <source>Boundary</source>
             <translation>Rand</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
         </message>
     </context>
     <context>
@@ -2265,8 +2277,16 @@
             <translation>Abstand: &lt;b&gt;%1&lt;/b&gt;</translation>
         </message>
         <message>
-            <source>Along x %1, y %2, z %3; in the units of the scan.</source>
-            <translation>Längs x %1, y %2, z %3; in der Einheit des Scans.</translation>
+            <source>Along x %1, y %2, z %3</source>
+            <translation>Längs x %1, y %2, z %3</translation>
+        </message>
+        <message>
+            <source>%1; in the units of the scan.</source>
+            <translation>%1; in der Einheit des Scans.</translation>
+        </message>
+        <message>
+            <source>%1; in %2.</source>
+            <translation>%1; in %2.</translation>
         </message>
     </context>
     <context>
@@ -3923,6 +3943,14 @@
             <source>Part the boundary at vertices that it passes twice: what hangs there becomes an island</source>
             <translation>Den Rand an Ecken teilen, durch die er zweimal läuft: was dort hängt, wird eine Insel</translation>
         </message>
+        <message>
+            <source>&amp;Erase a ring of faces</source>
+            <translation>Einen R&amp;ing von Flächen löschen</translation>
+        </message>
+        <message>
+            <source>Widen the selected holes by one ring of faces, where they are ragged; once more for another</source>
+            <translation>Die gewählten Löcher um einen Ring von Flächen weiten, wo sie ausgefranst sind; noch einmal für einen weiteren</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::labels</name>
@@ -4322,6 +4350,34 @@
             <source>volume %1, in cubic units of the scan</source>
             <translation>Rauminhalt %1, in Kubikeinheiten des Scans</translation>
         </message>
+        <message>
+            <source>micrometres</source>
+            <translation>Mikrometern</translation>
+        </message>
+        <message>
+            <source>millimetres</source>
+            <translation>Millimetern</translation>
+        </message>
+        <message>
+            <source>centimetres</source>
+            <translation>Zentimetern</translation>
+        </message>
+        <message>
+            <source>metres</source>
+            <translation>Metern</translation>
+        </message>
+        <message>
+            <source>inches</source>
+            <translation>Zoll</translation>
+        </message>
+        <message>
+            <source>feet</source>
+            <translation>Fuß</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>nicht bekannt</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::PieceMenu</name>
@@ -4420,6 +4476,41 @@
                 <numerusform>%n Flicken</numerusform>
                 <numerusform>%n Flicken</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>Lengths in</source>
+            <translation>Längen in</translation>
+        </message>
+        <message>
+            <source>What the lengths of the scans are measured in. Nothing is converted; it is shown, and written to 3MF</source>
+            <translation>Worin die Längen der Scans gemessen sind. Umgerechnet wird nichts; es wird gezeigt und in 3MF geschrieben</translation>
+        </message>
+        <message>
+            <source>Lengths &amp;in</source>
+            <translation>Längen &amp;in</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::SessionDialog</name>
+        <message>
+            <source>Save session</source>
+            <translation>Sitzung sichern</translation>
+        </message>
+        <message>
+            <source>&amp;Keep the scans in the session</source>
+            <translation>&amp;Die Scans in der Sitzung behalten</translation>
+        </message>
+        <message>
+            <source>Loopmend session (*.loopmend)</source>
+            <translation>Loopmend-Sitzung (*.loopmend)</translation>
+        </message>
+        <message>
+            <source>Keep the scans in the session</source>
+            <translation>Die Scans in der Sitzung behalten</translation>
+        </message>
+        <message>
+            <source>The session can be moved or sent by itself, and is as large as the compressed scans. Pictures and material files beside a scan are not in it</source>
+            <translation>Die Sitzung lässt sich allein verschieben oder verschicken und ist so groß wie die komprimierten Scans. Bilder und Materialdateien neben einem Scan sind nicht darin</translation>
         </message>
     </context>
 </TS>
