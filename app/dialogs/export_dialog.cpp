@@ -53,6 +53,11 @@ void ExportDialog::tell_of_hidden(int count) {
   hidden_->setVisible(count > 0);
 }
 
+void ExportDialog::tell_unit(const QString& name) {
+  unit_ = name;
+  show_verdict();
+}
+
 ExportContent ExportDialog::content() const { return static_cast<ExportContent>(content_->currentData().toInt()); }
 
 QString ExportDialog::path() const {
@@ -66,7 +71,9 @@ void ExportDialog::show_verdict() {
   if (content() == ExportContent::patches)
     verdict_->setText(tr("Patches by themselves are open surfaces."));
   else if (check_.result())
-    verdict_->setText(labels::verdict_in_full(*check_.result()) + tr(". Lengths are in the units of the scan."));
+    verdict_->setText(labels::verdict_in_full(*check_.result()) + (unit_.isEmpty()
+                                                                       ? tr(". Lengths are in the units of the scan.")
+                                                                       : tr(". Lengths are in %1.").arg(unit_)));
   else
     verdict_->setText(tr("Looking for open edges and intersections\u2026"));
   verdict_->setToolTip(check_.result() ? labels::verdict_help(*check_.result()) : QString());

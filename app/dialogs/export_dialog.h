@@ -22,6 +22,8 @@ class ExportDialog : public QFileDialog {
 
   /// Says that what is hidden in the picture is written all the same.
   void tell_of_hidden(int count);
+  /// @param name  "millimetres"; empty: the unit is not known
+  void tell_unit(const QString& name);
 
   ExportContent content() const;
   /// With the format's ending where none was given.
@@ -32,6 +34,7 @@ class ExportDialog : public QFileDialog {
 
   PrintCheck& check_;
   QComboBox* content_;
+  QString unit_;
   QLabel *verdict_, *hidden_;
 };
 

@@ -116,6 +116,12 @@ std::size_t CloseScan::held_bytes(std::set<const void*>& seen) const {
   return ours ? size_of(*held_) : 0;
 }
 
+ChooseUnits::ChooseUnits(Document& document, std::map<int, std::string> after, const QString& text)
+    : Change(text),
+      document_(document),
+      before_(document.chosen_units()),
+      after_(std::move(after)) {}
+
 ChangeGroup::ChangeGroup(std::vector<std::unique_ptr<Change>> parts, const QString& text)
     : Change(text),
       parts_(std::move(parts)) {}

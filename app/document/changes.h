@@ -83,6 +83,23 @@ class CloseScan : public Change {
   std::vector<OpenPatch> patches_;
 };
 
+/// What the lengths of scans are measured in.
+class ChooseUnits : public Change {
+ public:
+  /// @param after  by scan
+  ChooseUnits(Document& document, std::map<int, std::string> after, const QString& text);
+  void undo() override { document_.set_chosen_units(before_); }
+  void redo() override { document_.set_chosen_units(after_); }
+  std::size_t held_bytes(std::set<const void*>&) const override { return 0; }
+  void forget() override { forgotten_ = true; }
+  bool forgotten() const override { return forgotten_; }
+
+ private:
+  Document& document_;
+  std::map<int, std::string> before_, after_;
+  bool forgotten_ = false;
+};
+
 /// Several changes that are one for the person: done in their order, undone backwards. Takes up patch changes that are joined to it.
 class ChangeGroup : public Change {
  public:

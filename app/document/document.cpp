@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/document.h"
 
+#include "mesh/scan_attributes.h"
+
 #include <algorithm>
 
 namespace loopmend {
@@ -96,11 +98,31 @@ void Document::clear() {
   loops_.clear();
   scan_of_loop_.clear();
   origin_ = Vec3::Zero();
+  units_.clear();
   patches_.clear();
   index_patches();
   running_.clear();
   failures_.clear();
   Q_EMIT opened();
+}
+
+std::string Document::unit(int scan) const {
+  if (const auto chosen = units_.find(scan); chosen != units_.end()) return chosen->second;
+  const auto opened = this->scan(scan);
+  return opened && opened->model->soup.attributes ? opened->model->soup.attributes->unit : std::string();
+}
+
+std::string Document::unit() const {
+  const std::vector<int> indices = scans();
+  if (indices.empty()) return {};
+  const std::string first = unit(indices.front());
+  const bool agree = std::all_of(indices.begin(), indices.end(), [&](int scan) { return unit(scan) == first; });
+  return agree ? first : std::string();
+}
+
+void Document::set_chosen_units(const std::map<int, std::string>& units) {
+  units_ = units;
+  Q_EMIT units_changed();
 }
 
 int Document::add_scan(std::shared_ptr<OpenedScan> scan) {

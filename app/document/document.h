@@ -2,6 +2,7 @@
 // What is open: scans, their loops, the patches made so far. Changes come through the undo commands and the controller.
 #pragma once
 
+#include "document/length_unit.h"
 #include "document/opened_scan.h"
 #include "document/patch_state.h"
 
@@ -82,6 +83,14 @@ class Document : public QObject {
   std::shared_ptr<OpenedScan> held_scan(int index) const { return slots_[static_cast<std::size_t>(index)].scan; }
   void set_shape(int scan, std::shared_ptr<const SurfaceShape> shape);
 
+  /// As chosen, else as the scan's file has it; empty: not known.
+  std::string unit(int scan) const;
+  /// That of all scans; empty where they disagree or one is not known.
+  std::string unit() const;
+  /// By scan, those that a person has chosen.
+  const std::map<int, std::string>& chosen_units() const { return units_; }
+  void set_chosen_units(const std::map<int, std::string>& units);
+
   int next_patch_id() { return next_id_++; }
   /// Patches by these ids go, those in `now` come or are shown anew.
   void replace(const std::vector<int>& gone, const std::vector<OpenPatch>& now);
@@ -101,6 +110,7 @@ class Document : public QObject {
   void patch_moved(int id);
   void running_changed();  ///< which patches is_running() names
   void timeline_changed(int id);
+  void units_changed();
   void holes_changed();  ///< some hole's state() or message() is another, or what is fillable()
 
  private:
@@ -118,6 +128,7 @@ class Document : public QObject {
   std::map<int, std::size_t> patch_by_id_, patch_by_loop_;
   std::set<int> running_;
   std::map<int, std::string> failures_;
+  std::map<int, std::string> units_;
   OuterRims outer_rims_ = OuterRims::leave;
   int next_id_ = 1;
 };

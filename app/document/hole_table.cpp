@@ -7,6 +7,7 @@
 #include <QColor>
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -14,6 +15,8 @@ HoleTable::HoleTable(const Document& document, QObject* parent) : QAbstractTable
   rows_ = document.loop_count();
   connect(&document, &Document::opened, this, &HoleTable::follow_rows);
   connect(&document, &Document::scans_changed, this, &HoleTable::follow_rows);
+  for (auto signal : {&Document::opened, &Document::scans_changed, &Document::units_changed})
+    connect(&document, signal, this, &HoleTable::follow_unit);
   connect(&document, &Document::holes_changed, this, [this] {
     if (rows_ > 0) Q_EMIT dataChanged(index(0, rim), index(rows_ - 1, state));
   });
@@ -67,8 +70,8 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
   switch (section) {
     case number: return tr("#");
     case edges: return tr("Edges");
-    case diameter: return tr("Diameter");
-    case perimeter: return tr("Perimeter");
+    case diameter: return with_unit(tr("Diameter"));
+    case perimeter: return with_unit(tr("Perimeter"));
     case area: return tr("Area");
     case planarity: return tr("Planarity");
     case kind: return tr("Kind");
@@ -77,6 +80,15 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
     case state: return tr("State");
     default: return {};
   }
+}
+
+void HoleTable::follow_unit() {
+  const QString now = labels::unit_symbol(document_.unit());
+  if (std::exchange(unit_, now) != now) Q_EMIT headerDataChanged(Qt::Horizontal, 0, column_count - 1);
+}
+
+QString HoleTable::with_unit(const QString& title) const {
+  return unit_.isEmpty() ? title : tr("%1, %2").arg(title, unit_);
 }
 
 QVariant HoleTable::text(int loop, int column) const {

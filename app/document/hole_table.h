@@ -25,6 +25,9 @@ class HoleTable : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  /// "Diameter, mm"
+  QString with_unit(const QString& title) const;
+  void follow_unit();
   void follow_rows();
   QVariant text(int loop, int column) const;
   QVariant sort_key(int loop, int column) const;
@@ -32,6 +35,7 @@ class HoleTable : public QAbstractTableModel {
   const RimSummary* rim_of(int loop) const;
 
   const Document& document_;
+  QString unit_;  ///< kept here: a table asks for its headers while the window goes, when the document has gone
   int rows_ = 0;
 };
 

@@ -132,6 +132,31 @@ QString flow_help(FlowKind flow) {
   return {};
 }
 
+QString unit_symbol(const std::string& unit) {
+  if (unit == "micron") return QStringLiteral("\u00b5m");
+  if (unit == "millimeter") return QStringLiteral("mm");
+  if (unit == "centimeter") return QStringLiteral("cm");
+  if (unit == "meter") return QStringLiteral("m");
+  if (unit == "inch") return QStringLiteral("in");
+  if (unit == "foot") return QStringLiteral("ft");
+  return {};
+}
+
+QString unit_name(const std::string& unit) {
+  if (unit == "micron") return tr("micrometres");
+  if (unit == "millimeter") return tr("millimetres");
+  if (unit == "centimeter") return tr("centimetres");
+  if (unit == "meter") return tr("metres");
+  if (unit == "inch") return tr("inches");
+  if (unit == "foot") return tr("feet");
+  return tr("not known");
+}
+
+QString length(const Document& document, double value) {
+  const QString symbol = unit_symbol(document.unit());
+  return symbol.isEmpty() ? number(value) : number(value) + QChar(QChar::Nbsp) + symbol;
+}
+
 QString seconds(qint64 milliseconds) { return in_digits(static_cast<double>(milliseconds) / 1000, 'f', 1); }
 
 QString number(double value) {

@@ -26,6 +26,13 @@ QString sentence(QString text);
 /// Three digits: 0.123, 12.3, 1230, 1.20·10⁻⁵.
 QString number(double value);
 
+/// "mm"; empty where the unit is not known. @param unit  of length_unit.h
+QString unit_symbol(const std::string& unit);
+/// "millimetres", "not known".
+QString unit_name(const std::string& unit);
+/// A length of the scene with its unit, where that is known.
+QString length(const Document& document, double value);
+
 /// With one decimal place, without a unit.
 QString seconds(qint64 milliseconds);
 

@@ -2,6 +2,7 @@
 // A scan as the worker prepared it.
 #pragma once
 
+#include "document/packed_session.h"
 #include "document/scan_pieces.h"
 #include "io/read_mesh.h"
 #include "mesh/boundary_loops.h"
@@ -25,7 +26,8 @@ enum class ScanOrigin {
 struct OpenedScan {
   QString path;  ///< empty where it is not from a file
   ScanOrigin from = ScanOrigin::file;
-  QString name;  ///< as shown
+  QString name;      ///< as shown
+  KeptFilePtr kept;  ///< where it came out of a session that holds it; `path` may then be of a file that is gone
   ImportReport import;
   std::shared_ptr<const SurfaceModel> model;
   std::vector<BoundaryLoop> loops;

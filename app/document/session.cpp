@@ -3,9 +3,9 @@
 
 #include "core/error.h"
 #include "document/document.h"
+#include "document/session_stream.h"
 #include "io/atomic_file.h"
 
-#include <QDataStream>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -18,98 +18,13 @@ namespace {
 
 constexpr char magic[] = "Loopmend session\n";
 constexpr qint32 format_version = 6;
-constexpr qint32 version_without_relief = 5;
+constexpr qint32 version_without_relief = 5;  ///< and without units
 constexpr qint32 version_without_bridges = 4;
 constexpr qint32 version_without_boundary = 3;
 constexpr qint32 first_version = 1;  ///< without the view and without surfaces that were made here
 
-/// Words and numbers in one fixed layout, little-endian, doubles in full.
-class Writer {
- public:
-  explicit Writer(QByteArray& bytes) : out_(&bytes, QIODevice::WriteOnly) { settle(out_); }
-  static void settle(QDataStream& stream) {
-    stream.setVersion(QDataStream::Qt_5_15);
-    stream.setByteOrder(QDataStream::LittleEndian);
-    stream.setFloatingPointPrecision(QDataStream::DoublePrecision);
-  }
-  void put(qint32 value) { out_ << value; }
-  void put(quint64 value) { out_ << value; }
-  void put(double value) { out_ << value; }
-  void put(const QString& value) { out_ << value; }
-  void put(const Vec3& value) {
-    for (double x : value) put(x);
-  }
-  void put(const std::vector<int>& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(int));
-  }
-  void put(const Points& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(Vec3));
-  }
-  void put(const std::vector<Color>& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(Color));
-  }
-  void put(const Triangles& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(Triangle));
-  }
-  void raw(const void* data, std::size_t size) {
-    out_.writeRawData(static_cast<const char*>(data), static_cast<int>(size));
-  }
-
- private:
-  QDataStream out_;
-};
-
-class Reader {
- public:
-  qint32 version = 0;  ///< of the format
-
-  Reader(const QByteArray& bytes, const QString& path) : in_(bytes), path_(path) { Writer::settle(in_); }
-
-  [[noreturn]] void fail(const char* problem) const {
-    throw ReadError(path_.toStdString(), problem, "byte " + std::to_string(in_.device()->pos()),
-                    "Open the scan itself instead; the session file is damaged.");
-  }
-  template <class T>
-  T number() {
-    T value{};
-    in_ >> value;
-    check();
-    return value;
-  }
-  QString text() { return number<QString>(); }
-  Vec3 vector() {
-    Vec3 v;
-    for (double& x : v) x = number<double>();
-    return v;
-  }
-  template <class T>
-  std::vector<T> array() {
-    const auto count = number<quint64>();
-    if (count > static_cast<quint64>(in_.device()->bytesAvailable()) / sizeof(T)) fail("the file ends too early");
-    std::vector<T> values(static_cast<std::size_t>(count));
-    in_.readRawData(reinterpret_cast<char*>(values.data()), static_cast<int>(count * sizeof(T)));
-    check();
-    return values;
-  }
-  /// A count of things that take at least `bytes_each`.
-  int count(quint64 bytes_each) {
-    const auto n = number<quint64>();
-    if (n > static_cast<quint64>(in_.device()->bytesAvailable()) / bytes_each) fail("the file ends too early");
-    return static_cast<int>(n);
-  }
-  bool at_end() const { return in_.atEnd(); }
-
- private:
-  void check() const {
-    if (in_.status() != QDataStream::Ok) fail("the file ends too early");
-  }
-  QDataStream in_;
-  QString path_;
-};
+using Writer = SessionWriter;
+using Reader = SessionReader;
 
 /// The first number of a seam was a gap that nothing measured: written as 0 and not read, so that the layout stays.
 constexpr double no_gap = 0;
@@ -391,7 +306,9 @@ Session session_of(const Document& document, const ViewSource& view) {
   for (int index : document.scans()) {
     place[index] = static_cast<int>(session.scans.size());
     const auto scan = document.scan(index);
-    SessionScan entry{scan->path, scan->fingerprint, scan->name, nullptr};
+    SessionScan entry{scan->path, scan->fingerprint, scan->name, nullptr, {}, scan->kept};
+    if (const auto chosen = document.chosen_units().find(index); chosen != document.chosen_units().end())
+      entry.unit = chosen->second;
     // Shares the model: a session may be written while the window goes on.
     if (scan->from == ScanOrigin::made)
       entry.made = std::shared_ptr<const TriangleSoup>(scan->model, &scan->model->soup);
@@ -431,14 +348,13 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
   }
   out.put(static_cast<qint32>(session.view.has_value()));
   if (session.view) put(out, *session.view);
+  for (const SessionScan& scan : session.scans) out.put(QString::fromStdString(scan.unit));
   return bytes;
 }
 
-Session session_from_file(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly))
-    throw ReadError(path.toStdString(), file.errorString().toStdString(), "", "Check the path and its permissions.");
-  const QByteArray bytes = file.readAll();
+namespace {
+
+Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   constexpr int magic_size = sizeof magic - 1;
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
     throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
@@ -452,7 +368,7 @@ Session session_from_file(const QString& path) {
   const int scans = in.count(sizeof(quint64));
   for (int i = 0; i < scans; ++i) {
     const QString absolute = in.text(), relative = in.text();
-    SessionScan entry{found(absolute, relative, path), in.number<quint64>(), {}, nullptr};
+    SessionScan entry{found(absolute, relative, path), in.number<quint64>(), {}, nullptr, {}, nullptr};
     if (version != first_version && in.number<qint32>() != 0) {
       entry.name = in.text();
       entry.made = made_surface(in);
@@ -471,12 +387,45 @@ Session session_from_file(const QString& path) {
     session.patches.push_back(std::move(entry));
   }
   if (version != first_version && in.number<qint32>() != 0) session.view = session_view(in);
+  if (version > version_without_relief)
+    for (SessionScan& scan : session.scans) {
+      scan.unit = in.text().toStdString();
+      if (!scan.unit.empty() && !is_length_unit(scan.unit)) in.fail("a unit of length is not known");
+    }
   if (!in.at_end()) in.fail("there is more in the file than there should be");
   return session;
 }
 
+}  // namespace
+
+Session session_from_file(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+    throw ReadError(path.toStdString(), file.errorString().toStdString(), "", "Check the path and its permissions.");
+  const QByteArray bytes = file.readAll();
+  if (!is_packed(bytes)) return session_from_bytes(bytes, path);
+  const UnpackedSession unpacked = unpack(bytes, path);
+  Session session = session_from_bytes(unpacked.session, path);
+  for (std::size_t k = 0; k < std::min(session.scans.size(), unpacked.files.size()); ++k)
+    session.scans[k].file = unpacked.files[k];
+  return session;
+}
+
+void keep_scans(Session& session, KeepScans keep) {
+  for (SessionScan& scan : session.scans) {
+    if (scan.made || scan.path.isEmpty()) continue;
+    const bool elsewhere = QFileInfo::exists(scan.path);
+    if (keep == KeepScans::outside && elsewhere) scan.file = nullptr;
+    if (keep == KeepScans::inside && elsewhere && !scan.file) scan.file = keep_file(scan.path);
+  }
+}
+
 void write_session(const Session& session, const QString& path, const CancelToken& cancel) {
-  const QByteArray bytes = to_bytes(session, QFileInfo(path).absolutePath());
+  QByteArray bytes = to_bytes(session, QFileInfo(path).absolutePath());
+  std::vector<KeptFilePtr> files;
+  for (const SessionScan& scan : session.scans) files.push_back(scan.file);
+  if (std::any_of(files.begin(), files.end(), [](const KeptFilePtr& file) { return file != nullptr; }))
+    bytes = pack(bytes, files);
   if (cancel.cancelled()) return;
   OutputTransaction output;
   output.add(path.toStdString(), [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });

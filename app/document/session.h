@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session in a file: which scans are open, every patch as it is, and how it was looked at. Scans stay in their own files;
-// surfaces that were made here are stored whole.
+// A session in a file: which scans are open, every patch as it is, and how it was looked at. Scans stay in their own files, unless
+// they are to be kept in the session; surfaces that were made here are stored whole.
 #pragma once
 
+#include "document/packed_session.h"
 #include "document/patch_state.h"
 #include "scene/look.h"
 
@@ -23,6 +24,8 @@ struct SessionScan {
   std::uint64_t fingerprint = 0;
   QString name;                              ///< of a surface that was made
   std::shared_ptr<const TriangleSoup> made;  ///< a surface that is in no file: it lies in the session itself
+  std::string unit;                          ///< as chosen by a person; empty: as the file has it
+  KeptFilePtr file;                          ///< its file, where the session holds it; null: it lies elsewhere
 };
 
 struct SessionPatch {
@@ -45,12 +48,19 @@ struct Session {
   std::optional<SessionView> view;  ///< empty in files of version 1
 };
 
+/// Whether the files of scans become a part of the session, so that it needs nothing beside it.
+enum class KeepScans { outside, inside };
+
 class Document;
 /// As it is now; `view` may be empty. States are shared, so this is fast, and a worker may write it while the window goes on.
 Session session_of(const Document& document, const ViewSource& view);
 
 /// @param beside  folder of the file: paths are stored relative to it as well, so that both can move together.
 QByteArray to_bytes(const Session& session, const QString& beside);
+
+/// Decides which files the session will hold: with KeepScans::inside all, else those alone that are nowhere else.
+/// @throws as keep_file().
+void keep_scans(Session& session, KeepScans keep);
 
 /// Scans that are not at their absolute path are looked for beside the session.
 /// @throws ReadError for anything that is not wholly a session of a known version.

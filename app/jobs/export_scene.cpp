@@ -2,6 +2,7 @@
 #include "jobs/export_scene.h"
 
 #include "export/write_scan.h"
+#include "mesh/scan_attributes.h"
 #include "pipeline/paste.h"
 
 namespace loopmend {
@@ -31,6 +32,13 @@ TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result) {
   for (std::size_t k = 0; k < faults.size(); ++k)
     if (!faults[k].empty()) leave_open(*wanted[k], result);
   return model.soup;
+}
+
+void set_unit(TriangleSoup& soup, const std::string& unit) {
+  auto attributes =
+      soup.attributes ? std::make_shared<ScanAttributes>(*soup.attributes) : std::make_shared<ScanAttributes>();
+  attributes->unit = unit;
+  soup.attributes = std::move(attributes);
 }
 
 /// The patch's own vertices and triangles, sewn to the points of the scan.
@@ -66,6 +74,7 @@ ExportTask export_task(const Document& document, const std::string& path, Export
   ExportTask task;
   task.path = path;
   task.content = content;
+  if (!document.chosen_units().empty()) task.unit = document.unit();
   for (int index : document.scans()) {
     ExportTask::Part part{document.scan(index)->model, {}};
     for (const NotKept& entry : document.scan(index)->import.not_kept)
@@ -94,6 +103,7 @@ ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
     for (const TriangleSoup& soup : soups)
       for (const NotKept& entry : carried_attributes(soup)) count_not_kept(result.not_kept, entry.what, entry.count);
   TriangleSoup all = joined(std::move(soups));
+  if (!task.unit.empty()) set_unit(all, task.unit);
   if (cancel.cancelled()) return result;
   OutputTransaction outputs;
   result.remarks = write_scan(outputs, task.path, all, options, cancel).remarks;

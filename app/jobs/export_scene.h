@@ -20,6 +20,7 @@ struct ExportTask {
   };
   std::vector<Part> parts;
   std::vector<NotKept> not_read;  ///< what reading left out already
+  std::string unit;               ///< as chosen by a person for all scans; empty: as the files have it
   std::string path;
   ExportContent content = ExportContent::scene;
 };

@@ -92,7 +92,7 @@ class FillController : public QObject {
   void open_made(const std::vector<OpenedScanPtr>& scans);
   /// Where a scan of it is not found, scan_missing() is told and nothing changes.
   void open_session(const SessionFile& session);
-  void save_session(const QString& path);
+  void save_session(const QString& path, KeepScans keep = KeepScans::outside);
   /// All scans and patches as one mesh; the format follows the extension. Patches that cut are left out unless accepted.
   void export_to(const QString& path, ExportContent content = ExportContent::scene);
 
@@ -123,6 +123,8 @@ class FillController : public QObject {
 
   /// A patch that was made elsewhere comes into its loops, in place of what is there; tested for cuts first.
   void adopt(OpenPatch patch);
+  /// What all lengths are measured in; empty: not known. Nothing is converted.
+  void choose_unit(const std::string& unit);
   void set_acceptance(const std::set<int>& patch_ids, Acceptance acceptance);
   void reject(const std::set<int>& patch_ids);
   /// Shows the state at this place of each patch's timeline; end_scrub() makes it a change that can be undone.
@@ -146,8 +148,9 @@ class FillController : public QObject {
   void failed(const QString& words);
   void notice(const QString& words);
   void logged(const QString& words);
-  void file_opened(const QString& path);                               ///< a scan or a session
-  void session_saved(const QString& path);                             ///< or restored from there
+  void holes_made(const std::set<int>& loops);  ///< by erasing or bridging: what a person has in mind now
+  void file_opened(const QString& path);        ///< a scan or a session
+  void session_saved(const QString& path);      ///< or restored from there
   void scan_missing(const SessionFile& session, const QString& scan);  ///< the place that the session names
   void view_restored(const SessionView& view);
 
@@ -176,6 +179,7 @@ class FillController : public QObject {
   void on_mended(const std::vector<MendedScan>& all, Mending what, const std::optional<FillAndSmooth>& then);
   /// @returns its loops that are to be filled.
   std::set<int> take_mended(const MendedScan& mended);
+  void keep_unit(const std::vector<int>& gone, int come);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
   void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);

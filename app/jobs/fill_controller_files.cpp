@@ -10,6 +10,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -89,9 +90,28 @@ void FillController::close_scan(int scan) {
   undo_.push(std::make_unique<CloseScan>(document_, scan, tr("Close %1").arg(document_.scan(scan)->name)));
 }
 
+namespace {
+
+/// From its own place, or out of the session where it is not there, or is another by now.
+OpenedScanPtr load_kept(const SessionScan& wanted, const std::optional<Vec3>& origin, const CancelToken& cancel) {
+  if (!wanted.file) return load_scan(wanted.path, origin, {}, cancel);
+  const QTemporaryDir folder;
+  if (!folder.isValid())
+    throw WriteError(folder.path().toStdString(), "cannot be written", "Make room for temporary files.");
+  const OpenedScanPtr scan = load_scan(lay_out(*wanted.file, folder.path()), origin, {}, cancel);
+  if (!scan) return scan;
+  scan->path = wanted.path;
+  scan->name = QFileInfo(wanted.path).fileName();
+  scan->kept = wanted.file;
+  return scan;
+}
+
+}  // namespace
+
 /// What a worker read of a session.
 struct FillController::Restored {
   std::vector<OpenedScanPtr> scans;
+  std::vector<std::string> units;  ///< of each scan, as chosen; empty: not chosen
   std::vector<OpenPatch> patches;  ///< loops by index within their scan; ids not set
   std::optional<SessionView> view;
   QString missing;  ///< a scan that is not where the session names it: nothing else was read
@@ -103,7 +123,7 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
   Restored restored;
   for (SessionScan& wanted : session.scans) {
     if (const auto moved = file.moved.find(wanted.path); moved != file.moved.end()) wanted.path = moved->second;
-    if (wanted.made || wanted.path.isEmpty() || QFileInfo::exists(wanted.path)) continue;
+    if (wanted.made || wanted.file || wanted.path.isEmpty() || QFileInfo::exists(wanted.path)) continue;
     restored.missing = wanted.path;
     for (const auto& [old_place, place] : file.moved) {  // what lay together was moved together
       wanted.path = QFileInfo(place).dir().filePath(QFileInfo(restored.missing).fileName());
@@ -121,7 +141,7 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
       origin = middle;
       continue;
     }
-    const OpenedScanPtr scan = load_scan(wanted.path, origin, {}, job->token());
+    const OpenedScanPtr scan = load_kept(wanted, origin, job->token());
     if (!scan) return {};
     if (scan->fingerprint != wanted.fingerprint)
       throw ReadError(wanted.path.toStdString(), "this file has changed since the session was saved", "",
@@ -129,6 +149,7 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
     origin = origin.value_or(scan->origin);
     restored.scans.push_back(scan);
   }
+  for (const SessionScan& wanted : session.scans) restored.units.push_back(wanted.unit);
   for (const SessionPatch& saved : session.patches) {
     if (job->token().cancelled()) return {};
     const auto& loops = restored.scans[static_cast<std::size_t>(saved.scan)]->loops;
@@ -207,6 +228,10 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
     for (int& loop : patch.loops) loop += document_.first_loop_of(patch.scan);
     patch.id = document_.next_patch_id();
   }
+  std::map<int, std::string> units;
+  for (std::size_t k = 0; k < restored.units.size(); ++k)
+    if (!restored.units[k].empty()) units[index[k]] = restored.units[k];
+  document_.set_chosen_units(units);
   document_.replace({}, restored.patches);
   if (restored.view) Q_EMIT view_restored(*restored.view);
   const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;
@@ -225,9 +250,11 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
 void FillController::replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text) {
   if (busy()) return;
   std::vector<std::unique_ptr<Change>> parts;
-  parts.push_back(std::make_unique<AddScan>(document_, document_.add_scan(come), text));
-  for (int index : gone)
-    if (document_.scan(index)) parts.push_back(std::make_unique<CloseScan>(document_, index, text));
+  const int index = document_.add_scan(come);
+  keep_unit(gone, index);
+  parts.push_back(std::make_unique<AddScan>(document_, index, text));
+  for (int scan : gone)
+    if (document_.scan(scan)) parts.push_back(std::make_unique<CloseScan>(document_, scan, text));
   undo_.push(std::make_unique<ChangeGroup>(std::move(parts), text));
 }
 
@@ -237,13 +264,14 @@ void FillController::open_made(const std::vector<OpenedScanPtr>& scans) {
   for (std::size_t k = 1; k < scans.size(); ++k) document_.add_scan(scans[k]);
 }
 
-void FillController::save_session(const QString& path) {
+void FillController::save_session(const QString& path, KeepScans keep) {
   if (busy() || !document_.has_scan()) return;
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
   tasks_.run(
       job,
-      [this, job, session = session_of(document_, view_), path] {
+      [this, job, session = session_of(document_, view_), path, keep]() mutable {
         return writing_.take(*job, [&] {
+          keep_scans(session, keep);
           write_session(session, path, job->token());
           return true;
         });

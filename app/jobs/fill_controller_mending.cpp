@@ -103,6 +103,7 @@ void FillController::on_mended(const std::vector<MendedScan>& all, Mending what,
     to_fill.merge(take_mended(one));
   }
   if (all.empty()) Q_EMIT notice(nothing_to_mend(what));
+  if (!to_fill.empty()) Q_EMIT holes_made(to_fill);
   if (!then || !changed) return;
   if (to_fill.empty()) {
     Q_EMIT notice(
@@ -112,8 +113,27 @@ void FillController::on_mended(const std::vector<MendedScan>& all, Mending what,
   start_fill(to_fill, then->choice, Smoothing{{}, then->options, PatchChange::Joining::previous});
 }
 
+void FillController::choose_unit(const std::string& unit) {
+  if (busy() || !document_.has_scan()) return;
+  std::map<int, std::string> units = document_.chosen_units();
+  for (int scan : document_.scans()) units[scan] = unit;
+  if (units == document_.chosen_units()) return;
+  const QString text = unit.empty() ? tr("Lengths without a unit") : tr("Lengths in %1").arg(labels::unit_name(unit));
+  undo_.push(std::make_unique<ChooseUnits>(document_, std::move(units), text));
+}
+
+/// A scan in the place of others keeps the unit that was chosen for the first of them.
+void FillController::keep_unit(const std::vector<int>& gone, int come) {
+  std::map<int, std::string> units = document_.chosen_units();
+  for (int scan : gone)
+    if (const auto chosen = units.find(scan); chosen != units.end() && units.emplace(come, chosen->second).second)
+      break;
+  if (units != document_.chosen_units()) document_.set_chosen_units(units);
+}
+
 std::set<int> FillController::take_mended(const MendedScan& mended) {
   const int come = document_.add_scan(mended.made), first_loop = document_.first_loop_of(come);
+  keep_unit({mended.scan}, come);
   std::vector<PatchChange::Pair> pairs;
   for (OpenPatch patch : mended.carried) {
     patch.scan = come;

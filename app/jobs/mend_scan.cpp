@@ -10,6 +10,8 @@
 #include "rim/trim_rim.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 namespace loopmend {
 
@@ -102,18 +104,27 @@ bool is_touched(const Patch& patch, const OpenedScan& scan, int first_point, con
   return false;
 }
 
+/// What was painted, or all along the boundaries of the loops; ascending.
+std::vector<int> points_to_erase(const MendingTask& task) {
+  if (!task.erased.empty()) return task.erased;
+  std::set<int> points;
+  for (const BoundaryLoop& loop : task.loops)
+    for (int v : loop.vertices) points.insert(task.opened->model->soup_vertex[static_cast<std::size_t>(v)]);
+  return {points.begin(), points.end()};
+}
+
 /// Patches that lose faces, or have some beside them, become a part of the scan; the others are carried over.
 std::optional<MendedScan> erased(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
-  if (task.erased.empty()) return std::nullopt;
+  const std::vector<int> wanted = points_to_erase(task);
+  if (wanted.empty()) return std::nullopt;
   const int own = static_cast<int>(old.model->soup.points.size());
-  std::vector<char> chosen(static_cast<std::size_t>(std::max(own, task.erased.back() + 1)), 0);
-  for (int p : task.erased) chosen[static_cast<std::size_t>(p)] = 1;
-  for (const OpenPatch& open : task.patches)  // so that every patch has its entries
-    chosen.resize(chosen.size() + static_cast<std::size_t>(open.state->patch.free_count), 0);
+  std::size_t all = static_cast<std::size_t>(own);
+  for (const OpenPatch& open : task.patches) all += static_cast<std::size_t>(open.state->patch.free_count);
+  std::vector<char> chosen(std::max(all, static_cast<std::size_t>(wanted.back()) + 1), 0);
+  for (int p : wanted) chosen[static_cast<std::size_t>(p)] = 1;
   std::vector<int> points;
-  for (int p : task.erased)
-    if (p < own) points.push_back(p);
+  std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(points), [own](int p) { return p < own; });
   SurfaceModel base = *old.model;
   int first_point = own, joined = 0;
   for (const OpenPatch& open : task.patches) {
@@ -128,8 +139,9 @@ std::optional<MendedScan> erased(const MendingTask& task) {
     first_point += patch.free_count;
   }
   ChangedSurface changed = without_faces_at(base.soup, points);
-  MendedScan result{task.scan, made_scan(std::move(changed.soup), old.name, old.origin),
-                    FillController::tr("Erase a region of %1").arg(old.name),
+  const QString title = task.erased.empty() ? FillController::tr("Erase a ring of faces of %1")
+                                            : FillController::tr("Erase a region of %1");
+  MendedScan result{task.scan, made_scan(std::move(changed.soup), old.name, old.origin), title.arg(old.name),
                     FillController::tr("%1: %n face(s) were erased; Ctrl+Z brings them back.", nullptr,
                                        static_cast<int>(changed.changes))
                         .arg(old.name),

@@ -63,6 +63,7 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
     show_selection();
   });
   connect(&document, &Document::holes_changed, this, &HolesPanel::update_summary);
+  connect(model_, &QAbstractItemModel::headerDataChanged, this, &HolesPanel::fit_columns);
   connect(all_, &QPushButton::clicked, this, &HolesPanel::select_all_holes);
   connect(small_, &SmallHolesBox::fill_wanted, this, &HolesPanel::fill_wanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HolesPanel::take_selection);

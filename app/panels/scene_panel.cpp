@@ -4,6 +4,7 @@
 #include "document/labels.h"
 #include "panels/parts.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -45,7 +46,8 @@ ScenePanel::ScenePanel(const Document& document, SceneVisibility& visibility, QW
       tree_(new QTreeWidget),
       isolate_(make_button("sceneIsolate", tr("&Isolate"), tr("Hide everything but the chosen row (Shift+H)"))),
       show_all_(make_button("sceneShowAll", tr("Show a&ll"), tr("Show everything that was hidden (Ctrl+H)"))),
-      note_(make_note("sceneNote")) {
+      note_(make_note("sceneNote")),
+      unit_(new QComboBox) {
   setObjectName(QStringLiteral("scenePanel"));
   tree_->setObjectName(QStringLiteral("sceneTree"));
   explain(tree_, tr("Scene"), tr("Scans, their pieces and patches; the check boxes hide and show them"));
@@ -70,12 +72,29 @@ ScenePanel::ScenePanel(const Document& document, SceneVisibility& visibility, QW
   row->addStretch(1);
   layout->addLayout(row);
   layout->addWidget(note_);
+  unit_->setObjectName(QStringLiteral("sceneUnit"));
+  unit_->addItem(labels::unit_name({}), QString());
+  for (const char* unit : length_units) unit_->addItem(labels::unit_name(unit), QLatin1String(unit));
+  explain(unit_, tr("Lengths in"),
+          tr("What the lengths of the scans are measured in. Nothing is converted; it is shown, and written to 3MF"));
+  auto* unit_label = new QLabel(tr("Lengths &in"));
+  unit_label->setBuddy(unit_);
+  auto* unit_row = new QHBoxLayout;
+  unit_row->addWidget(unit_label);
+  unit_row->addWidget(unit_, 1);
+  layout->addLayout(unit_row);
 
   later_.setSingleShot(true);
   later_.setInterval(wait_ms);
   connect(&later_, &QTimer::timeout, this, &ScenePanel::rebuild);
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
     connect(&document_, signal, &later_, qOverload<>(&QTimer::start));
+  for (auto signal : {&Document::opened, &Document::scans_changed, &Document::units_changed})
+    connect(&document_, signal, this, &ScenePanel::show_unit);
+  connect(&document_, &Document::units_changed, &later_, qOverload<>(&QTimer::start));
+  connect(unit_, qOverload<int>(&QComboBox::activated), this,
+          [this] { Q_EMIT unit_chosen(unit_->currentData().toString().toStdString()); });
+  show_unit();
   connect(&visibility_, &SceneVisibility::changed, this, &ScenePanel::show_checks);
   connect(tree_, &QTreeWidget::itemChanged, this, &ScenePanel::on_checked);
   connect(tree_, &QTreeWidget::currentItemChanged, this, &ScenePanel::show_checks);
@@ -127,7 +146,7 @@ void ScenePanel::add_scan(int scan) {
   if (pieces.size() > 1)
     for (std::size_t k = 0; k < own; ++k)
       add_row(top, Row::piece, scan, static_cast<int>(k),
-              tr("Piece %1, %2 across").arg(k + 1).arg(labels::number(pieces[k].diameter)),
+              tr("Piece %1, %2 across").arg(k + 1).arg(labels::length(document_, pieces[k].diameter)),
               labels::count(pieces[k].triangles));
   if (own < pieces.size()) {
     std::size_t triangles = 0;
@@ -212,6 +231,11 @@ void ScenePanel::on_checked(QTreeWidgetItem* row) {
         for (int loop : patch->loops) pieces.insert(visibility_.piece_of_loop(loop));
   if (!pieces.empty()) visibility_.set_pieces(pieces, visible);
   if (!patches.empty()) visibility_.set_patches(patches, visible);
+}
+
+void ScenePanel::show_unit() {
+  unit_->setEnabled(document_.has_scan());
+  unit_->setCurrentIndex(std::max(0, unit_->findData(QString::fromStdString(document_.unit()))));
 }
 
 void ScenePanel::isolate_current() {

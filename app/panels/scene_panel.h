@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QTreeWidget;
@@ -25,6 +26,8 @@ class ScenePanel : public QWidget {
 
  Q_SIGNALS:
   /// A right click on a row. @param at  of the screen
+  /// By length_unit.h; empty: not known.
+  void unit_chosen(const std::string& unit);
   void menu_wanted(const std::set<PieceId>& pieces, const QPoint& at);
 
  protected:
@@ -44,12 +47,14 @@ class ScenePanel : public QWidget {
   std::set<int> patches_of(const QTreeWidgetItem* row) const;
   Qt::CheckState check_of(const QTreeWidgetItem* row) const;
   void isolate_current();
+  void show_unit();
 
   const Document& document_;
   SceneVisibility& visibility_;
   QTreeWidget* tree_;
   QPushButton *isolate_, *show_all_;
   QLabel* note_;
+  QComboBox* unit_;
   QTimer later_;  ///< patches come one by one, in hundreds
   bool syncing_ = false;
 };

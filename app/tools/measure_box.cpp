@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/measure_box.h"
 
+#include "document/labels.h"
 #include "panels/parts.h"
 
 #include <QClipboard>
@@ -17,8 +18,9 @@ QString in_words(double length) { return QLocale().toString(length, 'g', 6); }
 
 }  // namespace
 
-MeasureBox::MeasureBox(MeasureTool& tool, QWidget* parent)
+MeasureBox::MeasureBox(const Document& document, MeasureTool& tool, QWidget* parent)
     : QWidget(parent),
+      document_(document),
       tool_(tool),
       distance_(new QLabel),
       parts_(make_note("measureParts")),
@@ -37,6 +39,7 @@ MeasureBox::MeasureBox(MeasureTool& tool, QWidget* parent)
   layout->addWidget(parts_);
   layout->addWidget(copy_, 0, Qt::AlignLeft);
   connect(&tool_, &MeasureTool::changed, this, &MeasureBox::show_result);
+  connect(&document_, &Document::units_changed, this, &MeasureBox::show_result);
   connect(copy_, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(QLocale::c().toString(tool_.way()->norm(), 'g', 17)); });
   show_result();
@@ -50,9 +53,12 @@ void MeasureBox::show_result() {
     parts_->setText(QString());
     return;
   }
-  distance_->setText(tr("Distance: <b>%1</b>").arg(in_words(way->norm())));
-  parts_->setText(tr("Along x %1, y %2, z %3; in the units of the scan.")
-                      .arg(in_words(way->x()), in_words(way->y()), in_words(way->z())));
+  const std::string unit = document_.unit();
+  distance_->setText(
+      tr("Distance: <b>%1</b>").arg((in_words(way->norm()) + QLatin1Char(' ') + labels::unit_symbol(unit)).trimmed()));
+  const QString along = tr("Along x %1, y %2, z %3").arg(in_words(way->x()), in_words(way->y()), in_words(way->z()));
+  parts_->setText(unit.empty() ? tr("%1; in the units of the scan.").arg(along)
+                               : tr("%1; in %2.").arg(along, labels::unit_name(unit)));
 }
 
 }  // namespace loopmend

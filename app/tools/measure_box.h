@@ -2,6 +2,7 @@
 // The measuring tool's part of the tools dock.
 #pragma once
 
+#include "document/document.h"
 #include "tools/measure_tool.h"
 
 #include <QWidget>
@@ -15,11 +16,12 @@ class MeasureBox : public QWidget {
   Q_OBJECT
 
  public:
-  explicit MeasureBox(MeasureTool& tool, QWidget* parent = nullptr);
+  MeasureBox(const Document& document, MeasureTool& tool, QWidget* parent = nullptr);
 
  private:
   void show_result();
 
+  const Document& document_;
   MeasureTool& tool_;
   QLabel *distance_, *parts_;
   QPushButton* copy_;

@@ -2,6 +2,8 @@
 #include "views/file_desk.h"
 
 #include "dialogs/export_dialog.h"
+#include "dialogs/session_dialog.h"
+#include "document/labels.h"
 #include "document/preferences.h"
 #include "document/scene_visibility.h"
 #include "panels/banner.h"
@@ -28,11 +30,14 @@ FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& contro
       window_(window) {
   connect(&controller_, &FillController::file_opened, this, [this](const QString& path) {
     session_path_.clear();
+    keep_ = KeepScans::outside;
     add_recent_file(path);
     Q_EMIT recent_changed();
   });
   connect(&controller_, &FillController::session_saved, this, [this](const QString& path) {
     session_path_ = path;
+    for (int scan : document_.scans())
+      if (document_.scan(scan)->kept) keep_ = KeepScans::inside;
     add_recent_file(path);
     Q_EMIT recent_changed();
     if (auto act = std::exchange(after_saving_, nullptr)) act();
@@ -111,6 +116,7 @@ void FileDesk::ask_export() {
   const QString ending = chosen.section(QStringLiteral("*"), 1).chopped(1);
   ExportDialog dialog(check_, proposal(QStringLiteral("-filled") + ending), filters, chosen, window_);
   dialog.tell_of_hidden(visibility_.hidden_count());
+  if (const std::string unit = document_.unit(); !unit.empty()) dialog.tell_unit(labels::unit_name(unit));
   if (dialog.exec() == QDialog::Accepted && !dialog.path().isEmpty()) export_to(dialog.path(), dialog.content());
 }
 
@@ -155,17 +161,18 @@ void FileDesk::close_scan(int scan) {
                 tr("&Close without saving"), act);
 }
 
-void FileDesk::save_session() { session_path_.isEmpty() ? save_session_as() : controller_.save_session(session_path_); }
+void FileDesk::save_session() {
+  session_path_.isEmpty() ? save_session_as() : controller_.save_session(session_path_, keep_);
+}
 
 void FileDesk::save_session_as() {
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save session"), proposal(QStringLiteral(".loopmend")),
-                                              tr("Loopmend session (*.loopmend)"));
-  if (path.isEmpty()) {
+  SessionDialog dialog(proposal(QStringLiteral(".loopmend")), keep_, window_);
+  if (dialog.exec() != QDialog::Accepted || dialog.path().isEmpty()) {
     after_saving_ = nullptr;
     return;
   }
-  if (!is_session_path(path)) path += QStringLiteral(".loopmend");
-  controller_.save_session(path);
+  keep_ = dialog.keep();
+  controller_.save_session(dialog.path(), keep_);
 }
 
 bool FileDesk::may_close() {

@@ -68,6 +68,7 @@ class FileDesk : public QObject {
   Banner& banner_;
   QWidget* window_;
   QString session_path_;
+  KeepScans keep_ = KeepScans::outside;  ///< as the session was saved, or read
   std::function<void()> after_saving_;
   enum class Closing { not_asked, agreed } closing_ = Closing::not_asked;
 };

@@ -145,6 +145,7 @@ void MainWindow::build_docks() {
 void MainWindow::connect_controller() {
   connect(&controller_, &FillController::failed, banner_, &Banner::show_problem);
   connect(&controller_, &FillController::notice, banner_, &Banner::show_notice);
+  connect(&controller_, &FillController::holes_made, &selection_, &HoleSelection::select);
   connect(&controller_, &FillController::logged, inspect_, &InspectPanel::log);
   connect(&autosave_, &Autosave::failed, banner_, &Banner::show_problem);
   connect(&controller_, &FillController::preview_ready, this, [this](auto shape) {
@@ -237,6 +238,7 @@ void MainWindow::connect_panels() {
   connect(view_, &MeshView::hole_menu_wanted, this, show_hole_menu);
   connect(holes_, &HolesPanel::hole_menu_wanted, this, show_hole_menu);
   connect(view_, &MeshView::piece_menu_wanted, pieces_, &PieceMenu::show);
+  connect(scene_, &ScenePanel::unit_chosen, &controller_, &FillController::choose_unit);
   connect(scene_, &ScenePanel::menu_wanted, pieces_, &PieceMenu::show_for);
   connect(pieces_, &PieceMenu::notice, banner_, &Banner::show_notice);
   connect(view_, &MeshView::probed, status_, &StatusLine::say);

@@ -104,6 +104,7 @@ void MainWindow::connect_patch_actions() {
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
   for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim}, {"stitchAction", Mending::stitch}})
     a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
+  a.on("eraseRingAction", this, [this] { controller_.mend(Mending::erase, selection_.selected()); });
   a.on("partAction", this, [this] { controller_.mend(Mending::part, selection_.selected()); });
   a.on("repairAction", this, &MainWindow::show_repair_dialog);
   connect(&patch_->fill_box(), &FillBox::repair_wanted, this, &MainWindow::show_repair_dialog);
@@ -189,6 +190,8 @@ void MainWindow::update_actions() {
   follow("stitchAction", "stitch");
   follow("repairAction", "repair");
   const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
+  a["eraseRingAction"]->setEnabled(idle && !loops_to_fill(document_, selection_).empty() &&
+                                   !selection_.selected().empty());
   a["partAction"]->setEnabled(idle && std::any_of(selection_.selected().begin(), selection_.selected().end(), touches));
   follow("stepAction", "step");
   follow("runAction", "run");

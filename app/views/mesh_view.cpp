@@ -120,6 +120,8 @@ void MeshView::follow_document() {
     redraw();
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
+  for (auto signal : {&Document::units_changed, &Document::scans_changed})
+    connect(&document, signal, this, [this] { impl_->overlay->set_unit(labels::unit_symbol(impl_->document.unit())); });
   connect(&impl_->visibility, &SceneVisibility::changed, this, &MeshView::on_visibility_changed);
   connect(&document, &Document::patch_moved, this, &MeshView::on_patch_moved);
   connect(&document, &Document::running_changed, this, [this] {
@@ -373,10 +375,11 @@ void MeshView::update_highlight() {
     if (p.z() >= 0) line << QPointF(p.x(), p.y()) / ratio;
   const BoundaryLoop& l = document.loop(loop);
   const QString kind = l.kind == LoopKind::hole ? tr("Hole") : labels::sentence(labels::kind(l.kind));
-  impl_->overlay->set_highlight(line, tr("%1 %2 \u00b7 %3 edges \u00b7 %4 across \u00b7 %5")
-                                          .arg(kind, labels::hole_name(document, loop))
-                                          .arg(l.edges())
-                                          .arg(labels::number(l.diameter), labels::state(document.state(loop))));
+  impl_->overlay->set_highlight(line,
+                                tr("%1 %2 \u00b7 %3 edges \u00b7 %4 across \u00b7 %5")
+                                    .arg(kind, labels::hole_name(document, loop))
+                                    .arg(l.edges())
+                                    .arg(labels::length(document, l.diameter), labels::state(document.state(loop))));
 }
 
 }  // namespace loopmend

@@ -33,7 +33,7 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
       blend_box_(new BlendBox(document, selection, *part_)),
       trial_box_(new ProblemBox(*trial_)),
       region_box_(new RegionBox(*region_)),
-      panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new MeasureBox(*measure_), trial_box_)) {
+      panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new MeasureBox(document, *measure_), trial_box_)) {
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
     give_up_trial();

@@ -89,6 +89,11 @@ void ViewOverlay::set_scale(double length_per_pixel) {
   update();
 }
 
+void ViewOverlay::set_unit(const QString& symbol) {
+  unit_ = symbol;
+  update();
+}
+
 void ViewOverlay::set_axes(const Eigen::Matrix3d& axes) {
   axes_ = axes;
   with_axes_ = true;
@@ -130,7 +135,7 @@ void ViewOverlay::paint_scale(QPainter& painter) const {
   bar(ink, 1.6);
   painter.setPen(ink);
   painter.drawText(QRectF(left - 40, y - 26, width + 80, 20), Qt::AlignHCenter | Qt::AlignBottom,
-                   QLocale().toString(length, 'g', 3));
+                   (QLocale().toString(length, 'g', 3) + QLatin1Char(' ') + unit_).trimmed());
 }
 
 void ViewOverlay::paint_probe(QPainter& painter) const {

@@ -24,6 +24,8 @@ class ViewOverlay : public QWidget {
   void set_axes(const Eigen::Matrix3d& axes);
   /// How long a pixel is at the distance of what is looked at, in the scan's unit.
   void set_scale(double length_per_pixel);
+  /// Stands behind the length of the scale; may be empty.
+  void set_unit(const QString& symbol);
   void hide_axes();
 
   /// Axes and scale bar alone, for pictures; in the sheet's own pixels.
@@ -44,6 +46,7 @@ class ViewOverlay : public QWidget {
   QPointF probe_;
   QStringList probe_lines_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
+  QString unit_;
   double length_per_pixel_ = 0;
   bool with_axes_ = false;
 };

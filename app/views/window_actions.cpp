@@ -117,6 +117,10 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Remove bad triangles at the boundaries of the selected holes, or of all"),
      "", nullptr},
+    {"eraseRingAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Erase a ring of faces"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Widen the selected holes by one ring of faces, where they are ragged; once more for another"),
+     "", nullptr},
     {"stitchAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Stitc&h cracks"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Zip boundaries that nearly coincide"), "", nullptr},
     {"repairAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Repai&r\u2026"),
@@ -196,9 +200,9 @@ QMenu* WindowActions::make_hole_menu() {
   auto* menu = new QMenu(window_);
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const char* name :
-       {"fillAction", "initialAction", "runAction", "-", "toolFillPartAction", "-", "trimAction", "stitchAction",
-        "toolBridgeAction", "partAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
+  for (const char* name : {"fillAction", "initialAction", "runAction", "-", "toolFillPartAction", "-", "trimAction",
+                           "eraseRingAction", "stitchAction", "toolBridgeAction", "partAction", "-", "acceptAction",
+                           "rejectAction", "-", "compare", "copyAction"}) {
     if (*name == '-')
       menu->addSeparator();
     else
@@ -236,9 +240,9 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                     "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",      "-",          "hidePiece",
                     "isolatePiece", "showPieces", "-",          "probe",        "-"});
   view->addActions(docks);
-  add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "trimAction", "stitchAction", "partAction",
-                          "repairAction", "-", "runAction", "stepAction", "-", "compare", "-", "acceptAction",
-                          "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "trimAction", "eraseRingAction", "stitchAction",
+                          "partAction", "repairAction", "-", "runAction", "stepAction", "-", "compare", "-",
+                          "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
                           "toolFillPartAction", "-", "toolMeasureAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});

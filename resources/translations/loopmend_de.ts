@@ -880,10 +880,14 @@
         </message>
         <message numerus="yes">
             <source>%n hidden piece(s) or patch(es) are written as well.</source>
-            <translation>
-                <numerusform>%n ausgeblendetes Teil wird mitgeschrieben.</numerusform>
-                <numerusform>%n ausgeblendete Teile werden mitgeschrieben.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
+                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>. Lengths are in %1.</source>
+            <translation>. Längen in %1.</translation>
         </message>
     </context>
     <context>
@@ -907,14 +911,6 @@
         <message>
             <source>Open</source>
             <translation>Öffnen</translation>
-        </message>
-        <message>
-            <source>Save session</source>
-            <translation>Sitzung sichern</translation>
-        </message>
-        <message>
-            <source>Loopmend session (*.loopmend)</source>
-            <translation>Loopmend-Sitzung (*.loopmend)</translation>
         </message>
         <message>
             <source>&amp;Close without saving</source>
@@ -1390,16 +1386,16 @@
         </message>
         <message numerus="yes">
             <source>%n patch(es) are a part of the scan now.</source>
-            <translation>
-                <numerusform>%n Flicken ist jetzt ein Teil des Scans.</numerusform>
-                <numerusform>%n Flicken sind jetzt ein Teil des Scans.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
+                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1 %n patch(es) of this scan were removed.</source>
-            <translation>
-                <numerusform>%1 %n Flicken dieses Scans wurde entfernt.</numerusform>
-                <numerusform>%1 %n Flicken dieses Scans wurden entfernt.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
+                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
             </translation>
         </message>
         <message>
@@ -1412,9 +1408,9 @@
         </message>
         <message numerus="yes">
             <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
-            <translation>
-                <numerusform>%1: %n Fläche wurde gelöscht; Strg+Z holt sie zurück.</numerusform>
-                <numerusform>%1: %n Flächen wurden gelöscht; Strg+Z holt sie zurück.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
+                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
             </translation>
         </message>
         <message>
@@ -1423,9 +1419,9 @@
         </message>
         <message numerus="yes">
             <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
-            <translation>
-                <numerusform>%1: der Rand wurde an %n Ecke geteilt; Strg+Z nimmt es zurück.</numerusform>
-                <numerusform>%1: der Rand wurde an %n Ecken geteilt; Strg+Z nimmt es zurück.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
+                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
             </translation>
         </message>
         <message>
@@ -1439,6 +1435,18 @@
         <message>
             <source>Parting a boundary</source>
             <translation>Ein Rand wird geteilt</translation>
+        </message>
+        <message>
+            <source>Lengths in %1</source>
+            <translation>Längen in %1</translation>
+        </message>
+        <message>
+            <source>Lengths without a unit</source>
+            <translation>Längen ohne Einheit</translation>
+        </message>
+        <message>
+            <source>Erase a ring of faces of %1</source>
+            <translation>Einen Ring von Flächen von %1 löschen</translation>
         </message>
     </context>
     <context>
@@ -1798,6 +1806,10 @@
         <message>
             <source>Boundary</source>
             <translation>Rand</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
         </message>
     </context>
     <context>
@@ -2273,8 +2285,16 @@
             <translation>Abstand: &lt;b&gt;%1&lt;/b&gt;</translation>
         </message>
         <message>
-            <source>Along x %1, y %2, z %3; in the units of the scan.</source>
-            <translation>Längs x %1, y %2, z %3; in der Einheit des Scans.</translation>
+            <source>Along x %1, y %2, z %3</source>
+            <translation>Längs x %1, y %2, z %3</translation>
+        </message>
+        <message>
+            <source>%1; in the units of the scan.</source>
+            <translation>%1; in der Einheit des Scans.</translation>
+        </message>
+        <message>
+            <source>%1; in %2.</source>
+            <translation>%1; in %2.</translation>
         </message>
     </context>
     <context>
@@ -2325,9 +2345,9 @@
         </message>
         <message numerus="yes">
             <source>%n hidden: show all</source>
-            <translation>
-                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
-                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
+            <translation type="unfinished">
+                <numerusform>%n hidden: show all</numerusform>
+                <numerusform>%n hidden: show all</numerusform>
             </translation>
         </message>
     </context>
@@ -2452,6 +2472,48 @@
         <message>
             <source>The surfaces alone</source>
             <translation>Die Flächen allein</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PieceMenu</name>
+        <message>
+            <source>Move the mouse over the piece, or select one of its holes, and press the key again.</source>
+            <translation>Die Maus auf das Stück bewegen oder eines seiner Löcher wählen und die Taste noch einmal drücken.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n piece(s)</source>
+            <translation type="unfinished">
+                <numerusform>%n piece(s)</numerusform>
+                <numerusform>%n piece(s)</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>piece %1 of %2</source>
+            <translation>Stück %1 von %2</translation>
+        </message>
+        <message>
+            <source>&amp;Hide %1</source>
+            <translation>%1 &amp;ausblenden</translation>
+        </message>
+        <message>
+            <source>It is filled and exported as before</source>
+            <translation>Gefüllt und exportiert wird es wie zuvor</translation>
+        </message>
+        <message>
+            <source>&amp;Isolate %1</source>
+            <translation>Nur %1 &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>Hide all other pieces</source>
+            <translation>Alle anderen Stücke ausblenden</translation>
+        </message>
+        <message>
+            <source>Sho&amp;w all pieces</source>
+            <translation>A&amp;lle Stücke einblenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden</source>
+            <translation>Alles Ausgeblendete einblenden</translation>
         </message>
     </context>
     <context>
@@ -3026,6 +3088,75 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ScenePanel</name>
+        <message>
+            <source>&amp;Isolate</source>
+            <translation>&amp;Nur dies</translation>
+        </message>
+        <message>
+            <source>Hide everything but the chosen row (Shift+H)</source>
+            <translation>Alles außer der gewählten Zeile ausblenden (Umschalt+H)</translation>
+        </message>
+        <message>
+            <source>Show a&amp;ll</source>
+            <translation>A&amp;lles einblenden</translation>
+        </message>
+        <message>
+            <source>Show everything that was hidden (Ctrl+H)</source>
+            <translation>Alles Ausgeblendete einblenden (Strg+H)</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>Szene</translation>
+        </message>
+        <message>
+            <source>Scans, their pieces and patches; the check boxes hide and show them</source>
+            <translation>Scans, ihre Stücke und Flicken; die Kästchen blenden sie aus und ein</translation>
+        </message>
+        <message>
+            <source>Shown</source>
+            <translation>Gezeigt</translation>
+        </message>
+        <message>
+            <source>Triangles</source>
+            <translation>Dreiecke</translation>
+        </message>
+        <message>
+            <source>Hiding changes the picture alone: what is hidden is filled, checked and exported as before.</source>
+            <translation>Ausblenden ändert nur das Bild: Ausgeblendetes wird gefüllt, geprüft und exportiert wie zuvor.</translation>
+        </message>
+        <message>
+            <source>Piece %1, %2 across</source>
+            <translation>Stück %1, Größe %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n smaller piece(s)</source>
+            <translation type="unfinished">
+                <numerusform>%n smaller piece(s)</numerusform>
+                <numerusform>%n smaller piece(s)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n patch(es)</source>
+            <translation type="unfinished">
+                <numerusform>%n patch(es)</numerusform>
+                <numerusform>%n patch(es)</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Lengths in</source>
+            <translation>Längen in</translation>
+        </message>
+        <message>
+            <source>What the lengths of the scans are measured in. Nothing is converted; it is shown, and written to 3MF</source>
+            <translation>Worin die Längen der Scans gemessen sind. Umgerechnet wird nichts; es wird gezeigt und in 3MF geschrieben</translation>
+        </message>
+        <message>
+            <source>Lengths &amp;in</source>
+            <translation>Längen &amp;in</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::SectionView</name>
         <message>
             <source>±σ</source>
@@ -3062,6 +3193,29 @@
         <message>
             <source>initial patch</source>
             <translation>erste Fläche</translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::SessionDialog</name>
+        <message>
+            <source>Save session</source>
+            <translation>Sitzung sichern</translation>
+        </message>
+        <message>
+            <source>&amp;Keep the scans in the session</source>
+            <translation>&amp;Die Scans in der Sitzung behalten</translation>
+        </message>
+        <message>
+            <source>Loopmend session (*.loopmend)</source>
+            <translation>Loopmend-Sitzung (*.loopmend)</translation>
+        </message>
+        <message>
+            <source>Keep the scans in the session</source>
+            <translation>Die Scans in der Sitzung behalten</translation>
+        </message>
+        <message>
+            <source>The session can be moved or sent by itself, and is as large as the compressed scans. Pictures and material files beside a scan are not in it</source>
+            <translation>Die Sitzung lässt sich allein verschieben oder verschicken und ist so groß wie die komprimierten Scans. Bilder und Materialdateien neben einem Scan sind nicht darin</translation>
         </message>
     </context>
     <context>
@@ -3909,7 +4063,7 @@
         </message>
         <message>
             <source>Sho&amp;w all pieces</source>
-            <translation>Alle Stücke ein&amp;blenden</translation>
+            <translation>A&amp;lle Stücke einblenden</translation>
         </message>
         <message>
             <source>Show everything that was hidden</source>
@@ -3930,6 +4084,14 @@
         <message>
             <source>Part the boundary at vertices that it passes twice: what hangs there becomes an island</source>
             <translation>Den Rand an Ecken teilen, durch die er zweimal läuft: was dort hängt, wird eine Insel</translation>
+        </message>
+        <message>
+            <source>&amp;Erase a ring of faces</source>
+            <translation>Einen R&amp;ing von Flächen löschen</translation>
+        </message>
+        <message>
+            <source>Widen the selected holes by one ring of faces, where they are ragged; once more for another</source>
+            <translation>Die gewählten Löcher um einen Ring von Flächen weiten, wo sie ausgefranst sind; noch einmal für einen weiteren</translation>
         </message>
     </context>
     <context>
@@ -4334,104 +4496,33 @@
             <source>%1 touching boundary vertices joined</source>
             <translation>%1 Randpunkte an derselben Stelle verbunden</translation>
         </message>
-    </context>
-    <context>
-        <name>loopmend::PieceMenu</name>
         <message>
-            <source>Move the mouse over the piece, or select one of its holes, and press the key again.</source>
-            <translation>Die Maus auf das Stück bewegen oder eines seiner Löcher wählen und die Taste noch einmal drücken.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n piece(s)</source>
-            <translation>
-                <numerusform>%n Stück</numerusform>
-                <numerusform>%n Stücke</numerusform>
-            </translation>
+            <source>micrometres</source>
+            <translation>Mikrometern</translation>
         </message>
         <message>
-            <source>piece %1 of %2</source>
-            <translation>Stück %1 von %2</translation>
+            <source>millimetres</source>
+            <translation>Millimetern</translation>
         </message>
         <message>
-            <source>&amp;Hide %1</source>
-            <translation>%1 &amp;ausblenden</translation>
+            <source>centimetres</source>
+            <translation>Zentimetern</translation>
         </message>
         <message>
-            <source>It is filled and exported as before</source>
-            <translation>Gefüllt und exportiert wird es wie zuvor</translation>
+            <source>metres</source>
+            <translation>Metern</translation>
         </message>
         <message>
-            <source>&amp;Isolate %1</source>
-            <translation>Nur %1 &amp;zeigen</translation>
+            <source>inches</source>
+            <translation>Zoll</translation>
         </message>
         <message>
-            <source>Hide all other pieces</source>
-            <translation>Alle anderen Stücke ausblenden</translation>
+            <source>feet</source>
+            <translation>Fuß</translation>
         </message>
         <message>
-            <source>Sho&amp;w all pieces</source>
-            <translation>A&amp;lle Stücke einblenden</translation>
-        </message>
-        <message>
-            <source>Show everything that was hidden</source>
-            <translation>Alles Ausgeblendete einblenden</translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::ScenePanel</name>
-        <message>
-            <source>&amp;Isolate</source>
-            <translation>&amp;Nur dies</translation>
-        </message>
-        <message>
-            <source>Hide everything but the chosen row (Shift+H)</source>
-            <translation>Alles außer der gewählten Zeile ausblenden (Umschalt+H)</translation>
-        </message>
-        <message>
-            <source>Show a&amp;ll</source>
-            <translation>A&amp;lles einblenden</translation>
-        </message>
-        <message>
-            <source>Show everything that was hidden (Ctrl+H)</source>
-            <translation>Alles Ausgeblendete einblenden (Strg+H)</translation>
-        </message>
-        <message>
-            <source>Scene</source>
-            <translation>Szene</translation>
-        </message>
-        <message>
-            <source>Scans, their pieces and patches; the check boxes hide and show them</source>
-            <translation>Scans, ihre Stücke und Flicken; die Kästchen blenden sie aus und ein</translation>
-        </message>
-        <message>
-            <source>Shown</source>
-            <translation>Gezeigt</translation>
-        </message>
-        <message>
-            <source>Triangles</source>
-            <translation>Dreiecke</translation>
-        </message>
-        <message>
-            <source>Hiding changes the picture alone: what is hidden is filled, checked and exported as before.</source>
-            <translation>Ausblenden ändert nur das Bild: Ausgeblendetes wird gefüllt, geprüft und exportiert wie zuvor.</translation>
-        </message>
-        <message>
-            <source>Piece %1, %2 across</source>
-            <translation>Stück %1, Größe %2</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n smaller piece(s)</source>
-            <translation>
-                <numerusform>%n kleineres Stück</numerusform>
-                <numerusform>%n kleinere Stücke</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n patch(es)</source>
-            <translation>
-                <numerusform>%n Flicken</numerusform>
-                <numerusform>%n Flicken</numerusform>
-            </translation>
+            <source>not known</source>
+            <translation>nicht bekannt</translation>
         </message>
     </context>
 </TS>

@@ -12,6 +12,16 @@
         </message>
     </context>
     <context>
+        <name>loopmend::ExportDialog</name>
+        <message numerus="yes">
+            <source>%n hidden piece(s) or patch(es) are written as well.</source>
+            <translation type="unfinished">
+                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
+                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::FileDesk</name>
         <message numerus="yes">
             <source>%n of the patches are initial patches: no flow has smoothed them yet.</source>
@@ -88,29 +98,29 @@
         </message>
         <message numerus="yes">
             <source>%n patch(es) are a part of the scan now.</source>
-            <translation>
-                <numerusform>%n patch is a part of the scan now.</numerusform>
-                <numerusform>%n patches are a part of the scan now.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
+                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1 %n patch(es) of this scan were removed.</source>
-            <translation>
-                <numerusform>%1 %n patch of this scan was removed.</numerusform>
-                <numerusform>%1 %n patches of this scan were removed.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
+                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
-            <translation>
-                <numerusform>%1: %n face was erased; Ctrl+Z brings it back.</numerusform>
-                <numerusform>%1: %n faces were erased; Ctrl+Z brings them back.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
+                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
-            <translation>
-                <numerusform>%1: the boundary was parted at %n vertex; Ctrl+Z takes it back.</numerusform>
+            <translation type="unfinished">
+                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
                 <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
             </translation>
         </message>
@@ -122,6 +132,43 @@
             <translation>
                 <numerusform>%n hole, %1 open</numerusform>
                 <numerusform>%n holes, %1 open</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::MeshView</name>
+        <message numerus="yes">
+            <source>%n hidden: show all</source>
+            <translation type="unfinished">
+                <numerusform>%n hidden: show all</numerusform>
+                <numerusform>%n hidden: show all</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::PieceMenu</name>
+        <message numerus="yes">
+            <source>%n piece(s)</source>
+            <translation type="unfinished">
+                <numerusform>%n piece(s)</numerusform>
+                <numerusform>%n piece(s)</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::ScenePanel</name>
+        <message numerus="yes">
+            <source>%n smaller piece(s)</source>
+            <translation type="unfinished">
+                <numerusform>%n smaller piece(s)</numerusform>
+                <numerusform>%n smaller piece(s)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n patch(es)</source>
+            <translation type="unfinished">
+                <numerusform>%n patch(es)</numerusform>
+                <numerusform>%n patch(es)</numerusform>
             </translation>
         </message>
     </context>
@@ -163,53 +210,6 @@
             <translation>
                 <numerusform>%n pair of faces that intersect</numerusform>
                 <numerusform>%n pairs of faces that intersect</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::ExportDialog</name>
-        <message numerus="yes">
-            <source>%n hidden piece(s) or patch(es) are written as well.</source>
-            <translation>
-                <numerusform>%n hidden piece or patch is written as well.</numerusform>
-                <numerusform>%n hidden pieces or patches are written as well.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::MeshView</name>
-        <message numerus="yes">
-            <source>%n hidden: show all</source>
-            <translation>
-                <numerusform>%n hidden: show all</numerusform>
-                <numerusform>%n hidden: show all</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::PieceMenu</name>
-        <message numerus="yes">
-            <source>%n piece(s)</source>
-            <translation>
-                <numerusform>%n piece</numerusform>
-                <numerusform>%n pieces</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>loopmend::ScenePanel</name>
-        <message numerus="yes">
-            <source>%n smaller piece(s)</source>
-            <translation>
-                <numerusform>%n smaller piece</numerusform>
-                <numerusform>%n smaller pieces</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n patch(es)</source>
-            <translation>
-                <numerusform>%n patch</numerusform>
-                <numerusform>%n patches</numerusform>
             </translation>
         </message>
     </context>

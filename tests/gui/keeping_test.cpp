@@ -89,8 +89,6 @@ class KeepingTest : public QObject {
   void closing_saves_first_if_wanted();
   void closing_a_scan_asks_before_its_patches_go();
   void export_offers_to_smooth_initial_patches();
-  void run_ends_where_fill_and_smooth_ends_data();
-  void run_ends_where_fill_and_smooth_ends();
   void a_session_is_looked_at_as_before();
   void a_session_of_the_first_version_opens();
   void where_the_flow_must_give_way();
@@ -266,40 +264,6 @@ void KeepingTest::export_offers_to_smooth_initial_patches() {
   QVERIFY(window.document().patches().empty());
 }
 
-void KeepingTest::run_ends_where_fill_and_smooth_ends_data() {
-  QTest::addColumn<QString>("scan");
-  QTest::addColumn<int>("hole");
-  QTest::newRow("sample") << QString() << 1;
-  QTest::newRow("head_holes") << QStringLiteral("head_holes.ply") << 2;
-  QTest::newRow("bunny") << QStringLiteral("bunny.ply") << 3;
-}
-
-/// Run grew noses and socks when it took the boundary literally.
-void KeepingTest::run_ends_where_fill_and_smooth_ends() {
-  QFETCH(QString, scan);
-  QFETCH(int, hole);
-  const QString path = scan.isEmpty() ? sample_file(folder_) : QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + scan;
-  if (!QFile::exists(path)) QSKIP("not in the shared folder");
-  Shown shown({path});
-  MainWindow& window = shown.window;
-  const Document& document = window.document();
-  window.selection().select({hole});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
-  const PatchStatePtr whole = document.patch_of(hole)->state;
-  QVERIFY(whole->steps > 0);
-  trigger(window, "undo");
-  QVERIFY2(document.patch_of(hole) == nullptr, "one press is undone by one");
-  press(window, "fill");
-  QVERIFY(wait_idle(window, 240));
-  press(window, "run");
-  QVERIFY(wait_idle(window, 240));
-  const PatchStatePtr run = document.patch_of(hole)->state;
-  QCOMPARE(run->status, whole->status);
-  QCOMPARE(run->steps, whole->steps);
-  QVERIFY2(run->patch.positions == whole->patch.positions, "Run and Fill and smooth end in different surfaces");
-}
-
 void KeepingTest::a_session_is_looked_at_as_before() {
   const QString path = folder_.filePath(QStringLiteral("looked.loopmend"));
   Viewpoint from;
@@ -339,7 +303,7 @@ void KeepingTest::a_session_of_the_first_version_opens() {
   // Without a view and without patches, the fourth version ends so: four bytes that say that the scan has a file of its own,
   // eight that count the patches, four that say that there is no view. The first had neither the four nor the four.
   Session session;
-  session.scans.push_back({sample_file(folder_), 0, {}, nullptr});
+  session.scans.push_back({sample_file(folder_), 0, {}, nullptr, {}, nullptr});
   {
     Shown shown({sample_file(folder_)});
     session = session_of(shown.window.document(), {});

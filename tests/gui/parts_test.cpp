@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -90,6 +91,7 @@ class PartsTest : public QObject {
   void the_brush_trims_a_boundary();
   void erasing_takes_in_the_patch_that_it_meets();
   void a_boundary_is_parted_where_it_touches_itself();
+  void a_ragged_bunny_hole_is_trimmed_and_filled();
 
  private:
   QString file(const char* name, const TriangleSoup& soup) {
@@ -327,6 +329,30 @@ void PartsTest::a_boundary_is_parted_where_it_touches_itself() {
   QVERIFY(!action->isEnabled());
   key(window, Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(document.scans(), std::vector<int>{0});
+}
+
+/// With three rings of ragged faces gone, the patch meets the bunny below 8 degrees; without, at 16.
+void PartsTest::a_ragged_bunny_hole_is_trimmed_and_filled() {
+  const QString path = QStringLiteral(LOOPMEND_SHARED_DIR "/data/bunny.ply");
+  if (!QFile::exists(path)) QSKIP("the shared scans are not here");
+  for (int hole : {2, 3}) {
+    Shown shown({path});
+    MainWindow& window = shown.window;
+    window.selection().select({hole});
+    for (int ring = 0; ring < 3; ++ring) {
+      trigger(window, "eraseRingAction");
+      QVERIFY(wait_idle(window));
+      QCOMPARE(window.selection().selected().size(), std::size_t(1));  // the widened hole
+    }
+    press(window, "fillAndSmooth");
+    QVERIFY(wait_idle(window, 240));
+    QCOMPARE(window.document().patches().size(), std::size_t(1));
+    const SeamReport& seam = window.document().patches().front().state->seams.front();
+    qInfo("hole %d: %.2f degrees rms, %.2f at most", hole + 1, seam.g1_rms_deg, seam.g1_max_deg);
+    QVERIFY(seam.g1_rms_deg < 8);
+    for (int step = 0; step < 4; ++step) trigger(window, "undo");
+    QCOMPARE(window.document().scans(), std::vector<int>{0});
+  }
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<PartsTest>(); }
