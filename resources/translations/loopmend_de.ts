@@ -880,9 +880,9 @@
         </message>
         <message numerus="yes">
             <source>%n hidden piece(s) or patch(es) are written as well.</source>
-            <translation type="unfinished">
-                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
-                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
+            <translation>
+                <numerusform>%n ausgeblendetes Teil wird mitgeschrieben.</numerusform>
+                <numerusform>%n ausgeblendete Teile werden mitgeschrieben.</numerusform>
             </translation>
         </message>
         <message>
@@ -1386,16 +1386,16 @@
         </message>
         <message numerus="yes">
             <source>%n patch(es) are a part of the scan now.</source>
-            <translation type="unfinished">
-                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
-                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
+            <translation>
+                <numerusform>%n Flicken ist jetzt ein Teil des Scans.</numerusform>
+                <numerusform>%n Flicken sind jetzt ein Teil des Scans.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1 %n patch(es) of this scan were removed.</source>
-            <translation type="unfinished">
-                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
-                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
+            <translation>
+                <numerusform>%1 %n Flicken dieses Scans wurde entfernt.</numerusform>
+                <numerusform>%1 %n Flicken dieses Scans wurden entfernt.</numerusform>
             </translation>
         </message>
         <message>
@@ -1408,9 +1408,9 @@
         </message>
         <message numerus="yes">
             <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
-            <translation type="unfinished">
-                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
-                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
+            <translation>
+                <numerusform>%1: %n Fläche wurde gelöscht; Strg+Z holt sie zurück.</numerusform>
+                <numerusform>%1: %n Flächen wurden gelöscht; Strg+Z holt sie zurück.</numerusform>
             </translation>
         </message>
         <message>
@@ -1419,9 +1419,9 @@
         </message>
         <message numerus="yes">
             <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
-            <translation type="unfinished">
-                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
-                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
+            <translation>
+                <numerusform>%1: der Rand wurde an %n Ecke geteilt; Strg+Z nimmt es zurück.</numerusform>
+                <numerusform>%1: der Rand wurde an %n Ecken geteilt; Strg+Z nimmt es zurück.</numerusform>
             </translation>
         </message>
         <message>
@@ -2345,9 +2345,9 @@
         </message>
         <message numerus="yes">
             <source>%n hidden: show all</source>
-            <translation type="unfinished">
-                <numerusform>%n hidden: show all</numerusform>
-                <numerusform>%n hidden: show all</numerusform>
+            <translation>
+                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
+                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
             </translation>
         </message>
     </context>
@@ -2482,9 +2482,9 @@
         </message>
         <message numerus="yes">
             <source>%n piece(s)</source>
-            <translation type="unfinished">
-                <numerusform>%n piece(s)</numerusform>
-                <numerusform>%n piece(s)</numerusform>
+            <translation>
+                <numerusform>%n Stück</numerusform>
+                <numerusform>%n Stücke</numerusform>
             </translation>
         </message>
         <message>
@@ -3131,16 +3131,16 @@
         </message>
         <message numerus="yes">
             <source>%n smaller piece(s)</source>
-            <translation type="unfinished">
-                <numerusform>%n smaller piece(s)</numerusform>
-                <numerusform>%n smaller piece(s)</numerusform>
+            <translation>
+                <numerusform>%n kleineres Stück</numerusform>
+                <numerusform>%n kleinere Stücke</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%n patch(es)</source>
-            <translation type="unfinished">
-                <numerusform>%n patch(es)</numerusform>
-                <numerusform>%n patch(es)</numerusform>
+            <translation>
+                <numerusform>%n Flicken</numerusform>
+                <numerusform>%n Flicken</numerusform>
             </translation>
         </message>
         <message>

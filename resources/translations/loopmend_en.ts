@@ -15,9 +15,9 @@
         <name>loopmend::ExportDialog</name>
         <message numerus="yes">
             <source>%n hidden piece(s) or patch(es) are written as well.</source>
-            <translation type="unfinished">
-                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
-                <numerusform>%n hidden piece(s) or patch(es) are written as well.</numerusform>
+            <translation>
+                <numerusform>%n hidden piece or patch is written as well.</numerusform>
+                <numerusform>%n hidden pieces or patches are written as well.</numerusform>
             </translation>
         </message>
     </context>
@@ -98,29 +98,29 @@
         </message>
         <message numerus="yes">
             <source>%n patch(es) are a part of the scan now.</source>
-            <translation type="unfinished">
-                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
-                <numerusform>%n patch(es) are a part of the scan now.</numerusform>
+            <translation>
+                <numerusform>%n patch is a part of the scan now.</numerusform>
+                <numerusform>%n patches are a part of the scan now.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1 %n patch(es) of this scan were removed.</source>
-            <translation type="unfinished">
-                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
-                <numerusform>%1 %n patch(es) of this scan were removed.</numerusform>
+            <translation>
+                <numerusform>%1 %n patch of this scan was removed.</numerusform>
+                <numerusform>%1 %n patches of this scan were removed.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
-            <translation type="unfinished">
-                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
-                <numerusform>%1: %n face(s) were erased; Ctrl+Z brings them back.</numerusform>
+            <translation>
+                <numerusform>%1: %n face was erased; Ctrl+Z brings it back.</numerusform>
+                <numerusform>%1: %n faces were erased; Ctrl+Z brings them back.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
-            <translation type="unfinished">
-                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
+            <translation>
+                <numerusform>%1: the boundary was parted at %n vertex; Ctrl+Z takes it back.</numerusform>
                 <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
             </translation>
         </message>
@@ -139,7 +139,7 @@
         <name>loopmend::MeshView</name>
         <message numerus="yes">
             <source>%n hidden: show all</source>
-            <translation type="unfinished">
+            <translation>
                 <numerusform>%n hidden: show all</numerusform>
                 <numerusform>%n hidden: show all</numerusform>
             </translation>
@@ -149,9 +149,9 @@
         <name>loopmend::PieceMenu</name>
         <message numerus="yes">
             <source>%n piece(s)</source>
-            <translation type="unfinished">
-                <numerusform>%n piece(s)</numerusform>
-                <numerusform>%n piece(s)</numerusform>
+            <translation>
+                <numerusform>%n piece</numerusform>
+                <numerusform>%n pieces</numerusform>
             </translation>
         </message>
     </context>
@@ -159,16 +159,16 @@
         <name>loopmend::ScenePanel</name>
         <message numerus="yes">
             <source>%n smaller piece(s)</source>
-            <translation type="unfinished">
-                <numerusform>%n smaller piece(s)</numerusform>
-                <numerusform>%n smaller piece(s)</numerusform>
+            <translation>
+                <numerusform>%n smaller piece</numerusform>
+                <numerusform>%n smaller pieces</numerusform>
             </translation>
         </message>
         <message numerus="yes">
             <source>%n patch(es)</source>
-            <translation type="unfinished">
-                <numerusform>%n patch(es)</numerusform>
-                <numerusform>%n patch(es)</numerusform>
+            <translation>
+                <numerusform>%n patch</numerusform>
+                <numerusform>%n patches</numerusform>
             </translation>
         </message>
     </context>
