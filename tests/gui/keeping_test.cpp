@@ -389,6 +389,7 @@ void KeepingTest::window_and_command_line_give_the_same_bits_data() {
   QTest::newRow("sample") << sample_file(folder_) << QStringList();
   for (const char* name : {"bunny.ply", "head_holes.ply", "plane_holes.obj"})
     QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList();
+  QTest::newRow("relief") << sample_file(folder_) << QStringList{QStringLiteral("--relief"), QStringLiteral("continued")};
   const QString island = folder_.filePath(QStringLiteral("island.ply"));
   write_mesh(island.toStdString(), cut(make_icosphere(5), [](const Vec3& p) {
                return p.z() > 0.7 && (p - Vec3(0.2, 0, 0.98).normalized()).norm() > 0.15;
@@ -436,6 +437,7 @@ void KeepingTest::window_and_command_line_give_the_same_bits() {
   if (options.contains(QStringLiteral("--repair")))
     QVERIFY(mended([&] { window.controller().repair(harmless_repairs); }));
   part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
+  part<QCheckBox>(window, "relief")->setChecked(options.contains(QStringLiteral("--relief")));
   press(window, "fill");
   QVERIFY(wait_idle(window));
   press(window, "fillAndSmooth");
