@@ -58,9 +58,12 @@ void Autosave::write() {
     lock_->setStaleLockTime(0);
     lock_->tryLock(0);
   }
+  if (job_) job_->cancel();  // this copy is newer
   job_ = std::make_shared<Job>(this);
   tasks_.start([this, job = job_, session = session_of(document_, view_), path = path_] {
     try {
+      const std::lock_guard turn(writing_);
+      if (job->token().cancelled()) return;
       write_session(session, path);
       job->post([this] {
         failure_told_ = false;

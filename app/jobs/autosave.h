@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <mutex>
 
 namespace loopmend {
 
@@ -55,6 +56,7 @@ class Autosave : public QObject {
   ViewSource view_;
   std::unique_ptr<QLockFile> lock_;
   QTimer timer_;
+  std::mutex writing_;  ///< held by the job that writes: an older copy must not replace a newer one
   TaskRunner tasks_;
   std::shared_ptr<Job> job_;
   std::vector<Leftover> taken_over_;

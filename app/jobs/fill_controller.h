@@ -18,6 +18,7 @@
 #include <QStringList>
 
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 
@@ -171,6 +172,7 @@ class FillController : public QObject {
 
   Document& document_;
   UndoHistory& undo_;
+  std::mutex writing_;  ///< held by the job that writes: one that was given up must not replace what came after it
   TaskRunner tasks_;
   Activity activity_ = Activity::idle;
   JobPtr job_;

@@ -242,8 +242,9 @@ void FillController::save_session(const QString& path) {
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
   tasks_.run(
       job,
-      [session = session_of(document_, view_), path] {
-        write_session(session, path);
+      [this, job, session = session_of(document_, view_), path] {
+        const std::lock_guard turn(writing_);
+        if (!job->token().cancelled()) write_session(session, path);
         return true;
       },
       [this, path](bool) {
@@ -260,7 +261,10 @@ void FillController::export_to(const QString& path, ExportContent content) {
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
   tasks_.run(
       job,
-      [job, task = export_task(document_, path.toStdString(), content)] { return export_scene(task, job->token()); },
+      [this, job, task = export_task(document_, path.toStdString(), content)] {
+        const std::lock_guard turn(writing_);
+        return export_scene(task, job->token());
+      },
       [this, path, content](const ExportResult& result) { on_exported(result, path, content); },
       [this](const QString& text) { give_up(text); });
 }
