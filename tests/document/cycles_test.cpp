@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random cycles of work on small random scans: after each step the scan is as it was in every bit, undo and redo lead to
 // equal states, and a session comes back as it was saved.
+#include "document/session.h"
 #include "document/timeline.h"
 #include "io/write_mesh.h"
 #include "jobs/fill_controller.h"
@@ -393,6 +394,39 @@ TEST(Cycles, AFlowWhoseFirstStepIsRefusedGoesOnWithCubicFits) {
   std::map<std::string, int> counts;
   Cycle(252, counts).run();
   EXPECT_GT(counts["steady"], 0);
+}
+
+/// The one is large and takes longer to be written than the other, which is saved when the first was cancelled.
+TEST(Cycles, ASaveThatWasCancelledDoesNotReplaceTheOneAfterIt) {
+  const QTemporaryDir folder;
+  const QString scan = folder.filePath(QStringLiteral("scan.ply")), path = folder.filePath(QStringLiteral("a.loopmend"));
+  write_mesh(scan.toStdString(), cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.5; }));
+  Document document;
+  UndoHistory undo;
+  FillController controller(document, undo);
+  QTimer heartbeat;
+  heartbeat.start(20);
+  const auto wait = [&] {
+    while (controller.busy()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  };
+  controller.open({scan}, OpenMode::replace);
+  wait();
+  controller.fill({0}, {1.0, FillOptions::Islands::join});
+  wait();
+  ASSERT_EQ(document.patches().size(), 1U);
+  for (int k = 0; k < 30; ++k) {
+    controller.save_session(path);
+    QThread::usleep(static_cast<unsigned long>(500 * (k % 10)));
+    controller.cancel();
+    undo.undo();
+    ASSERT_EQ(document.patches().size(), 0U);
+    controller.save_session(path);
+    wait();
+    ASSERT_TRUE(controller.shut_down(std::chrono::minutes(4)));
+    EXPECT_EQ(session_from_file(path).patches.size(), 0U) << "after " << 500 * (k % 10) << " microseconds";
+    undo.redo();
+    ASSERT_EQ(document.patches().size(), 1U);
+  }
 }
 
 TEST(Cycles, LeaveTheScanAsItWasAndUndoLeadsBack) {
