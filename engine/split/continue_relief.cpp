@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<double, 4> cutoffs{0.5, 1, 2, 4};
 constexpr int adjustments = 2;         ///< of the strength of the random waves
 constexpr double outlier = 3;          ///< standard deviations: heights beyond, such as those of creases, count as much
-constexpr int first_measured = 2, last_measured = 5;  ///< rings of the neighborhood; others feel the smooth patch or the border
+constexpr int last_measured = 4;       ///< ring of the neighborhood; others feel its border
 constexpr int away_from_the_seam = 2;  ///< edges from where on the patch is measured
 constexpr std::size_t fewest_measured = 20;  ///< vertices of the patch; where there are fewer, all of it is measured
 constexpr double least_relief = 0.01;        ///< rms in boundary edges: less is none
@@ -152,7 +152,7 @@ MeasuredPlaces measured_places(const Patch& patch, const Topology& topology) {
       for (int w : topology.neighbors(v)) near[v] = near[v] || before[w];
   }
   for (int v = 0; v < patch.vertex_count(); ++v) {
-    if (patch.ring[v] >= first_measured && patch.ring[v] <= last_measured) places.neighborhood.push_back(v);
+    if (patch.ring[v] >= 1 && patch.ring[v] <= last_measured) places.neighborhood.push_back(v);
     if (!near[v]) places.patch.push_back(v);
   }
   if (places.patch.size() < fewest_measured) {
