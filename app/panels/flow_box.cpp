@@ -55,9 +55,9 @@ void FlowBox::build() {
   continuity_label->setBuddy(continuity_);
   relief_ = new QCheckBox(tr("Continue re&lief"));
   relief_->setObjectName(QStringLiteral("relief"));
-  relief_->setToolTip(
-      tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
-         "continues the smooth surface under the scan."));
+  explain(relief_, tr("Continue relief"),
+          tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
+             "continues the smooth surface under the scan."));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("sigma"));
   sigma_->setRange(sigma_low, sigma_high);

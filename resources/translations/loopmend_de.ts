@@ -1535,6 +1535,10 @@
             <source>When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it continues the smooth surface under the scan.</source>
             <translation>Der fertige Flicken bekommt ein zufälliges Relief, so stark wie das des Scans um das Loch. Aus: Er setzt die glatte Fläche unter dem Scan fort.</translation>
         </message>
+        <message>
+            <source>Continue relief</source>
+            <translation>Relief fortsetzen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowView</name>

@@ -300,8 +300,9 @@ void KeepingTest::a_session_is_looked_at_as_before() {
 }
 
 void KeepingTest::a_session_of_the_first_version_opens() {
-  // Without a view and without patches, the fourth version ends so: four bytes that say that the scan has a file of its own,
-  // eight that count the patches, four that say that there is no view. The first had neither the four nor the four.
+  // Without a view and without patches, the sixth version ends so: four bytes that say that the scan has a file of its own,
+  // eight that count the patches, four that say that there is no view, four of a unit without letters. The first had the eight
+  // alone.
   Session session;
   session.scans.push_back({sample_file(folder_), 0, {}, nullptr, {}, nullptr});
   {
@@ -310,9 +311,9 @@ void KeepingTest::a_session_of_the_first_version_opens() {
   }
   QByteArray bytes = to_bytes(session, folder_.path());
   constexpr int version_at = 17;  // behind "Loopmend session\n"
-  QCOMPARE(bytes[version_at], '\5');
+  QCOMPARE(bytes[version_at], '\6');
   bytes[version_at] = '\1';
-  bytes.chop(4);
+  bytes.chop(8);
   bytes.remove(bytes.size() - 12, 4);
   QFile file(folder_.filePath(QStringLiteral("old.loopmend")));
   QVERIFY(file.open(QIODevice::WriteOnly));
