@@ -13,8 +13,6 @@
 namespace loopmend {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("loopmend::ScanCommands", text); }
-
 /// The options of `loopmend fill` for a recipe; only the last run where there are several.
 QString options_of(const PatchRecipe& recipe) {
   QString text;
@@ -60,12 +58,19 @@ class ScanCommands {
     loops.insert(patch.loops.begin(), patch.loops.end());
     const QString name = labels::sentence(labels::holes(document_, {patch.loops.begin(), patch.loops.end()}));
     if (patch.state->status == PatchStatus::invalid)
-      remarks << tr("%1: the patch cuts the surface; the command would leave it open.").arg(name);
+      remarks << QCoreApplication::translate("loopmend::ScanCommands",
+                                             "%1: the patch cuts the surface; the command would leave it open.")
+                     .arg(name);
     if (scan_.from == ScanOrigin::made)
-      remarks << tr("%1 was made in the window: export it as surface.ply, without patches, before you use the command.")
-                     .arg(scan_.name);
+      remarks
+          << QCoreApplication::translate(
+                 "loopmend::ScanCommands",
+                 "%1 was made in the window: export it as surface.ply, without patches, before you use the command.")
+                 .arg(scan_.name);
     if (is_exact(recipe)) return;
-    remarks << tr("%1 took several runs, or was stopped halfway through one; the command repeats the last run only.")
+    remarks << QCoreApplication::translate(
+                   "loopmend::ScanCommands",
+                   "%1 took several runs, or was stopped halfway through one; the command repeats the last run only.")
                    .arg(name);
   }
 

@@ -12,8 +12,8 @@
 namespace loopmend {
 namespace {
 
-constexpr char magic[] = "Loopmend packed session\n";
-constexpr int magic_size = sizeof magic - 1;
+constexpr char packed_magic[] = "Loopmend packed session\n";
+constexpr int packed_magic_size = sizeof packed_magic - 1;
 constexpr qint32 version_of_packing = 1;
 constexpr qint64 largest_file = qint64{1} << 30;  // QByteArray of Qt 5 counts in int
 constexpr quint64 most_scans = 100000;
@@ -52,13 +52,13 @@ QString lay_out(const KeptFile& file, const QString& folder) {
   return path;
 }
 
-bool is_packed(const QByteArray& bytes) { return bytes.startsWith(QByteArray::fromRawData(magic, magic_size)); }
+bool is_packed(const QByteArray& bytes) { return bytes.startsWith(QByteArray::fromRawData(packed_magic, packed_magic_size)); }
 
 QByteArray pack(const QByteArray& session, const std::vector<KeptFilePtr>& files) {
   QByteArray bytes;
   QDataStream out(&bytes, QIODevice::WriteOnly);
   settle(out);
-  out.writeRawData(magic, magic_size);
+  out.writeRawData(packed_magic, packed_magic_size);
   out << version_of_packing << static_cast<quint64>(files.size());
   for (const KeptFilePtr& file : files)
     out << (file ? file->name : QString()) << (file ? file->compressed : QByteArray());
@@ -69,7 +69,7 @@ QByteArray pack(const QByteArray& session, const std::vector<KeptFilePtr>& files
 UnpackedSession unpack(const QByteArray& bytes, const QString& path) {
   QDataStream in(bytes);
   settle(in);
-  in.skipRawData(magic_size);
+  in.skipRawData(packed_magic_size);
   qint32 version = 0;
   quint64 count = 0;
   in >> version >> count;

@@ -12,8 +12,6 @@
 namespace loopmend {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("loopmend", text); }
-
 bool has_patches(const Document& document, int scan) {
   return std::any_of(document.patches().begin(), document.patches().end(),
                      [scan](const OpenPatch& patch) { return patch.scan == scan; });
@@ -27,10 +25,13 @@ void add_input(ProblemWords& words, const Document& document, int index) {
   const bool patched = has_patches(document, index);
   if (scan.from == ScanOrigin::sample && !patched) words.before << QStringLiteral("loopmend sample -o sample.ply");
   if (patched)
-    words.remarks << tr("%1 has patches: export it by itself as %2 before you use the command.").arg(scan.name, made);
+    words.remarks << QCoreApplication::translate(
+                         "loopmend", "%1 has patches: export it by itself as %2 before you use the command.")
+                         .arg(scan.name, made);
   else if (scan.from == ScanOrigin::made)
-    words.remarks
-        << tr("%1 was made in the window: export it by itself as %2 before you use the command.").arg(scan.name, made);
+    words.remarks << QCoreApplication::translate(
+                         "loopmend", "%1 was made in the window: export it by itself as %2 before you use the command.")
+                         .arg(scan.name, made);
   words.inputs << (patched ? made : shell::file_of(scan, made));
 }
 
@@ -104,7 +105,8 @@ ProblemWords blend_words(const Document& document, const std::vector<int>& loops
     if (at == scans.end()) {
       add_input(words, document, scan);
       if (has_patches(document, scan))
-        words.remarks << tr("Its boundary loops have other numbers then: 'loopmend info' prints them.");
+        words.remarks << QCoreApplication::translate(
+            "loopmend", "Its boundary loops have other numbers then: 'loopmend info' prints them.");
       at = scans.insert(scans.end(), scan);
     }
     names << QStringLiteral("%1:%2").arg(at - scans.begin() + 1).arg(loop - document.first_loop_of(scan) + 1);
@@ -119,14 +121,17 @@ ProblemWords holes_words(const Document& document, const std::set<int>& loops, d
   const OpenedScan& opened = *document.scan(scan);
   if (opened.from == ScanOrigin::sample) words.before << QStringLiteral("loopmend sample -o sample.ply");
   if (opened.from == ScanOrigin::made)
-    words.remarks << tr("%1 was made in the window: export it as surface.ply, without patches, before you use the "
-                        "command.")
+    words.remarks << QCoreApplication::translate(
+                         "loopmend",
+                         "%1 was made in the window: export it as surface.ply, without patches, before you use the "
+                         "command.")
                          .arg(opened.name);
   words.inputs << shell::file_of(opened);
   words.options = density_words(density);
   for (int loop = document.first_loop_of(scan); loop < document.loop_count() && document.scan_of(loop) == scan; ++loop)
     if (loops.contains(loop) != (document.loop(loop).kind == LoopKind::hole)) {
-      words.remarks << tr("The command compares on all holes of the file, and on nothing else.");
+      words.remarks << QCoreApplication::translate(
+          "loopmend", "The command compares on all holes of the file, and on nothing else.");
       break;
     }
   return words;
@@ -142,13 +147,15 @@ CommandLine comparing_command(const ProblemWords& problem, const EvolutionOption
                               const std::vector<FlowKind>& flows) {
   constexpr std::size_t all = 4;
   CommandLine result = command(problem, QStringLiteral("compare"), QStringLiteral("-flows"), step_words(options));
-  if (flows.size() < all) result.remarks << tr("The command runs all four flows.");
+  if (flows.size() < all) result.remarks << QCoreApplication::translate("loopmend", "The command runs all four flows.");
   return result;
 }
 
 QString copy_to_clipboard(const CommandLine& command) {
   QGuiApplication::clipboard()->setText(command.text);
-  return (QStringList(tr("The command line is in the clipboard.")) + command.remarks).join(QLatin1Char(' '));
+  return (QStringList(QCoreApplication::translate("loopmend", "The command line is in the clipboard.")) +
+          command.remarks)
+      .join(QLatin1Char(' '));
 }
 
 }  // namespace loopmend

@@ -10,7 +10,7 @@
 namespace loopmend {
 namespace {
 
-constexpr double pick_reach = 14;  ///< logical pixels
+constexpr double bridge_reach = 14;  ///< logical pixels
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void BridgeTool::take_loops() {
 bool BridgeTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space) {
   take_loops();
   at_ = event.localPos();
-  hovered_ = points_.nearest(space, at_, pick_reach);
+  hovered_ = points_.nearest(space, at_, bridge_reach);
   longer_ = event.modifiers().testFlag(Qt::ControlModifier);
   const auto seat = [this](int i) { return seats_[static_cast<std::size_t>(i)]; };
   if (purpose_ == Purpose::fill_part && begun_ >= 0 && hovered_ >= 0 && seat(begun_).loop != seat(hovered_).loop)

@@ -13,7 +13,6 @@ namespace loopmend {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr std::size_t most_remarks = 6;  ///< of a scan, in its row; the report has all
 
@@ -25,7 +24,7 @@ std::string number(const char* format, double value) {
 
 std::string number(const std::optional<double>& value) { return value ? number("%.4g", *value) : std::string(); }
 
-void take_larger(std::optional<double>& largest, const Json& value) {
+void take_larger(std::optional<double>& largest, const nlohmann::json& value) {
   if (value.is_number()) largest = std::max(largest.value_or(0), value.get<double>());
 }
 
@@ -47,14 +46,14 @@ std::string with_loops(const std::string& message, const std::vector<int>& loops
 }
 
 /// @throws nlohmann::json::exception where it is no report of fill.
-ScanFigures figures_of(const Json& report) {
+ScanFigures figures_of(const nlohmann::json& report) {
   ScanFigures figures;
   figures.vertices = report.at("input").at("vertices").get<std::size_t>();
   figures.faces = report.at("input").at("faces").get<std::size_t>();
   figures.seconds = report.at("total_seconds").get<double>();
   figures.memory = report.at("peak_memory_mb").get<double>();
   std::vector<std::pair<std::string, std::vector<int>>> said;
-  for (const Json& loop : report.at("loops")) {
+  for (const nlohmann::json& loop : report.at("loops")) {
     const std::string status = loop.at("status").get<std::string>(), message = loop.at("message").get<std::string>();
     ++figures.loops;
     const bool is_open = status == "failed" || status == "skipped";
@@ -117,8 +116,8 @@ std::vector<SummaryRow> summary_rows(const fs::path& folder, const std::vector<S
     if (ends[k].has_mesh()) {
       try {
         std::ifstream report(files.report);
-        row.figures = figures_of(Json::parse(report));
-      } catch (const Json::exception&) {  // the row says so
+        row.figures = figures_of(nlohmann::json::parse(report));
+      } catch (const nlohmann::json::exception&) {  // the row says so
       }
       if (state_of(files.picture)) row.picture = "pictures/" + scans[k].name + ".png";
     }
