@@ -23,6 +23,10 @@ constexpr int bridge_remesh_rounds = 5;
 constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart
 constexpr int fairing_rounds = 4;
 constexpr double most_vertices = 2e6;
+/// Folds and intersections for each triangle of a first bridge. Small ones that have more can be mended; those of so many vertices
+/// took up to a minute, and never were.
+constexpr double tangled = 0.5;
+constexpr double many_vertices = 5000;
 
 std::vector<BridgeEnd> ends_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   std::vector<BridgeEnd> ends;
@@ -258,6 +262,7 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
                         " million vertices: a lower density needs fewer";
       return outcome;
     }
+    if (vertices > many_vertices && defect_count(patch_validity(first)) > tangled * first.patch_triangles) continue;
     Start start(remeshed(first, cancel));
     const bool ready = shape == FirstBridge::Shape::smooth && defect_count(start.quality) == 0;
     if (!ready) start = faired(std::move(start), cancel);

@@ -5,7 +5,6 @@
 #include "filling/fairing.h"
 #include "filling/triangulate_loop.h"
 #include "mesh/quality.h"
-#include "mesh/self_intersections.h"
 #include "mesh/vertex_fans.h"
 #include "remeshing/constrained_remesher.h"
 #include "remeshing/double_edges.h"
@@ -16,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <unordered_map>
 
 namespace loopmend {
 
@@ -38,13 +38,34 @@ struct LoopSite {
   Triangles surroundings;    ///< over `points`, by the first places
   std::vector<double> size;  ///< n: mean length of the edges of the surroundings at each loop vertex
   RimNormals rim_normals;
-  ConstrainedRemesher::Watch watch;  ///< ends remeshing with Cancelled or TooManyVertices
-  Patch frame;                       ///< an empty patch: its centre and scale
+  ConstrainedRemesher::Watch watch;                             ///< ends remeshing with Cancelled or TooManyVertices
+  Patch frame;                                                  ///< an empty patch: its centre and scale
+  enum class Cuts { may_come, may_not } cuts = Cuts::may_come;  ///< in exchange for folds, where there were none
 };
 
 /// What ends remeshing early; neither leaves fill_loop().
 struct Cancelled {};
 struct TooManyVertices {};
+
+/// Sizes and normals at the rim.
+void measure_surroundings(LoopSite& site) {
+  std::vector<double> sum(site.points.size(), 0), count(site.points.size(), 0);
+  std::map<std::pair<int, int>, int> rim;
+  for (int i = 0; i < site.n; ++i) rim[{site.vertex[i], site.vertex[(i + 1) % site.n]}] = i;
+  for (const Triangle& t : site.surroundings)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      const double length = (site.points[a] - site.points[b]).norm();
+      for (int v : {a, b}) {
+        sum[v] += length;
+        count[v] += 1;
+      }
+      if (const auto edge = rim.find({b, a}); edge != rim.end())
+        site.rim_normals[{edge->second, (edge->second + 1) % site.n}] =
+            unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+    }
+  for (int i = 0; i < site.n; ++i) site.size.push_back(sum[site.vertex[i]] / std::max(1.0, count[site.vertex[i]]));
+}
 
 LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
   LoopSite site;
@@ -66,22 +87,35 @@ LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
   for (Triangle& t : site.surroundings)
     for (int& v : t) v = v < distinct ? place[v] : v - distinct + site.n;
 
-  std::vector<double> sum(site.points.size(), 0), count(site.points.size(), 0);
-  std::map<std::pair<int, int>, int> rim;
-  for (int i = 0; i < site.n; ++i) rim[{site.vertex[i], site.vertex[(i + 1) % site.n]}] = i;
-  for (const Triangle& t : site.surroundings)
-    for (int k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      const double length = (site.points[a] - site.points[b]).norm();
-      for (int v : {a, b}) {
-        sum[v] += length;
-        count[v] += 1;
-      }
-      if (const auto edge = rim.find({b, a}); edge != rim.end())
-        site.rim_normals[{edge->second, (edge->second + 1) % site.n}] =
-            unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+  measure_surroundings(site);
+  return site;
+}
+
+/// The same with all triangles of the scan about the loop for surroundings.
+LoopSite make_wide_site(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop) {
+  LoopSite site = make_site(model, loop);
+  site.points.resize(site.n);
+  site.surroundings.clear();
+  std::unordered_map<int, int> place;  // of soup points
+  Eigen::AlignedBox3d box;
+  for (int i = 0; i < site.n; ++i) {
+    // Where the surface was parted at a vertex, the loop passes several at one point: they are one here.
+    site.vertex[i] = place.emplace(model.soup_vertex[loop.vertices[i]], site.vertex[i]).first->second;
+    box.extend(model.mesh.point(TriMesh::VertexHandle(loop.vertices[i])));
+  }
+  for (int f : index.near(box.min(), box.max())) {
+    Triangle t = model.soup.triangles[f];
+    for (int& v : t) {
+      const auto [entry, added] = place.emplace(v, static_cast<int>(site.points.size()));
+      if (added) site.points.push_back(site.frame.to_frame(model.soup.points[v]));
+      v = entry->second;
     }
-  for (int i = 0; i < site.n; ++i) site.size.push_back(sum[site.vertex[i]] / std::max(1.0, count[site.vertex[i]]));
+    site.surroundings.push_back(t);
+  }
+  site.cuts = LoopSite::Cuts::may_not;
+  site.size.clear();
+  site.rim_normals.clear();
+  measure_surroundings(site);
   return site;
 }
 
@@ -233,6 +267,7 @@ bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, con
   phase(mesh);
   Candidate next = harvest(site, mesh);
   if (next.defect_count() > best.defect_count()) return false;
+  if (site.cuts == LoopSite::Cuts::may_not && next.quality.intersections > best.quality.intersections) return false;
   best = std::move(next);
   return true;
 }
@@ -243,7 +278,9 @@ void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& b
   if (best.quality.intersections > 0 || cancel.cancelled()) return;
   ConstrainedRemesher mesh = guarded(site, size, best);
   mesh.split_long_edges();
-  best = harvest(site, mesh);
+  Candidate split = harvest(site, mesh);
+  if (site.cuts == LoopSite::Cuts::may_not && split.quality.intersections > 0) return;
+  best = std::move(split);
   const auto keep_if_no_worse = [&](const auto& part) {
     if (!cancel.cancelled()) try_phase(site, size, best, part);
   };
@@ -340,6 +377,14 @@ std::string remaining_faults(const Validity& quality) {
   return text.empty() ? text : "the initial patch has " + text + " left";
 }
 
+LoopPatchOutcome finished(const SurfaceModel& model, const BoundaryLoop& loop, const LoopSite& site, Candidate best) {
+  LoopPatch patch;
+  for (int v : loop.vertices) patch.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  for (std::size_t i = site.n; i < best.points.size(); ++i) patch.points.push_back(site.frame.to_mesh(best.points[i]));
+  patch.triangles = std::move(best.triangles);
+  return {std::move(patch), remaining_faults(best.quality), best.quality};
+}
+
 }  // namespace
 
 void check(const InitialPatchOptions& options) {
@@ -391,14 +436,38 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   }
   if (cancel.cancelled()) return outcome;
 
-  LoopPatch filler;
-  for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
-  for (std::size_t i = site.n; i < best.points.size(); ++i) filler.points.push_back(site.frame.to_mesh(best.points[i]));
-  filler.triangles = std::move(best.triangles);
-  outcome.patch = std::move(filler);
-  outcome.quality = best.quality;
-  outcome.message = remaining_faults(best.quality);
-  return outcome;
+  return finished(model, loop, site, std::move(best));
+}
+
+LoopPatchOutcome fill_loop_uncut(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop,
+                                 const InitialPatchOptions& options, const CancelToken& cancel) {
+  check(options);
+  LoopSite site = make_wide_site(model, index, loop);
+  Candidate best;
+  best.triangles = triangulate_loop_uncut(site.points, site.surroundings, site.vertex, cancel);
+  if (best.triangles.empty()) return {};
+  best.points.assign(site.points.begin(), site.points.begin() + site.n);
+  split_shared_chords(site, best);
+  split_double_edges(site.n, best.points, best.triangles);
+  best.quality = assess(site, best);
+  if (best.quality.intersections > 0) return {};
+  std::vector<double> sizes = site.size;
+  for (double& size : sizes) size /= options.density;
+  const double vertices = expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
+  site.watch = [&](std::size_t count) {
+    if (cancel.cancelled()) throw Cancelled();
+    if (static_cast<double>(count) > options.most_vertices + site.n) throw TooManyVertices();
+  };
+  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
+  try {
+    best = refine(site, size, best, InitialShape::triangulated, vertices, cancel);
+  } catch (const Cancelled&) {
+    return {};
+  } catch (const TooManyVertices&) {
+    return {};
+  }
+  if (cancel.cancelled()) return {};
+  return finished(model, loop, site, std::move(best));
 }
 
 }  // namespace loopmend

@@ -4,6 +4,7 @@
 
 #include "core/cancel.h"
 #include "mesh/patch.h"
+#include "mesh/self_intersections.h"
 #include "mesh/validity.h"
 
 #include <optional>
@@ -35,5 +36,12 @@ struct LoopPatchOutcome {
 /// @throws InvalidArgument if the density is out of range.
 LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const InitialPatchOptions& options,
                            const CancelToken& cancel);
+
+/// The same where every patch cuts the surface that goes another way than between what lies around: of triangles that cut
+/// nothing of the scan, refined as far as they stay so. Up to 200 edges.
+/// @param index  of the model's soup triangles
+/// @throws InvalidArgument if the density is out of range.
+LoopPatchOutcome fill_loop_uncut(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop,
+                                 const InitialPatchOptions& options, const CancelToken& cancel);
 
 }  // namespace loopmend

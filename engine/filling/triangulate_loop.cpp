@@ -2,6 +2,7 @@
 #include "filling/triangulate_loop.h"
 
 #include "filling/minimum_weight_triangulation.h"
+#include "mesh/self_intersections.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -122,6 +123,86 @@ Triangles planar_triangulation(const OpenLoop& loop) {
   return triangles;
 }
 
+constexpr int longest_for_all_triangles = 60;  ///< 34 220 triangles
+constexpr int longest_uncut = 200;
+constexpr int most_searched = 200;  ///< triangulations: each costs O(n³)
+
+/// Corners in ascending order.
+Triangles all_triangles(int n) {
+  Triangles triangles;
+  for (int i = 0; i < n; ++i)
+    for (int m = i + 1; m < n; ++m)
+      for (int k = m + 1; k < n; ++k) triangles.push_back({i, m, k});
+  return triangles;
+}
+
+/// Those among `candidates`, over the open loop's points, that cut none of the surroundings.
+Triangles uncut_among(const Triangles& candidates, const OpenLoop& open, const Points& points,
+                      const Triangles& surroundings, const CancelToken& cancel) {
+  Points all = open.points;
+  all.insert(all.end(), points.begin(), points.end());
+  Triangles triangles = candidates;
+  const int shift = static_cast<int>(open.points.size());
+  for (Triangle t : surroundings) {
+    for (int& v : t) v += shift;
+    triangles.push_back(t);
+  }
+  const std::vector<char> cuts = triangles_that_cut(all, triangles, static_cast<int>(candidates.size()), cancel);
+  Triangles uncut;
+  for (std::size_t f = 0; f < candidates.size(); ++f)
+    if (!cuts[f]) uncut.push_back(candidates[f]);
+  return uncut;
+}
+
+/// Two triangles at one chord between places of a loop that passes a vertex twice, and that join it to different places:
+/// four triangles would meet there. (−1, −1) if there are none.
+std::pair<int, int> at_a_double_chord(const Triangles& triangles, const std::vector<int>& vertex) {
+  std::map<std::pair<int, int>, std::pair<std::pair<int, int>, int>> first;  // by vertices: the places, a triangle
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangles[f][k], b = triangles[f][(k + 1) % 3];
+      const std::pair<int, int> places = std::minmax(a, b);
+      const auto [entry, added] =
+          first.emplace(std::minmax(vertex[a], vertex[b]), std::pair(places, static_cast<int>(f)));
+      if (!added && entry->second.first != places) return {entry->second.second, static_cast<int>(f)};
+    }
+  return {-1, -1};
+}
+
+/// The least folded triangulation of the allowed triangles that does not cut itself: of two that cut each other, one or the
+/// other is left out, those with the fewest left out first. Empty where none was found.
+/// @param vertex  of each place
+Triangles least_folded_uncut(const OpenLoop& open, const std::vector<int>& vertex, const Triangles& allowed,
+                             const CancelToken& cancel) {
+  std::vector<std::set<Triangle>> left_out{{}};
+  for (std::size_t next = 0; next < left_out.size() && next < most_searched && !cancel.cancelled(); ++next) {
+    Triangles rest = allowed;
+    std::erase_if(rest, [&](const Triangle& t) { return left_out[next].contains(t); });
+    const Triangles triangles = minimum_weight_triangulation(open, rest);
+    if (triangles.size() + 2 != open.points.size()) continue;
+    std::pair<int, int> clash = at_a_double_chord(triangles, vertex);
+    if (clash.first < 0) {
+      const auto pairs = self_intersections(open.points, triangles, static_cast<int>(triangles.size()), cancel);
+      if (pairs.empty()) return triangles;
+      clash = pairs.front();
+    }
+    for (const int f : {clash.first, clash.second}) {
+      Triangle t = triangles[f];
+      std::sort(t.begin(), t.end());
+      left_out.push_back(left_out[next]);
+      left_out.back().insert(t);
+    }
+  }
+  return {};
+}
+
+/// From places as seen from inside to those of the loop.
+Triangles over_the_loop(Triangles triangles, int n) {
+  for (Triangle& t : triangles)
+    for (int& v : t) v = (v + 1) % n;
+  return triangles;
+}
+
 bool has_chord(const Triangles& triangles, const std::set<std::pair<int, int>>& chords) {
   return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     for (int k = 0; k < 3; ++k)
@@ -141,10 +222,21 @@ Triangles triangulate_loop(const Points& points, const Triangles& surroundings, 
   if (has_chord(triangles, open.present)) triangles.clear();
   if (triangles.empty()) triangles = least_folded(open, method);
   if (triangles.size() + 2 != loop.size()) triangles.clear();
+  return over_the_loop(std::move(triangles), static_cast<int>(loop.size()));
+}
+
+Triangles triangulate_loop_uncut(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
+                                 const CancelToken& cancel) {
   const int n = static_cast<int>(loop.size());
-  for (Triangle& t : triangles)
-    for (int& v : t) v = (v + 1) % n;
-  return triangles;
+  if (n > longest_uncut) return {};
+  const OpenLoop open = seen_from_inside(points, surroundings, loop);
+  if (open.points.empty()) return {};
+  const Triangles candidates = n <= longest_for_all_triangles ? all_triangles(n) : delaunay_triangles(open.points);
+  const Triangles allowed = uncut_among(candidates, open, points, surroundings, cancel);
+  std::vector<int> vertex;
+  for (int i = 0; i < n; ++i) vertex.push_back(loop[(i + 1) % n]);
+  const Triangles triangles = least_folded_uncut(open, vertex, allowed, cancel);
+  return cancel.cancelled() ? Triangles() : over_the_loop(triangles, n);
 }
 
 }  // namespace loopmend

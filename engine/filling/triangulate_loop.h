@@ -2,6 +2,7 @@
 // The first triangulation of a loop: no new vertices, n − 2 triangles.
 #pragma once
 
+#include "core/cancel.h"
 #include "core/types.h"
 
 #include <vector>
@@ -24,5 +25,11 @@ enum class TriangulationMethod {
 /// triangulation.
 Triangles triangulate_loop(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
                            TriangulationMethod method);
+
+/// The least folded of those triangulations whose triangles cut neither the surroundings nor one another.
+/// @param surroundings  all triangles that a triangulation might cut
+/// @returns as triangulate_loop(); empty as well where none was found, when cancelled, and for loops of more than 200 edges.
+Triangles triangulate_loop_uncut(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
+                                 const CancelToken& cancel);
 
 }  // namespace loopmend

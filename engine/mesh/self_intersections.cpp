@@ -230,6 +230,24 @@ std::vector<std::pair<int, int>> self_intersections(const Points& points, const 
   return pairs;
 }
 
+std::vector<char> triangles_that_cut(const Points& points, const Triangles& triangles, int count,
+                                     const CancelToken& cancel) {
+  std::vector<Box> first, others;
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    Eigen::AlignedBox3d box;
+    for (int v : triangles[f]) box.extend(points[v]);
+    const Vec3 &low = box.min(), &high = box.max();
+    (static_cast<int>(f) < count ? first : others)
+        .emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), static_cast<int>(f));
+  }
+  const PairTest test(points, triangles);
+  std::vector<char> cuts(count, 0);
+  CGAL::box_intersection_d(first.begin(), first.end(), others.begin(), others.end(), [&](const Box& a, const Box& b) {
+    if (!cuts[a.info()] && !cancel.cancelled() && test.cut(a.info(), b.info())) cuts[a.info()] = 1;
+  });
+  return cuts;
+}
+
 namespace bg = boost::geometry;
 using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using TreeBox = bg::model::box<TreePoint>;

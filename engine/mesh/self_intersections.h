@@ -17,6 +17,11 @@ namespace loopmend {
 std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count,
                                                     const CancelToken& cancel = {});
 
+/// For each of the first `count` triangles, whether it cuts one of the others; what those cut among themselves is not looked at.
+/// @returns #count; incomplete when cancelled
+std::vector<char> triangles_that_cut(const Points& points, const Triangles& triangles, int count,
+                                     const CancelToken& cancel = {});
+
 /// For each point the first in exactly the same place.
 std::vector<int> merged_by_place(const Points& points);
 

@@ -11,6 +11,7 @@
 #include <exception>
 #include <new>
 #include <numeric>
+#include <optional>
 
 namespace loopmend {
 
@@ -130,6 +131,9 @@ class GroupSolver {
     if (!initial.patch || cancel_.cancelled()) return result;
     PatchResult made = solved(initial);
     if (cancel_.cancelled()) return result;
+    if (made.validity.intersections > 0 && initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops)
+      if (std::optional<PatchResult> between = between_what_lies_around(initial); between) made = std::move(*between);
+    if (cancel_.cancelled()) return result;
     const bool valid = made.validity.intersections == 0;
     if (!valid) {
       made.status = PatchStatus::invalid;
@@ -155,6 +159,25 @@ class GroupSolver {
       if (patch->status != PatchStatus::filled || !patch->message.empty()) hole->message = patch->message;
     }
     return result;
+  }
+
+  /// Of a loop whose every patch cuts the surface: from an initial patch that does not. Empty if there is none.
+  std::optional<PatchResult> between_what_lies_around(const InitialPatch& initial) const {
+    const BoundaryLoop& loop = initial.loops.front();
+    if (pierced_edges(scan_, loop) > 0) return std::nullopt;
+    const auto start = std::chrono::steady_clock::now();
+    InitialPatch uncut;
+    uncut.loops = initial.loops;
+    uncut.outcomes = {fill_loop_uncut(scan_.model, scan_.index, loop, options_.initial, cancel_)};
+    if (!uncut.outcomes.front().patch) return std::nullopt;
+    uncut.patch = make_patch(scan_.model, uncut.loops, {*uncut.outcomes.front().patch});
+    uncut.patch->grading.density = options_.initial.density;
+    uncut.survey = initial.survey;
+    uncut.seconds = initial.seconds + seconds_since(start);
+    PatchResult made = solved(uncut);
+    if (made.validity.intersections > 0 || cancel_.cancelled()) return std::nullopt;
+    made.attempts.insert(made.attempts.begin(), "from triangles that cut nothing");
+    return made;
   }
 
   PatchResult solved(const InitialPatch& initial) const {
