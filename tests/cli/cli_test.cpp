@@ -370,7 +370,7 @@ TEST_F(Cli, InterruptEndsSoonWithNothingHalfWritten) {
   write_mesh(big, cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0; }));
   const pid_t child = fork();
   if (child == 0) {
-    std::freopen("/dev/null", "w", stderr);
+    if (!std::freopen("/dev/null", "w", stderr)) _exit(98);
     execl(LOOPMEND_PROGRAM, "loopmend", "fill", big.c_str(), "-o", out.c_str(), nullptr);
     _exit(99);
   }
