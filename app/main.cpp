@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend-gui: starts the window.
+#include "cli/interrupt.h"
+#include "cli/library_start.h"
 #include "core/memory.h"
 #include "document/language.h"
 #include "document/preferences.h"
 #include "io/atomic_file.h"
+#include "jobs/autosave.h"
 #include "views/main_window.h"
 #include "views/mesh_view.h"
 
@@ -14,7 +17,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <latch>
+#include <string>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace {
 
@@ -66,6 +74,20 @@ void explain_and_leave(QtMsgType type, const QMessageLogContext&, const QString&
   std::_Exit(exit_no_display);
 }
 
+/// Whether the system would start so many threads beside those that run.
+bool can_start(int threads) {
+  std::latch end(1);
+  std::vector<std::jthread> others;
+  bool all = true;
+  try {
+    while (static_cast<int>(others.size()) < threads) others.emplace_back([&end] { end.wait(); });
+  } catch (const std::system_error&) {
+    all = false;
+  }
+  end.count_down();
+  return all;
+}
+
 bool has_display() {
   const auto is_set = [](const char* name) {
     const char* value = std::getenv(name);
@@ -78,6 +100,11 @@ bool has_display() {
 
 int main(int argc, char** argv) {
   loopmend::keep_freed_memory();
+  static const std::string last_words = "loopmend-gui: where work was not saved, its copy is in " +
+                                        loopmend::Autosave::place().toStdString() +
+                                        ", and is offered at the next start\n";
+  loopmend::handle_signals(last_words.c_str());
+  loopmend::deliver_interrupts();
   // Not exit(): where `ulimit -v` is tight, OpenBLAS would wait for a thread of its own that asks for memory for ever.
   if (const int code = answer_options(argc, argv); code >= 0) {
     std::fflush(stdout);
@@ -89,6 +116,16 @@ int main(int argc, char** argv) {
                  "of it for the work (%zu MB). "
                  "Raise the limit.\n",
                  loopmend::least_work_memory >> 20);
+    std::_Exit(exit_no_memory);
+  }
+  // Qt and the graphics driver wait for ever, behind a black window, for threads that they could not start. Ten at once were
+  // counted on two cores.
+  if (const int needed = 8 + 2 * QThread::idealThreadCount(); !can_start(needed)) {
+    std::fprintf(
+        stderr,
+        "loopmend-gui: the window needs %d threads, and the system allows this user no more so many (ulimit -u). "
+        "Close other programs or raise that limit, or use the command line, which needs one: loopmend --help\n",
+        needed);
     std::_Exit(exit_no_memory);
   }
   if (!has_display()) {

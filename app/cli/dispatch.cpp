@@ -59,7 +59,7 @@ void add_weld(CLI::App& command, CoincidentVertices& coincident) {
 void add_verbose(CLI::App& command, Detail& detail) {
   command.add_flag_callback(
       "--verbose", [&detail] { detail = Detail::all; },
-      "Print every loop; of more than 50 only counts and the largest are printed");
+      "Print every loop, and report each with all figures; of more than 50 only counts and the largest are printed");
 }
 
 void add_check(CLI::App& command, Check& check, const char* what) {

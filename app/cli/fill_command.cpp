@@ -236,7 +236,9 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
     json["suggestion"] = counted(bad.size(), "bad triangle", "bad triangles") +
                          " at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
-  for (const HoleResult& result : results) json["loops"].push_back(loop_json(result));
+  const std::size_t in_full = command.detail == Detail::all ? results.size() : most_loops_in_report;
+  for (std::size_t k = 0; k < results.size(); ++k)
+    json["loops"].push_back(k < in_full ? loop_json(results[k]) : brief_loop_json(results[k]));
   return json;
 }
 

@@ -30,6 +30,7 @@ constexpr std::array<int, 5> crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGA
 
 // A handler has no other way to what it acts on, and to what it leaves.
 CancelToken* to_cancel = nullptr;  ///< set once, before the handler is
+const char* last_words = "";       ///< likewise
 std::atomic<int> stopped_by{0};
 std::atomic_flag leaving = ATOMIC_FLAG_INIT;
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -55,6 +56,7 @@ void leave(int signal) {
   for (const StopSignal& stop : stop_signals)
     if (stop.number == signal) say(stop.words);
   say_what_stands();
+  say(last_words);
   _exit(128 + signal);
 }
 
@@ -65,6 +67,7 @@ void tell_crash(int signal) {
     remove_unfinished_files();
     say("\nloopmend: crashed, a fault of this program; unfinished files were removed");
     say_what_stands();
+    say(last_words);
   }
   std::signal(signal, SIG_DFL);
   raise(signal);  // blocked until this returns; a fault would happen again by itself
@@ -128,7 +131,8 @@ int interrupt_exit_code() {
   return signal == 0 ? 0 : 128 + signal;
 }
 
-void handle_signals() {
+void handle_signals(const char* at_the_end) {
+  last_words = at_the_end;
   open_closed_streams();
   handle_stops(leave);
   handle_crashes();

@@ -13,7 +13,8 @@ namespace loopmend {
 /// - a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) removes unfinished files, says so, and goes on as it would have;
 /// - SIGXFSZ and SIGPIPE do nothing: the write fails, and who writes tells why;
 /// - standard streams that were closed lead to /dev/null, so that no output file takes their numbers.
-void handle_signals();
+/// @param at_the_end  said last, a line of its own; lives as long as the process.
+void handle_signals(const char* at_the_end = "");
 
 /// From then on the first of the signals that end the process cancels the token, and only the second ends it. Call it once.
 void cancel_on_interrupt(const CancelToken& token);

@@ -6,13 +6,33 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 namespace loopmend {
 
 namespace {
 
-std::string text_of(const nlohmann::ordered_json& report) {
-  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+/// Indented for people; where there are more loops than anybody reads, with one line for each.
+void write_report(std::ostream& out, const nlohmann::ordered_json& report) {
+  const auto text = [](const nlohmann::ordered_json& value, int indent) {
+    return value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  };
+  if (!report.contains("loops") || report["loops"].size() <= most_loops_in_report) {
+    out << text(report, 2) << "\n";
+    return;
+  }
+  const char* between = "{\n";
+  for (const auto& [name, value] : report.items()) {
+    out << std::exchange(between, ",\n") << "  \"" << name << "\": ";
+    if (name != "loops") {
+      out << text(value, -1);
+      continue;
+    }
+    const char* before = "[\n";
+    for (const auto& loop : value) out << std::exchange(before, ",\n") << "    " << text(loop, -1);
+    out << "\n  ]";
+  }
+  out << "\n}\n";
 }
 
 bool is_gltf(const std::filesystem::path& path) {
@@ -78,9 +98,11 @@ void CommandFiles::check() const {
 }
 
 void commit_with_report(OutputTransaction& outputs, const std::string& target, const nlohmann::ordered_json& report) {
-  if (!target.empty() && target != "-") add_text(outputs, target, text_of(report));
+  if (!target.empty() && target != "-") outputs.add(target, [&](std::ostream& out) { write_report(out, report); });
   outputs.commit();
-  if (target == "-") std::cout << text_of(report) << std::flush;
+  if (target != "-") return;
+  write_report(std::cout, report);
+  std::cout << std::flush;
 }
 
 void add_text(OutputTransaction& outputs, const std::filesystem::path& path, const std::string& text) {

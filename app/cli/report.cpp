@@ -113,6 +113,18 @@ Json loop_json(const HoleResult& result) {
   return json;
 }
 
+Json brief_loop_json(const HoleResult& result) {
+  return {{"number", result.loop.number},
+          {"edges", result.loop.edges()},
+          {"perimeter", result.loop.perimeter},
+          {"kind", to_string(result.loop.kind)},
+          {"status", to_string(result.status)},
+          {"message", result.message},
+          {"method", result.method()},
+          {"free_vertices", result.free_vertices},
+          {"seam_after", seam_json(result.seam_after())}};
+}
+
 Json patch_json(const PatchResult& result) {
   return {{"status", to_string(result.status)},
           {"message", result.message},

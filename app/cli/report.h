@@ -16,7 +16,7 @@
 namespace loopmend {
 
 /// Grows when a field of the reports goes, or means something else. See docs/user/report.schema.json and info.schema.json.
-constexpr int report_schema_version = 2;
+constexpr int report_schema_version = 3;
 
 /// "input": path, vertices, faces, import {counts by kind}.
 nlohmann::ordered_json input_json(const std::filesystem::path& path, const ImportReport& import,
@@ -30,6 +30,9 @@ nlohmann::ordered_json loop_json(const BoundaryLoop& loop);
 
 /// The same with status, times, energies and seam figures.
 nlohmann::ordered_json loop_json(const HoleResult& result);
+
+/// What counts of a loop that is one of thousands.
+nlohmann::ordered_json brief_loop_json(const HoleResult& result);
 
 /// Status, steps, energies, times and quality of a patch that was evolved by itself.
 nlohmann::ordered_json patch_json(const PatchResult& result);

@@ -60,24 +60,21 @@ void Autosave::write() {
   }
   if (job_) job_->cancel();
   job_ = std::make_shared<Job>(this);
-  tasks_.start([this, job = job_, session = session_of(document_, view_), path = path_] {
-    try {
-      const bool whole = writing_.take(*job, [&] {
-        write_session(session, path, job->token());
-        return true;
-      });
-      if (!whole) return;
-      job->post([this] {
-        failure_told_ = false;
-        for (const Leftover& leftover : std::exchange(taken_over_, {})) discard(leftover);
-        Q_EMIT written();
-      });
-    } catch (const std::exception& error) {
-      job->post([this, words = QString::fromUtf8(error.what())] {
-        if (!std::exchange(failure_told_, true))
-          Q_EMIT failed(tr("The copy that would survive a crash could not be written: %1").arg(words));
-      });
-    }
+  const auto work = [this, job = job_, session = session_of(document_, view_), path = path_] {
+    const bool whole = writing_.take(*job, [&] {
+      write_session(session, path, job->token());
+      return true;
+    });
+    if (!whole) return;
+    job->post([this] {
+      failure_told_ = false;
+      for (const Leftover& leftover : std::exchange(taken_over_, {})) discard(leftover);
+      Q_EMIT written();
+    });
+  };
+  tasks_.start(job_, work, [this](const QString& words) {
+    if (!std::exchange(failure_told_, true))
+      Q_EMIT failed(tr("The copy that would survive a crash could not be written: %1").arg(words));
   });
 }
 
@@ -96,6 +93,8 @@ void Autosave::finish() {
   lock_.reset();
   path_.clear();
 }
+
+QString Autosave::place() { return folder().path(); }
 
 std::vector<Leftover> Autosave::leftovers() {
   std::vector<Leftover> found;

@@ -32,6 +32,8 @@ class Autosave : public QObject {
   void set_delay(int seconds);
   /// How the scene is looked at, for the copy.
   void set_view_source(ViewSource view) { view_ = std::move(view); }
+  /// The folder of the copies.
+  static QString place();
   /// Copies whose program is gone; they stay where they are until discard().
   static std::vector<Leftover> leftovers();
   static void discard(const Leftover& leftover);

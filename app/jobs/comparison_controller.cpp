@@ -148,13 +148,6 @@ class ComparisonController::Lane {
     job_->post([race = race_, post = post_] { race->end(post); });
   }
 
-  void fail(const char* words) const {
-    job_->post([race = race_, text = QString::fromUtf8(words)] {
-      race->stop();
-      Q_EMIT race->failed(text);
-    });
-  }
-
  private:
   void show(const Evolution& evolution, const StepRecord& record) const {
     if (job_->token().cancelled()) return;
@@ -214,13 +207,12 @@ void ComparisonController::run(const EvolutionOptions& base) {
   stage_ = Stage::running;
   Q_EMIT stage_changed();
   for (int lane = 0; lane < lanes(); ++lane)
-    tasks_.start([work = Lane(this, lane, base, post)] {
-      try {
-        work.go();
-      } catch (const std::exception& error) {
-        work.fail(error.what());
-      }
-    });
+    tasks_.start(
+        job_, [work = Lane(this, lane, base, post)] { work.go(); },
+        [this](const QString& words) {
+          stop();
+          Q_EMIT failed(words);
+        });
 }
 
 void ComparisonController::take_news(const std::shared_ptr<Post>& post) {

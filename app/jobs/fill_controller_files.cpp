@@ -31,7 +31,11 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
   if (mode == OpenMode::add) origin = document_.origin();
   LoadStages stages;
   stages.stage = [this, job](const QString& words) { job->post([this, words] { Q_EMIT stage_changed(words); }); };
-  tasks_.start([this, job, stages, paths, mode, origin]() mutable {
+  const auto report = [this](const QString& words) {
+    Q_EMIT preview_dropped();
+    report_failure(words);
+  };
+  const auto open_all = [this, job, stages, paths, mode, origin, report]() mutable {
     OpenMode next = mode;
     for (const QString& path : paths) {
       try {
@@ -55,14 +59,15 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         stages.stage(tr("Computing curvature"));
         const auto shape = colored_shape(*scan, job->token());
         job->post([this, scan, shape] { show_color(scan, shape); });
-      } catch (const std::exception& error) {
-        job->post([this, words = QString::fromUtf8(error.what())] {
-          Q_EMIT preview_dropped();
-          report_failure(words);
-        });
+      } catch (const std::exception& error) {  // the other files are opened all the same
+        job->post([report, words = QString::fromUtf8(error.what())] { report(words); });
       }
     }
     job->post([this] { end(); });
+  };
+  tasks_.start(job, open_all, [this, report](const QString& words) {
+    report(words);
+    end();
   });
 }
 
@@ -185,29 +190,26 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
 void FillController::open_session(const SessionFile& session) {
   if (busy()) cancel();
   const JobPtr job = begin(Activity::opening, tr("Opening %1").arg(QFileInfo(session.path).fileName()));
-  tasks_.start([this, job, session] {
-    try {
-      auto restored = std::make_shared<Restored>(restore(session, job));
-      if (!restored->missing.isEmpty()) {
-        job->post([this, session, scan = restored->missing] {
-          end();
-          Q_EMIT scan_missing(session, scan);
-        });
-        return;
-      }
-      job->post([this, restored, session] { on_restored(*restored, session.path, session.shown_as); });
-      for (const OpenedScanPtr& scan : restored->scans) {
-        if (!scan->shape->H.empty()) continue;
-        const auto shape = colored_shape(*scan, job->token());
-        job->post([this, scan, shape] { show_color(scan, shape); });
-      }
-      job->post([this] { end(); });
-    } catch (const std::exception& error) {
-      job->post([this, words = QString::fromUtf8(error.what())] {
+  const auto open = [this, job, session] {
+    auto restored = std::make_shared<Restored>(restore(session, job));
+    if (!restored->missing.isEmpty()) {
+      job->post([this, session, scan = restored->missing] {
         end();
-        report_failure(words);
+        Q_EMIT scan_missing(session, scan);
       });
+      return;
     }
+    job->post([this, restored, session] { on_restored(*restored, session.path, session.shown_as); });
+    for (const OpenedScanPtr& scan : restored->scans) {
+      if (!scan->shape->H.empty()) continue;
+      const auto shape = colored_shape(*scan, job->token());
+      job->post([this, scan, shape] { show_color(scan, shape); });
+    }
+    job->post([this] { end(); });
+  };
+  tasks_.start(job, open, [this](const QString& words) {
+    end();
+    report_failure(words);
   });
 }
 

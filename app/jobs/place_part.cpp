@@ -17,24 +17,23 @@ PlacePart::~PlacePart() {
 void PlacePart::place(int scan, const Eigen::Affine3d& placement) {
   if (busy() || controller_.busy() || !document_.scan(scan)) return;
   job_ = std::make_shared<Job>(this);
-  tasks_.start([this, job = job_, parts = parts_of(document_, {scan}), placement, scan] {
-    try {
-      TriangleSoup soup = make_base(parts).model->soup;
-      for (Vec3& p : soup.points) p = placement * (p - parts.origin) + parts.origin;
-      const OpenedScanPtr made = made_scan(std::move(soup), parts.parts.front().scan->name, parts.origin);
-      job->post([this, made, scan] {
+  tasks_.run(
+      job_,
+      [parts = parts_of(document_, {scan}), placement] {
+        TriangleSoup soup = make_base(parts).model->soup;
+        for (Vec3& p : soup.points) p = placement * (p - parts.origin) + parts.origin;
+        return made_scan(std::move(soup), parts.parts.front().scan->name, parts.origin);
+      },
+      [this, scan](const OpenedScanPtr& made) {
         job_.reset();
         if (!document_.scan(scan)) return;
         controller_.replace_scans({scan}, made, tr("Place %1").arg(made->name));
         Q_EMIT placed(scan, document_.scans().back());
-      });
-    } catch (const std::exception& error) {
-      job->post([this, words = QString::fromUtf8(error.what())] {
+      },
+      [this](const QString& words) {
         job_.reset();
         Q_EMIT failed(words);
       });
-    }
-  });
 }
 
 bool PlacePart::shut_down(std::chrono::milliseconds at_most) {

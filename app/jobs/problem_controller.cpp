@@ -114,21 +114,18 @@ void ProblemController::pose(ProblemRequest request) {
   patches_ = patches_of(document_, request_.scans);
   job_ = std::make_shared<Job>(this);
   go_to(Stage::posing, tr("Making the start\u2026"));
-  tasks_.start([this, job = job_, parts = parts_of(document_, request_.scans), request = request_] {
-    try {
-      const auto base = std::make_shared<const ProblemBase>(make_base(parts));
-      if (job->token().cancelled()) return;
-      const auto posed = std::make_shared<const PosedProblem>(request.pose(*base, job->token()));
-      if (job->token().cancelled()) return;
-      const auto start = shape_of_patch(posed->problem.start, parts.origin);
-      const auto backdrop = request.around == ProblemRequest::Around::shown ? around(*base, *posed) : nullptr;
-      job->post([this, base, posed, start, backdrop] { on_posed(base, posed, start, backdrop); });
-    } catch (const std::exception& error) {
-      job->post([this, words = QString::fromUtf8(error.what())] {
-        forget();
-        fail(words, Stage::none);
-      });
-    }
+  const auto work = [this, job = job_, parts = parts_of(document_, request_.scans), request = request_] {
+    const auto base = std::make_shared<const ProblemBase>(make_base(parts));
+    if (job->token().cancelled()) return;
+    const auto posed = std::make_shared<const PosedProblem>(request.pose(*base, job->token()));
+    if (job->token().cancelled()) return;
+    const auto start = shape_of_patch(posed->problem.start, parts.origin);
+    const auto backdrop = request.around == ProblemRequest::Around::shown ? around(*base, *posed) : nullptr;
+    job->post([this, base, posed, start, backdrop] { on_posed(base, posed, start, backdrop); });
+  };
+  tasks_.start(job_, work, [this](const QString& words) {
+    forget();
+    fail(words, Stage::none);
   });
 }
 
@@ -158,7 +155,8 @@ void ProblemController::evolve(const EvolutionOptions& options) {
   picture_.arrival = Arrival::at_once;
   Q_EMIT picture_changed();
   go_to(Stage::evolving, tr("%1 at work\u2026").arg(labels::flow_name(options.flow)));
-  tasks_.start([this, job = job_, posed = posed_, options, origin = document_.origin(), name = request_.made_name] {
+  const auto work = [this, job = job_, posed = posed_, options, origin = document_.origin(),
+                     name = request_.made_name] {
     const auto post = std::make_shared<Post>();
     const auto on_step = [&](const Evolution& evolution, const StepRecord& record) {
       {
@@ -175,17 +173,14 @@ void ProblemController::evolve(const EvolutionOptions& options) {
       }
       job->post([this, post] { show_state(post); });
     };
-    try {
-      auto solution = std::make_shared<Solution>(posed->solve(options, on_step, job->token()));
-      if (job->token().cancelled()) return;
-      OpenedScanPtr made;
-      if (solution->refusal.empty()) made = made_scan(solution->surface, name, origin);
-      const auto shape = shape_of_patch(solution->outcome.patch, origin);
-      job->post([this, solution, made, shape] { on_solved(solution, made, shape); });
-    } catch (const std::exception& error) {
-      job->post([this, words = QString::fromUtf8(error.what())] { fail(words, Stage::posed); });
-    }
-  });
+    auto solution = std::make_shared<Solution>(posed->solve(options, on_step, job->token()));
+    if (job->token().cancelled()) return;
+    OpenedScanPtr made;
+    if (solution->refusal.empty()) made = made_scan(solution->surface, name, origin);
+    const auto shape = shape_of_patch(solution->outcome.patch, origin);
+    job->post([this, solution, made, shape] { on_solved(solution, made, shape); });
+  };
+  tasks_.start(job_, work, [this](const QString& words) { fail(words, Stage::posed); });
 }
 
 void ProblemController::show_state(const std::shared_ptr<Post>& post) {

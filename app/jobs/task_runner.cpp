@@ -3,6 +3,7 @@
 
 #include "core/threads.h"
 
+#include <QCoreApplication>
 #include <QMetaObject>
 
 #include <sys/resource.h>
@@ -10,6 +11,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <exception>
+#include <system_error>
 
 namespace loopmend {
 
@@ -45,16 +48,28 @@ TaskRunner::~TaskRunner() {
   for (Worker& worker : workers_) worker.thread.join();
 }
 
-void TaskRunner::start(std::function<void()> work) {
+void TaskRunner::start(const JobPtr& job, std::function<void()> work, Failed failed) {
   reap();
   auto done = std::make_shared<std::atomic<bool>>(false);
-  std::thread thread([work = std::move(work), done, yielding = yielding_] {
+  const auto whole = [job, work = std::move(work), failed, done, yielding = yielding_] {
     yield_to_window(yielding);
-    // Among many, a second thread for each only makes the window wait.
-    with_thread_budget(yielding == Yielding::as_it_can ? 1 : 0, work);
+    try {
+      // Among many, a second thread for each only makes the window wait.
+      with_thread_budget(yielding == Yielding::as_it_can ? 1 : 0, work);
+    } catch (const std::exception& error) {
+      job->post([failed, words = QString::fromUtf8(error.what())] { failed(words); });
+    }
     done->store(true);
-  });
-  workers_.push_back({std::move(thread), std::move(done)});
+  };
+  try {
+    workers_.push_back({std::thread(whole), done});
+  } catch (const std::system_error&) {
+    job->post([failed = std::move(failed)] {
+      failed(QCoreApplication::translate(
+          "loopmend::TaskRunner",
+          "The system allows no further thread for this work (ulimit -u). Close other programs, or raise that limit."));
+    });
+  }
 }
 
 bool TaskRunner::wait(std::chrono::milliseconds at_most) {

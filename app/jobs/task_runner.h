@@ -10,7 +10,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <exception>
 #include <functional>
 #include <list>
 #include <memory>
@@ -76,19 +75,20 @@ class TaskRunner {
   TaskRunner(const TaskRunner&) = delete;
   TaskRunner& operator=(const TaskRunner&) = delete;
 
-  void start(std::function<void()> work);
-  /// work() on a worker; what it returns goes to done(), what it throws to failed() in words, both on the window's thread.
-  /// Neither is called once the job was cancelled.
-  template <class Work, class Done, class Failed>
+  using Failed = std::function<void(const QString& words)>;
+  /// work() on a worker. What it throws, or that the system allows no further thread, goes to failed() in words, on the
+  /// window's thread. That is not called once the job was cancelled.
+  void start(const JobPtr& job, std::function<void()> work, Failed failed);
+  /// The same; what work() returns goes to done(), on the window's thread, unless the job was cancelled.
+  template <class Work, class Done>
   void run(const JobPtr& job, Work work, Done done, Failed failed) {
-    start([job, work = std::move(work), done = std::move(done), failed = std::move(failed)]() mutable {
-      try {
-        auto result = std::make_shared<decltype(work())>(work());
-        job->post([done, result]() mutable { done(std::move(*result)); });
-      } catch (const std::exception& error) {
-        job->post([failed, text = QString::fromUtf8(error.what())]() mutable { failed(text); });
-      }
-    });
+    start(
+        job,
+        [job, work = std::move(work), done = std::move(done)]() mutable {
+          auto result = std::make_shared<decltype(work())>(work());
+          job->post([done, result]() mutable { done(std::move(*result)); });
+        },
+        std::move(failed));
   }
   /// @returns whether every job has ended within the time.
   bool wait(std::chrono::milliseconds at_most);

@@ -34,17 +34,24 @@ void ExampleController::open(const QString& id) {
   if (!example) return;
   if (job_) job_->cancel();
   job_ = std::make_shared<Job>(this);
-  tasks_.start([this, job = job_, example] {
-    std::vector<OpenedScanPtr> scans;
-    Vec3 origin = Vec3::Zero();
-    const std::vector<TriangleSoup> soups = example->parts();
-    for (std::size_t k = 0; k < soups.size(); ++k) {
-      if (k == 0) origin = scene_origin(soups[k]);
-      const QString name = example_name(*example);
-      scans.push_back(made_scan(soups[k], soups.size() > 1 ? tr("%1 %2").arg(name).arg(k + 1) : name, origin));
-    }
-    job->post([this, example, scans] { on_made(*example, scans); });
-  });
+  tasks_.run(
+      job_,
+      [example] {
+        std::vector<OpenedScanPtr> scans;
+        Vec3 origin = Vec3::Zero();
+        const std::vector<TriangleSoup> soups = example->parts();
+        for (std::size_t k = 0; k < soups.size(); ++k) {
+          if (k == 0) origin = scene_origin(soups[k]);
+          const QString name = example_name(*example);
+          scans.push_back(made_scan(soups[k], soups.size() > 1 ? tr("%1 %2").arg(name).arg(k + 1) : name, origin));
+        }
+        return scans;
+      },
+      [this, example](const std::vector<OpenedScanPtr>& scans) { on_made(*example, scans); },
+      [this](const QString& words) {
+        job_.reset();
+        parts_.banner.show_problem(words);
+      });
 }
 
 void ExampleController::on_made(const PaperExample& example, const std::vector<OpenedScanPtr>& scans) {

@@ -35,27 +35,29 @@ DampedStep::DampedStep(const EvolvingPatch& patch, std::unique_ptr<SpdSolver>& s
   system_.Q = {};
 }
 
-bool DampedStep::solve_iteratively(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s) {
+bool DampedStep::solve_iteratively(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s,
+                                   const CancelToken& cancel) {
   GeneralSystem linear;
   linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     return system_.curvature_times(x) + mu * system_.mass.cwiseProduct(x);
   };
   linear.nearby = [&]() { return near_gauss_newton(patch.state.patch, energy_of(patch.objective), mu); };
-  const SolveReport report = conjugate_gradients(linear, *solver_, truncated, -system_.half_gradient, s);
+  const SolveReport report = conjugate_gradients(linear, *solver_, truncated, -system_.half_gradient, s, cancel);
   record.iterations += report.iterations;
   return report.solved;
 }
 
-bool DampedStep::solve(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s) {
+bool DampedStep::solve(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s,
+                       const CancelToken& cancel) {
   ++record.factorizations;
-  if (patch.state.patch.free_count > largest_factored) return solve_iteratively(patch, mu, record, s);
+  if (patch.state.patch.free_count > largest_factored) return solve_iteratively(patch, mu, record, s, cancel);
   if (curvature_.rows() == 0) curvature_ = system_.curvature();
   store_diagonal(curvature_);  // a vertex that no fit sees has no entry
   Eigen::MatrixXd solution;
   // The damping comes and goes in place: a copy of the matrix would be of the size of all else but its factors.
   const Eigen::VectorXd undamped = curvature_.diagonal();
   curvature_.diagonal() += mu * system_.mass;
-  const bool solved = solver_->factorize(curvature_) && solver_->solve(-system_.half_gradient, solution);
+  const bool solved = solver_->factorize(curvature_, cancel) && solver_->solve(-system_.half_gradient, solution);
   curvature_.diagonal() = undamped;
   if (solved) s = solution;
   return solved;
@@ -66,7 +68,7 @@ StepTrial DampedStep::attempt(EvolvingPatch& patch, double mu, double unit, Fits
   Stopwatch watch;
   StepTrial trial;
   Eigen::VectorXd s;
-  trial.solved = solve(patch, mu, record, s);
+  trial.solved = solve(patch, mu, record, s, cancel);
   if (patch.state.patch.free_count > largest_kept) solver_ = make_spd_solver();
   record.solve_seconds += watch.lap();
   if (!trial.solved) return trial;

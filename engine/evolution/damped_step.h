@@ -32,8 +32,9 @@ class DampedStep {
                     const CancelToken& cancel);
 
  private:
-  bool solve(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s);
-  bool solve_iteratively(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s);
+  bool solve(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s, const CancelToken& cancel);
+  bool solve_iteratively(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s,
+                         const CancelToken& cancel);
 
   std::unique_ptr<SpdSolver>& solver_;
   GaussNewtonSystem system_;

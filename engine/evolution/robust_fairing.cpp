@@ -24,7 +24,7 @@ RobustFairing::RobustFairing(const EvolvingPatch& patch, double radius)
       passes_left_(weighs_boundary_ ? robust_passes : most_passes) {}
 
 /// One fairing. The first on rough surroundings is of second order; from its result the boundary vertices are weighed.
-void RobustFairing::step(EvolvingPatch& patch, const CancelToken&) {
+void RobustFairing::step(EvolvingPatch& patch, const CancelToken& cancel) {
   Stopwatch watch;
   const bool first = weighs_boundary_ && passes_left_ == robust_passes;
   // Where a crease of the start lies between wide angles, negative weights, clamped, would hold it for ever.
@@ -34,8 +34,10 @@ void RobustFairing::step(EvolvingPatch& patch, const CancelToken&) {
   Eigen::VectorXd trust;
   if (weighs_boundary_ && !first) trust = rim_trust(before, radius_, data_trust_);
   Patch faired = before;
-  if (!blend_once(faired, first ? SeamContinuity::tangent : patch.options.continuity, trust, radius_))
+  if (!blend_once(faired, first ? SeamContinuity::tangent : patch.options.continuity, trust, radius_, cancel)) {
+    if (patch.stop_if(cancel)) return;
     return patch.stop(PatchStatus::stalled, "stopped early: the patch is too degenerate to be faired");
+  }
   StepRecord record;
   record.step = static_cast<int>(patch.history.size()) + 1;
   record.solve_seconds = watch.lap();

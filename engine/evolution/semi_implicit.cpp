@@ -35,17 +35,20 @@ SemiImplicit::SemiImplicit(const EvolvingPatch& patch)
       improved_edge_length_(patch.edge_length()),
       solver_(make_general_solver(patch.options.solver, linear_tolerance)) {}
 
-double SemiImplicit::decay_rate(const EvolvingPatch& patch) {
-  if (decay_rate_ == 0) decay_rate_ = slowest_decay_rate(patch.options.flow, patch.state.patch);
-  if (!(decay_rate_ > 0)) decay_rate_ = 1;
-  return decay_rate_;
+/// 1 where there is none, or when cancelled.
+double SemiImplicit::decay_rate(const EvolvingPatch& patch, const CancelToken& cancel) {
+  if (decay_rate_ > 0) return decay_rate_;
+  const double rate = slowest_decay_rate(patch.options.flow, patch.state.patch, cancel);
+  if (cancel.cancelled()) return 1;
+  return decay_rate_ = rate > 0 ? rate : 1;
 }
 
 /// M(I/τ − J) s = M V, which is nearly symmetric.
-SolveReport SemiImplicit::solve(const EvolvingPatch& patch, const FlowSystem& system, Eigen::VectorXd& s) {
+SolveReport SemiImplicit::solve(const EvolvingPatch& patch, const FlowSystem& system, Eigen::VectorXd& s,
+                                const CancelToken& cancel) {
   const Patch& surface = patch.state.patch;
   const Eigen::VectorXd mass = barycentric_areas(surface.positions, surface.triangles).head(surface.free_count);
-  const double inverse_tau = decay_rate(patch) / sigma_;
+  const double inverse_tau = decay_rate(patch, cancel) / sigma_;
   GeneralSystem linear;
   linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     return mass.cwiseProduct(inverse_tau * x - system.times_jacobian(x));
@@ -60,15 +63,16 @@ SolveReport SemiImplicit::solve(const EvolvingPatch& patch, const FlowSystem& sy
     K.diagonal() += inverse_tau * mass;
     return K;
   };
-  return solver_->solve(linear, mass.cwiseProduct(system.velocity()), s);
+  return solver_->solve(linear, mass.cwiseProduct(system.velocity()), s, cancel);
 }
 
 /// One trial with the present sigma.
-StepTrial SemiImplicit::attempt(EvolvingPatch& patch, const FlowSystem& system, StepRecord& record) {
+StepTrial SemiImplicit::attempt(EvolvingPatch& patch, const FlowSystem& system, StepRecord& record,
+                                const CancelToken& cancel) {
   Stopwatch watch;
   StepTrial trial;
   Eigen::VectorXd s;
-  const SolveReport report = solve(patch, system, s);
+  const SolveReport report = solve(patch, system, s, cancel);
   record.solve_seconds += watch.lap();
   record.iterations += report.iterations;
   record.factorizations += report.factored ? 1 : 0;
@@ -77,7 +81,7 @@ StepTrial SemiImplicit::attempt(EvolvingPatch& patch, const FlowSystem& system, 
   trial.accepted = trial.whole = patch.acceptable(next, flow_tolerance * lowest_measure_);
   record.assemble_seconds += watch.lap();
   if (!trial.accepted) return trial;
-  patch.accept(std::move(next), record, s, sigma_, decay_rate(patch));
+  patch.accept(std::move(next), record, s, sigma_, decay_rate(patch, cancel));
   trial.move = patch.history.back().max_move;
   return trial;
 }
@@ -118,10 +122,11 @@ void SemiImplicit::step(EvolvingPatch& patch, const CancelToken& cancel) {
       descent.emplace(patch, spd_);
       sigma_ = wanted_sigma_;
     }
-    const double rate = decay_rate(patch);
+    const double rate = decay_rate(patch, cancel);
+    if (patch.stop_if(cancel)) return;
     const StepTrial trial = descent
                                 ? descent->attempt(patch, rate / (2 * sigma_), rate, Fits::operators, record, cancel)
-                                : attempt(patch, system, record);
+                                : attempt(patch, system, record, cancel);
     // Smaller steps move less: that is no convergence. What counts is a step of the size that was asked for.
     const bool stands_still = trial.move < small_move * std::min(1.0, sigma_) && sigma_ >= 0.1 * wanted_sigma_;
     if (trial.accepted) return finish(patch, trial.whole && stands_still);

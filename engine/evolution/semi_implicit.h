@@ -15,9 +15,10 @@ class SemiImplicit : public Stepper {
   void step(EvolvingPatch& patch, const CancelToken& cancel) override;
 
  private:
-  double decay_rate(const EvolvingPatch& patch);
-  SolveReport solve(const EvolvingPatch& patch, const FlowSystem& system, Eigen::VectorXd& s);
-  StepTrial attempt(EvolvingPatch& patch, const FlowSystem& system, StepRecord& record);
+  double decay_rate(const EvolvingPatch& patch, const CancelToken& cancel);
+  SolveReport solve(const EvolvingPatch& patch, const FlowSystem& system, Eigen::VectorXd& s,
+                    const CancelToken& cancel);
+  StepTrial attempt(EvolvingPatch& patch, const FlowSystem& system, StepRecord& record, const CancelToken& cancel);
   void finish(EvolvingPatch& patch, bool converged);
   bool mesh_is_worn(const EvolvingPatch& patch);
 

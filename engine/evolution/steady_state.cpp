@@ -67,7 +67,7 @@ FairedPatch linearly_faired(const EvolvingPatch& from, const CancelToken& cancel
     const bool evenly = from.options.start == SteadyStart::evenly_faired || attempt > 0;
     result.patch = patch;
     result.patch.positions =
-        linear_fairing(patch, *result.topology, from.objective.bending, evenly ? even_clamp : robust_clamp);
+        linear_fairing(patch, *result.topology, from.objective.bending, evenly ? even_clamp : robust_clamp, cancel);
     result.solve_seconds += watch.lap();
     result.move = 0;
     for (int i = 0; i < patch.free_count; ++i)
@@ -100,7 +100,7 @@ void SteadyState::step(EvolvingPatch& patch, const CancelToken& cancel) {
   if (!patch.require_fits()) return;
   if (fairings_left_ > 0) {
     --fairings_left_;
-    if (fairing_step(patch, cancel)) return;
+    if (fairing_step(patch, cancel) || patch.stop_if(cancel)) return;
     fairings_left_ = 0;
   }
   gauss_newton_step(patch, cancel);
@@ -114,6 +114,7 @@ bool SteadyState::fairing_step(EvolvingPatch& patch, const CancelToken& cancel) 
   EvolutionState next;
   const auto fair = [&] {
     faired = linearly_faired(patch, cancel);
+    if (cancel.cancelled()) return;
     Stopwatch watch;
     next = make_state(std::move(faired.patch), patch.objective, patch.stencil, faired.topology, Fits::curvatures);
     faired.assemble_seconds += watch.lap();
@@ -123,7 +124,7 @@ bool SteadyState::fairing_step(EvolvingPatch& patch, const CancelToken& cancel) 
     parallel_invoke(fair, [&] { cubic_start_ = start_by_cubic_fits(patch); });
   else
     fair();
-  if (!patch.acceptable(next, now.measure)) return false;
+  if (cancel.cancelled() || !patch.acceptable(next, now.measure)) return false;
   if (next.measure > 0.5 * now.measure && next.folds == 0) fairings_left_ = 0;
   StepRecord record;
   record.assemble_seconds = faired.assemble_seconds;
@@ -220,11 +221,11 @@ void SteadyState::after_step(EvolvingPatch& patch, int rejections, double energy
 namespace {
 
 /// Large patches do with about the slowest decay rate: that itself takes as long as a step.
-double damping_unit_of(const EvolvingPatch& patch) {
+double damping_unit_of(const EvolvingPatch& patch, const CancelToken& cancel) {
   constexpr int most_for_exact = 20'000;  // free vertices
   const Patch& present = patch.state.patch;
   const double rate = present.free_count > most_for_exact ? rough_decay_rate(patch.options.flow, present)
-                                                          : slowest_decay_rate(patch.options.flow, present);
+                                                          : slowest_decay_rate(patch.options.flow, present, cancel);
   return rate > 0 ? rate : 1;
 }
 
@@ -232,7 +233,11 @@ double damping_unit_of(const EvolvingPatch& patch) {
 
 void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& cancel) {
   Stopwatch watch;
-  if (unit_ == 0) unit_ = damping_unit_of(patch);
+  if (unit_ == 0) {
+    const double unit = damping_unit_of(patch, cancel);
+    if (patch.stop_if(cancel)) return;
+    unit_ = unit;
+  }
   if (!(mu_ > 0)) mu_ = unit_ / (2 * first_sigma);
   add_weights(patch.state, patch.objective, patch.stencil);
   DampedStep damped(patch, solver_);

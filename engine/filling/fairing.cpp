@@ -18,39 +18,41 @@ Eigen::MatrixX3d matrix_of(const Points& points) {
   return x;
 }
 
-/// A x = b for the points from `begin` on. @returns false, the points as they were, if A is not positive definite.
-bool solve_for(const SparseMatrix& A, const Eigen::MatrixX3d& b, Points& points, int begin) {
+/// A x = b for the points from `begin` on. @returns false, the points as they were, if A is not positive definite, or when
+/// cancelled.
+bool solve_for(const SparseMatrix& A, const Eigen::MatrixX3d& b, Points& points, int begin, const CancelToken& cancel) {
   const auto solver = make_spd_solver();
   Eigen::MatrixXd solution;
-  if (!solver->factorize(A) || !solver->solve(b, solution)) return false;
+  if (!solver->factorize(A, cancel) || !solver->solve(b, solution)) return false;
   for (Eigen::Index i = 0; i < solution.rows(); ++i) points[begin + i] = solution.row(i).transpose();
   return true;
 }
 
 }  // namespace
 
-bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end) {
+bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end, const CancelToken& cancel) {
   const Eigen::Index n = end - begin;
   if (n == 0) return false;
   Eigen::MatrixX3d fixed = matrix_of(points);
   fixed.middleRows(begin, n).setZero();
   // Q_ff x_f = −Q_fc x_c; f the vertices [begin, end), c the others.
-  return solve_for(Q.block(begin, begin, n, n), -(Q * fixed).middleRows(begin, n), points, begin);
+  return solve_for(Q.block(begin, begin, n, n), -(Q * fixed).middleRows(begin, n), points, begin, cancel);
 }
 
-Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked) {
+Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked, const CancelToken& cancel) {
   std::vector<int> faces(triangles.size());
   std::iota(faces.begin(), faces.end(), 0);
   Points result = points;
   const SparseMatrix C = clamped_cotan_stiffness(points, triangles, faces, robust_clamp);
-  return minimise_quadratic_form(C, result, locked, static_cast<int>(points.size())) ? result : points;
+  return minimise_quadratic_form(C, result, locked, static_cast<int>(points.size()), cancel) ? result : points;
 }
 
-Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp) {
-  return linear_fairing(patch, Topology(patch.vertex_count(), patch.triangles), bending, clamp);
+Points linear_fairing(const Patch& patch, double bending, CotanClamp clamp, const CancelToken& cancel) {
+  return linear_fairing(patch, Topology(patch.vertex_count(), patch.triangles), bending, clamp, cancel);
 }
 
-Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp) {
+Points linear_fairing(const Patch& patch, const Topology& topology, double bending, CotanClamp clamp,
+                      const CancelToken& cancel) {
   // Rows of ΔL with a full one-ring of data whose value the patch can change or that stand beside such rows.
   constexpr int reach = 2;
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
@@ -74,7 +76,7 @@ Points linear_fairing(const Patch& patch, const Topology& topology, double bendi
   Eigen::MatrixX3d fixed = matrix_of(patch.positions);
   fixed.topRows(n).setZero();
   Points result = patch.positions;
-  solve_for(lower_congruence(free_L, Q), -(free_L.transpose() * (Q * (L * fixed))), result, 0);
+  solve_for(lower_congruence(free_L, Q), -(free_L.transpose() * (Q * (L * fixed))), result, 0, cancel);
   return result;
 }
 

@@ -28,13 +28,14 @@ SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch) {
   return lower_congruence(inverse.asDiagonal() * C10, C.topLeftCorner(inner, inner));
 }
 
-double slowest_decay_rate(FlowKind flow, const Patch& patch) {
+double slowest_decay_rate(FlowKind flow, const Patch& patch, const CancelToken& cancel) {
   const auto factors_of_K = make_spd_solver();
-  if (!factors_of_K->factorize(clamped_polyharmonic(flow, patch))) return 0;
+  if (!factors_of_K->factorize(clamped_polyharmonic(flow, patch), cancel)) return 0;
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles).head(patch.free_count);
   Eigen::VectorXd x = Eigen::VectorXd::Ones(mass.size());
   double rate = 0;
   for (int iteration = 0; iteration < 30; ++iteration) {
+    if (cancel.cancelled()) return 0;
     x /= std::sqrt(x.dot(mass.cwiseProduct(x)));
     Eigen::MatrixXd next;
     if (!factors_of_K->solve(mass.cwiseProduct(x), next)) return 0;

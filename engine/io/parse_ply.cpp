@@ -218,7 +218,7 @@ class PlyBody {
         const char* row = bytes.data() + row_size * f;
         all_regular = all_regular && *row == 3;
         for (std::size_t c = 0; c < 3; ++c) {
-          const auto index = loaded<std::uint32_t>(row + 1 + sizeof index * c);
+          const auto index = loaded<std::uint32_t>(row + 1 + sizeof(std::uint32_t) * c);
           all_regular = all_regular && index < most;
           soup_.corners[begin + 3 * f + c] = static_cast<int>(index);
         }

@@ -95,9 +95,11 @@ Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::Vector
   return trust;
 }
 
-bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius) {
+bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius,
+                const CancelToken& cancel) {
   const SparseMatrix C = stiffness(patch);
-  if (continuity == SeamContinuity::position) return minimise_quadratic_form(C, patch.positions, 0, patch.free_count);
+  if (continuity == SeamContinuity::position)
+    return minimise_quadratic_form(C, patch.positions, 0, patch.free_count, cancel);
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
   Eigen::VectorXd rows = mass.cwiseInverse(), bending = mass;
   for (int i = 0; i < patch.vertex_count(); ++i) {
@@ -108,12 +110,12 @@ bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& 
   const SparseMatrix transposed = L.transpose();
   if (continuity == SeamContinuity::tangent) {
     const SparseMatrix Q = transposed * SparseMatrix(bending.asDiagonal()) * L;
-    return minimise_quadratic_form(Q, patch.positions, 0, patch.free_count);
+    return minimise_quadratic_form(Q, patch.positions, 0, patch.free_count, cancel);
   }
   bending = rough_bending / (radius * radius) * bending.cwiseProduct(trust);
   SparseMatrix Q = transposed * trusted_stiffness(patch, trust) * L;
   Q += SparseMatrix(transposed * SparseMatrix(bending.asDiagonal()) * L);
-  return minimise_quadratic_form(Q, patch.positions, 0, patch.free_count);
+  return minimise_quadratic_form(Q, patch.positions, 0, patch.free_count, cancel);
 }
 
 }  // namespace loopmend

@@ -2,6 +2,7 @@
 // The patch for rough surroundings: linear fairing of blended order that believes each rim vertex as far as it deserves.
 #pragma once
 
+#include "core/cancel.h"
 #include "mesh/patch.h"
 
 #include <Eigen/Core>
@@ -31,7 +32,8 @@ inline constexpr double rough_bending = 10;
 
 /// One fairing for the metric of the present shape: minimises ∫ w ‖∇Δr‖² + α ∫ w ‖Δr‖² with α = rough_bending / R² and
 /// w = trust (a triangle takes that of its worst corner); for `tangent` ∫ ‖Δr‖², for `position` ∫ ‖∇r‖² alone.
-/// @returns false if the system could not be solved; the patch is then as it was.
-bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius);
+/// @returns false if the system could not be solved, or when cancelled; the patch is then as it was.
+bool blend_once(Patch& patch, SeamContinuity continuity, const Eigen::VectorXd& trust, double radius,
+                const CancelToken& cancel = {});
 
 }  // namespace loopmend

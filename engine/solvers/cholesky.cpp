@@ -82,8 +82,8 @@ class WholeCholesky : public SpdSolver {
     }
     check_memory(settings.status);
   }
-  bool factorize(const SparseMatrix& A) override {
-    if (!cholesky_.is_analyzed()) return false;
+  bool factorize(const SparseMatrix& A, const CancelToken& cancel) override {
+    if (!cholesky_.is_analyzed() || cancel.cancelled()) return false;
     const NoThreadsWithin alone;
     cholesky_.factorize(A);
     return cholesky_.is_factored();
@@ -103,16 +103,17 @@ class WholeCholesky : public SpdSolver {
 
 class CholeskySolver : public SpdSolver {
  public:
-  bool factorize(const SparseMatrix& A) override {
+  bool factorize(const SparseMatrix& A, const CancelToken& cancel) override {
     factored_ = false;
-    if (A.rows() == 0 || A.rows() != A.cols() || !A.coeffs().allFinite()) return false;
+    if (cancel.cancelled() || A.rows() == 0 || A.rows() != A.cols() || !A.coeffs().allFinite()) return false;
     const bool same_pattern = pattern_.matches(A);
     if (!same_pattern || !factors_) {
       factors_.reset();  // its memory first
-      factors_ = A.rows() >= least_halved ? make_halved_cholesky(A) : nullptr;
+      factors_ = A.rows() >= least_halved ? make_halved_cholesky(A, cancel) : nullptr;
+      if (cancel.cancelled()) return false;
       if (!factors_) factors_ = std::make_unique<WholeCholesky>(A);
     }
-    return factored_ = factors_->factorize(A);
+    return factored_ = factors_->factorize(A, cancel);
   }
   bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override { return factored_ && factors_->solve(b, x); }
   double log_determinant() const override { return factors_->log_determinant(); }

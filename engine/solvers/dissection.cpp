@@ -17,8 +17,9 @@ constexpr int most_parts = 1 << 24;      ///< ends a dissection that only ever s
 
 class Dissector {
  public:
-  explicit Dissector(const MatrixGraph& graph)
+  Dissector(const MatrixGraph& graph, const CancelToken& cancel)
       : graph_(graph),
+        cancel_(cancel),
         part_(graph.begin.size() - 1, 1),
         level_(part_.size()),
         order_(part_.size()),
@@ -90,7 +91,7 @@ class Dissector {
   }
 
   Cut split(int begin, int end, int part) {
-    if (end - begin <= smallest_dissected || part >= most_parts) return {end - begin, 0};
+    if (end - begin <= smallest_dissected || part >= most_parts || cancel_.cancelled()) return {end - begin, 0};
     sort_by_distance(begin, end, part);
     std::swap(order_[begin], order_[end - 1]);
     sort_by_distance(begin, end, part);
@@ -118,6 +119,7 @@ class Dissector {
   }
 
   const MatrixGraph& graph_;
+  const CancelToken& cancel_;
   std::vector<int> part_, level_;  ///< by row; part 0: a separator's
   std::vector<int> order_, queue_;
 };
@@ -144,6 +146,6 @@ MatrixGraph graph_of(const Eigen::SparseMatrix<double>& lower) {
   return graph;
 }
 
-Dissection dissect(const MatrixGraph& graph) { return Dissector(graph).halves(); }
+Dissection dissect(const MatrixGraph& graph, const CancelToken& cancel) { return Dissector(graph, cancel).halves(); }
 
 }  // namespace loopmend

@@ -2,6 +2,8 @@
 // Nested dissection: an order of elimination in which two halves of a matrix know nothing of each other.
 #pragma once
 
+#include "core/cancel.h"
+
 #include <Eigen/SparseCore>
 
 #include <vector>
@@ -26,7 +28,7 @@ struct Dissection {
 /// Halves, quarters, and so on, down to some two hundred rows, each parted by rows at one distance from a far end. (George,
 /// Liu, Computer Solution of Large Sparse Positive Definite Systems, ch. 8: automatic nested dissection.) On meshes it fills
 /// up less than minimum degree, and is found sooner. The two halves of a large matrix are ordered by two threads, where the
-/// caller has them.
-Dissection dissect(const MatrixGraph& graph);
+/// caller has them. When cancelled, what is not yet dissected stays in its order.
+Dissection dissect(const MatrixGraph& graph, const CancelToken& cancel = {});
 
 }  // namespace loopmend

@@ -15,8 +15,10 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 class LuSolver : public GeneralSolver {
  public:
   LuSolver() { use_one_blas_thread(); }
-  SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+  SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+                    const CancelToken& cancel) override {
     SolveReport report;
+    if (cancel.cancelled()) return report;
     matrix_ = system.matrix();
     if (matrix_.rows() == 0 || !matrix_.coeffs().allFinite()) return report;
     report.factored = true;
@@ -44,24 +46,25 @@ class LuSolver : public GeneralSolver {
 class GmresSolver : public GeneralSolver {
  public:
   explicit GmresSolver(double tolerance) : tolerance_(tolerance) {}
-  SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
+  SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+                    const CancelToken& cancel) override {
     SolveReport report;
     if (b.size() == 0) return report;
     // A few iterations tell whether the others are worth their time.
     const GmresLimits with_old_factors{tolerance_, 24, 6, 2e-2}, with_new_factors{tolerance_};
-    report.solved = size_ == b.size() && iterate(system, b, with_old_factors, x, report);
-    if (report.solved) return report;
+    report.solved = size_ == b.size() && iterate(system, b, with_old_factors, x, report, cancel);
+    if (report.solved || cancel.cancelled()) return report;
     report.factored = true;
-    size_ = factors_->factorize(system.nearby()) ? b.size() : 0;
-    report.solved = size_ > 0 && iterate(system, b, with_new_factors, x, report);
+    size_ = factors_->factorize(system.nearby(), cancel) ? b.size() : 0;
+    report.solved = size_ > 0 && iterate(system, b, with_new_factors, x, report, cancel);
     return report;
   }
 
  private:
   bool iterate(const GeneralSystem& system, const Eigen::VectorXd& b, const GmresLimits& limits, Eigen::VectorXd& x,
-               SolveReport& report) const {
+               SolveReport& report, const CancelToken& cancel) const {
     Eigen::VectorXd solution;
-    const GmresReport iterated = gmres(system, *factors_, b, limits, solution);
+    const GmresReport iterated = gmres(system, *factors_, b, limits, solution, cancel);
     report.iterations += iterated.iterations;
     if (!(iterated.left <= tolerance_)) return false;
     x = solution;
@@ -76,10 +79,11 @@ class GmresSolver : public GeneralSolver {
 class AutomaticSolver : public GeneralSolver {
  public:
   explicit AutomaticSolver(double tolerance) : gmres_(tolerance) {}
-  SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) override {
-    const SolveReport iterated = gmres_.solve(system, b, x);
+  SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+                    const CancelToken& cancel) override {
+    const SolveReport iterated = gmres_.solve(system, b, x, cancel);
     if (iterated.solved) return iterated;
-    SolveReport report = direct_.solve(system, b, x);
+    SolveReport report = direct_.solve(system, b, x, cancel);
     report.iterations = iterated.iterations;
     return report;
   }

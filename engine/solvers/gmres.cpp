@@ -81,7 +81,7 @@ Eigen::VectorXd preconditioned(const SpdSolver& factors, const Eigen::VectorXd& 
 }  // namespace
 
 GmresReport gmres(const GeneralSystem& system, const SpdSolver& factors, const Eigen::VectorXd& b,
-                  const GmresLimits& limits, Eigen::VectorXd& x) {
+                  const GmresLimits& limits, Eigen::VectorXd& x, const CancelToken& cancel) {
   GmresReport report;
   x = Eigen::VectorXd::Zero(b.size());
   Cycle cycle(b.size(), std::min(limits.most, most_between_restarts));
@@ -101,7 +101,7 @@ GmresReport gmres(const GeneralSystem& system, const SpdSolver& factors, const E
       ++report.iterations;
       report.left = cycle.left() / whole;
       const bool hopeless = report.iterations == limits.trial && report.left > limits.promising;
-      goes_on = goes_on && report.left > limits.wanted && !hopeless;
+      goes_on = goes_on && report.left > limits.wanted && !hopeless && !cancel.cancelled();
     }
     x += cycle.best();
     if (!goes_on) break;

@@ -17,6 +17,7 @@ struct GmresReport {
 /// the factors' halves.) A residual measured without such weights sees the low frequencies alone.
 /// @param promising  given up after `trial` iterations if more than this is left by then
 /// @param x  n, written always
+/// @returns when cancelled, what is left by then
 struct GmresLimits {
   double wanted = 1e-6;
   int most = 120;
@@ -24,6 +25,6 @@ struct GmresLimits {
   double promising = 1;
 };
 GmresReport gmres(const GeneralSystem& system, const SpdSolver& factors, const Eigen::VectorXd& b,
-                  const GmresLimits& limits, Eigen::VectorXd& x);
+                  const GmresLimits& limits, Eigen::VectorXd& x, const CancelToken& cancel);
 
 }  // namespace loopmend

@@ -2,6 +2,7 @@
 // Sparse linear systems behind one small interface. Backends (CHOLMOD, UMFPACK, GMRES) stay inside the .cpp file.
 #pragma once
 
+#include "core/cancel.h"
 #include "solvers/solver_kind.h"
 
 #include <Eigen/Core>
@@ -17,8 +18,8 @@ class SpdSolver {
  public:
   virtual ~SpdSolver() = default;
   /// @param A  n by n, compressed; only the lower triangle is read. @returns false if A is not positive definite, has no
-  /// rows or an entry that is not finite. @throws std::bad_alloc
-  virtual bool factorize(const Eigen::SparseMatrix<double>& A) = 0;
+  /// rows or an entry that is not finite, or when cancelled. @throws std::bad_alloc
+  virtual bool factorize(const Eigen::SparseMatrix<double>& A, const CancelToken& cancel = {}) = 0;
   /// With the factors of the last factorize(). @param b  n by any number of columns. @param x  like b, written only on
   /// success. @returns false if that failed, or the solution is not finite.
   virtual bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const = 0;
@@ -55,16 +56,17 @@ struct IterationLimits {
 /// @param factors  of the nearby matrix, made here; its symbolic analysis is kept from call to call
 /// @param b  n. @param x  n: what the iterations came to, each of which has lowered ½xᵀAx − bᵀx; written only when solved.
 /// @returns solved: whether there is such an x, which may have more left than was wanted. There is none where a matrix is
-/// not positive definite.
+/// not positive definite, and when cancelled.
 SolveReport conjugate_gradients(const GeneralSystem& system, SpdSolver& factors, const IterationLimits& limits,
-                                const Eigen::VectorXd& b, Eigen::VectorXd& x);
+                                const Eigen::VectorXd& b, Eigen::VectorXd& x, const CancelToken& cancel = {});
 
 /// General systems, again and again for matrices that change a little from call to call.
 class GeneralSolver {
  public:
   virtual ~GeneralSolver() = default;
-  /// @param b  n. @param x  n, written only when solved.
-  virtual SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
+  /// @param b  n. @param x  n, written only when solved, which it is not when cancelled; UMFPACK hears of that too late.
+  virtual SolveReport solve(const GeneralSystem& system, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+                            const CancelToken& cancel = {}) = 0;
 };
 
 /// direct: sparse LU at every call. gmres: the Cholesky factors of the nearby matrix of an earlier call are the

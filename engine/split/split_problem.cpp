@@ -20,10 +20,11 @@ Eigen::VectorXd times(const SparseMatrix& lower, const Eigen::VectorXd& x) {
   return lower.selfadjointView<Eigen::Lower>() * x;
 }
 
-/// Solves A x = b. @returns false where A is not positive definite.
-bool solve(SpdSolver& solver, const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+/// Solves A x = b. @returns false where A is not positive definite, or when cancelled.
+bool solve(SpdSolver& solver, const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+           const CancelToken& cancel = {}) {
   Eigen::MatrixXd solution;
-  if (!solver.factorize(A) || !solver.solve(b, solution)) return false;
+  if (!solver.factorize(A, cancel) || !solver.solve(b, solution)) return false;
   x = solution.col(0);
   return true;
 }
@@ -84,7 +85,7 @@ bool SplitProblem::best_relief(State& state) {
 }
 
 /// Of Gauss-Newton, along the normals of y. Empty where the system is not positive definite.
-std::optional<Eigen::VectorXd> SplitProblem::displacement() {
+std::optional<Eigen::VectorXd> SplitProblem::displacement(const CancelToken& cancel) {
   const State& s = state_;
   const Eigen::Index n = s.distance.size();
   const SparseMatrix Q = 4 * lambda_ * s.geometry.hessian();
@@ -104,13 +105,14 @@ std::optional<Eigen::VectorXd> SplitProblem::displacement() {
     b.resize(n + free_);
     b << down + pull, -pull.head(free_);
   }
-  if (!solve(*step_solver_, A, b, x)) return std::nullopt;
+  if (!solve(*step_solver_, A, b, x, cancel)) return std::nullopt;
   return Eigen::VectorXd(x.head(n));
 }
 
 SplitProblem::Outcome SplitProblem::step(const CancelToken& cancel) {
   if (at_rest_) return Outcome::at_rest;
-  const std::optional<Eigen::VectorXd> phi = displacement();
+  const std::optional<Eigen::VectorXd> phi = displacement(cancel);
+  if (cancel.cancelled()) return Outcome::cancelled;
   if (!phi) {
     at_rest_ = true;
     return Outcome::at_rest;

@@ -41,7 +41,7 @@ class SplitProblem {
 
   std::optional<State> state_at(Points y);
   bool best_relief(State& state);
-  std::optional<Eigen::VectorXd> displacement();
+  std::optional<Eigen::VectorXd> displacement(const CancelToken& cancel);
   Eigen::VectorXd precision(const State& state) const;
 
   Points scan_;

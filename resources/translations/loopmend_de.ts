@@ -3427,6 +3427,13 @@
         </message>
     </context>
     <context>
+        <name>loopmend::TaskRunner</name>
+        <message>
+            <source>The system allows no further thread for this work (ulimit -u). Close other programs, or raise that limit.</source>
+            <translation>Das System erlaubt keinen weiteren Thread für diese Arbeit (ulimit -u). Schließen Sie andere Programme, oder heben Sie diese Grenze an.</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::ToolController</name>
         <message>
             <source>Paint a region first.</source>

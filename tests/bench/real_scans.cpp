@@ -75,7 +75,7 @@ void count_loops(const fs::path& report, Row& row, bool verbose) {
     row.failed += failed;
     row.left += left;
     row.filled += !failed && !left;
-    row.slowest = std::max(row.slowest, loop.at("seconds").at("total").get<double>());
+    if (loop.contains("seconds")) row.slowest = std::max(row.slowest, loop["seconds"].at("total").get<double>());
     if (verbose && (failed || left))
       std::printf("  %s loop %d, %d edges, %s: %s: %s\n", row.scan.c_str(), loop.at("number").get<int>(),
                   loop.at("edges").get<int>(), loop.at("kind").get<std::string>().c_str(), status.c_str(),

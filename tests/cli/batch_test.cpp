@@ -99,8 +99,7 @@ class Batch : public test::ProgramTest {
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
-    std::freopen((work / "said").c_str(), "w", stderr);
-    std::freopen("/dev/null", "w", stdout);
+    if (!std::freopen((work / "said").c_str(), "w", stderr) || !std::freopen("/dev/null", "w", stdout)) _exit(98);
     execv(LOOPMEND_PROGRAM, arguments.data());
     _exit(99);
   }

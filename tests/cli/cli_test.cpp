@@ -218,6 +218,24 @@ TEST_F(Cli, ManyLoopsAreSummedUpUnlessAskedFor) {
   EXPECT_GE(lines_of(loopmend_program("fill --verbose " + words + to).out), 51);
 }
 
+TEST_F(Cli, ReportsOfThousandsOfLoopsHaveOneLineForEachAndAllFiguresOfTheLongest) {
+  const std::filesystem::path scan = work / "many.ply";
+  write_mesh(scan, many_spheres(1001));
+  const std::string words = "fill '" + scan.string() + "' -o '" + out.string() + "' --flow none --report - ";
+  const Outcome brief = loopmend_program(words), all = loopmend_program(words + "--verbose");
+  const json of_brief = json::parse(brief.out), of_all = json::parse(all.out);
+  ASSERT_EQ(of_brief["loops"].size(), 1001u);
+  ASSERT_EQ(of_all["loops"].size(), 1001u);
+  EXPECT_TRUE(of_brief["loops"][999].contains("rim"));
+  const json& last = of_brief["loops"][1000];
+  EXPECT_EQ(last.size(), 9u);
+  for (const auto& [name, value] : last.items()) EXPECT_EQ(value, of_all["loops"][1000][name]) << name;
+  EXPECT_TRUE(of_all["loops"][1000].contains("rim"));
+  for (const Outcome& run : {brief, all})
+    EXPECT_LT(lines_of(run.out), 1001 + 30) << "one line for each loop, and for each field beside them";
+  EXPECT_LT(lines_of(loopmend_program("info '" + scan.string() + "' --json -").out), 1001 + 10);
+}
+
 TEST_F(Cli, OneOfSomethingIsSaidInTheSingular) {
   TriangleSoup soup = make_icosphere(0);
   soup.points.push_back(Vec3(0, 0, 9));
@@ -370,7 +388,7 @@ TEST_F(Cli, InterruptEndsSoonWithNothingHalfWritten) {
   write_mesh(big, cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0; }));
   const pid_t child = fork();
   if (child == 0) {
-    std::freopen("/dev/null", "w", stderr);
+    if (!std::freopen("/dev/null", "w", stderr)) _exit(98);
     execl(LOOPMEND_PROGRAM, "loopmend", "fill", big.c_str(), "-o", out.c_str(), nullptr);
     _exit(99);
   }

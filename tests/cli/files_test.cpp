@@ -150,7 +150,7 @@ TEST_F(Files, CancellingTellsWhatStands) {
     parts.push_back(part);
   }
   write_mesh(work / "many.ply", joined(parts));
-  std::system(script.c_str());
+  EXPECT_EQ(std::system(script.c_str()), 0);
   EXPECT_EQ(text_of(work / "code"), "143\n");
   EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled by SIGTERM after " + (work / "out.ply").string() + " was written"));
 }
@@ -161,7 +161,7 @@ TEST_F(Files, CancellingBeforeAnythingStandsSaysSo) {
                              "2>" + path("said") + "& program=$!; for k in $(seq 300); do [ -e " + path("new/flows") +
                              "] && break; sleep 0.1; done; kill -TERM $program; wait $program; echo $? >" +
                              path("code");
-  std::system(script.c_str());
+  EXPECT_EQ(std::system(script.c_str()), 0);
   EXPECT_EQ(text_of(work / "code"), "143\n");
   EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled by SIGTERM; nothing was written"));
   EXPECT_FALSE(std::filesystem::exists(work / "new"));

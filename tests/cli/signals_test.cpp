@@ -37,8 +37,7 @@ class Signals : public test::ProgramTest {
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGPIPE}) std::signal(signal, SIG_DFL);
-    std::freopen((work / "said").c_str(), "w", stderr);
-    std::freopen("/dev/null", "w", stdout);
+    if (!std::freopen((work / "said").c_str(), "w", stderr) || !std::freopen("/dev/null", "w", stdout)) _exit(98);
     if (prepare) prepare();
     execv(LOOPMEND_PROGRAM, arguments.data());
     _exit(99);

@@ -22,6 +22,13 @@ OPTIONS = [[], ["--flow", "none"], ["--continuity", "tangent"], ["--boundary", "
            ["--max-edges", "6"], ["--islands", "cover"]]
 
 
+def many_open_tetrahedra(count):
+    """As OFF: a loop of three edges each."""
+    points = [f"{3 * k + x} {y} {z}" for k in range(count) for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    faces = [f"3 {4 * k + a} {4 * k + b} {4 * k + c}" for k in range(count) for a, b, c in ((0, 1, 3), (1, 2, 3), (2, 0, 3))]
+    return "\n".join(["OFF", f"{len(points)} {len(faces)} 0", *points, *faces]) + "\n"
+
+
 def main():
     program, schemas, scans = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
     validators = {name: jsonschema.Draft202012Validator(json.loads((schemas / f"{name}.schema.json").read_text()))
@@ -38,6 +45,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         sample = Path(folder) / "sample.ply"
         subprocess.run([program, "sample", "-o", sample], check=True, capture_output=True)
+        many = Path(folder) / "many.off"
+        many.write_text(many_open_tetrahedra(1002))
+        for words in (["info", many, "--json", "-"], ["fill", many, "-o", Path(folder) / "out.ply", "--report", "-"]):
+            run = subprocess.run([program, *words], capture_output=True, text=True)
+            check("info" if words[0] == "info" else "report", run.stdout, f"{words[0]} of 1002 loops")
         for scan in [sample] + sorted(p for p in scans.iterdir() if p.suffix in (".ply", ".obj", ".off", ".stl")):
             run = subprocess.run([program, "info", scan, "--json", "-"], capture_output=True, text=True)
             if run.returncode == 0:

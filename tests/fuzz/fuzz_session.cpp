@@ -6,6 +6,8 @@
 #include "document/session.h"
 
 #include <QFile>
+#include <QFileInfo>
+#include <QTemporaryDir>
 
 #include <unistd.h>
 
@@ -14,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -48,12 +51,32 @@ void require_patch(const Patch& patch) {
 
 /// Places are looked for on the disk, and would not come back as they were.
 QByteArray without_places(Session session) {
-  for (SessionScan& scan : session.scans) scan.path.clear();
-  return to_bytes(session, QStringLiteral("/"));
+  std::vector<KeptFilePtr> files;
+  for (SessionScan& scan : session.scans) {
+    scan.path.clear();
+    files.push_back(scan.file);
+  }
+  return pack(to_bytes(session, QStringLiteral("/")), files);
+}
+
+/// Files that a session holds are laid out to be read; those that are damaged are refused, and none leaves its folder.
+void lay_out_files(const Session& session) {
+  static const QTemporaryDir folder;
+  for (const SessionScan& scan : session.scans) {
+    if (!scan.file) continue;
+    try {
+      const QString path = lay_out(*scan.file, folder.path());
+      require(QFileInfo(path).path() == folder.path(), "a kept file stays in the folder");
+      require(QFile::remove(path), "a kept file is there");
+    } catch (const ReadError&) {
+    } catch (const WriteError&) {  // its name is none
+    }
+  }
 }
 
 void read_a_session(const QString& path) {
   const Session session = session_from_file(path);
+  lay_out_files(session);
   for (const SessionPatch& patch : session.patches) {
     require(patch.scan >= 0 && patch.scan < static_cast<int>(session.scans.size()), "patches belong to scans");
     require(patch.loop_numbers.size() == patch.state->patch.loops.size(), "each loop has its number");

@@ -135,9 +135,11 @@ Session small_session() {
 }
 
 void write_sessions(const std::filesystem::path& folder) {
-  const auto write = [&](const char* name, const Session& session) {
-    const QByteArray bytes = to_bytes(session, QStringLiteral("/scans"));
+  const auto write_bytes = [&](const char* name, const QByteArray& bytes) {
     std::ofstream(folder / name, std::ios::binary).write(bytes.data(), bytes.size());
+  };
+  const auto write = [&](const char* name, const Session& session) {
+    write_bytes(name, to_bytes(session, QStringLiteral("/scans")));
   };
   Session session = small_session();
   write("patches.loopmend", session);
@@ -148,6 +150,14 @@ void write_sessions(const std::filesystem::path& folder) {
   session.patches.clear();
   session.scans.resize(1);
   write("surface.loopmend", session);
+  const auto file = std::make_shared<const KeptFile>(
+      KeptFile{QStringLiteral("a.off"), qCompress(QByteArray("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"))});
+  session = small_session();
+  session.scans.back().unit = "mm";
+  write_bytes("packed.loopmend", pack(to_bytes(session, QStringLiteral("/scans")), {nullptr, file}));
+  session.patches.clear();
+  session.scans.erase(session.scans.begin());
+  write_bytes("packed_scan.loopmend", pack(to_bytes(session, QStringLiteral("/scans")), {file}));
 }
 
 /// As a person types them, one word a line.
@@ -162,6 +172,7 @@ void write_words(const std::filesystem::path& folder) {
       "fill\na\n-o\nb\n--boundary\nrobust\n--continuity\ntangent\n--report\n-\n--quiet\n--max-time\n1\n--max-"
       "memory\n100",
       "fill\na\n-o\nb\n--texture\nsmooth\n--materials\nreference\n--keep-partial\n--cut-intersections\n--patches-only",
+      "fill\na\n-o\nb\n--relief\ncontinued\n--relief-seed\n7\n--verbose\n--check",
       "render\na.ply\nb.ply\n-o\nc.png\n--color\nzebra\n--size\n640x480\n--direction\n1,-2,0.5\n--loop\n3",
       "render\na.ply\n-o\nc.png\n--view\niso",
       "sample\n-o\na.ply",

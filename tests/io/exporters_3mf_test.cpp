@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace loopmend {
-namespace {
+namespace exporters_3mf {
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
@@ -258,5 +258,5 @@ TEST_F(Exporters3mf, Archives) { expect_read(archives()); }
 TEST_F(Exporters3mf, Models) { expect_read(models()); }
 TEST_F(Exporters3mf, AreRefusedWithTheReason) { expect_refusals(refusals()); }
 
-}  // namespace
+}  // namespace exporters_3mf
 }  // namespace loopmend

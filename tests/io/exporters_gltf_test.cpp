@@ -6,7 +6,7 @@
 #include <functional>
 
 namespace loopmend {
-namespace {
+namespace exporters_gltf {
 
 using Json = nlohmann::json;
 using Change = std::function<void(GltfFile&)>;
@@ -317,5 +317,5 @@ TEST_F(ExportersGltf, Arrays) { expect_read(arrays()); }
 TEST_F(ExportersGltf, Nodes) { expect_read(nodes()); }
 TEST_F(ExportersGltf, AreRefusedWithTheReason) { expect_refusals(refusals()); }
 
-}  // namespace
+}  // namespace exporters_gltf
 }  // namespace loopmend

@@ -5,7 +5,7 @@
 #include <sstream>
 
 namespace loopmend {
-namespace {
+namespace exporters_obj {
 
 const std::string places = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 const std::string faces = "f 1 2 3\nf 1 3 4\n";
@@ -188,5 +188,5 @@ TEST_F(ExportersObj, CornersOfFaces) { expect_read(corners()); }
 TEST_F(ExportersObj, OtherStatements) { expect_read(statements()); }
 TEST_F(ExportersObj, AreRefusedWithTheReason) { expect_refusals(refusals()); }
 
-}  // namespace
+}  // namespace exporters_obj
 }  // namespace loopmend

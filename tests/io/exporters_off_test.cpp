@@ -3,7 +3,7 @@
 #include "exporter_variants.h"
 
 namespace loopmend {
-namespace {
+namespace exporters_off {
 
 const std::string counts = "4 2 5\n";
 const std::string places = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
@@ -122,5 +122,5 @@ TEST_F(ExportersOff, KeywordsAndCounts) { expect_read(heads()); }
 TEST_F(ExportersOff, LinesAndColors) { expect_read(bodies()); }
 TEST_F(ExportersOff, AreRefusedWithTheReason) { expect_refusals(refusals()); }
 
-}  // namespace
+}  // namespace exporters_off
 }  // namespace loopmend

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 namespace loopmend {
-namespace {
+namespace exporters_ply {
 
 const std::string head = "ply\nformat ascii 1.0\n";
 const std::string xyz = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
@@ -267,5 +267,5 @@ TEST_F(ExportersPly, TypesAndBytes) { expect_read(types()); }
 TEST_F(ExportersPly, PropertiesAndElements) { expect_read(properties()); }
 TEST_F(ExportersPly, AreRefusedWithTheReason) { expect_refusals(refusals()); }
 
-}  // namespace
+}  // namespace exporters_ply
 }  // namespace loopmend

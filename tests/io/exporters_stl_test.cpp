@@ -9,7 +9,7 @@
 #include <sstream>
 
 namespace loopmend {
-namespace {
+namespace exporters_stl {
 
 std::string facet(const std::string& a, const std::string& b, const std::string& c) {
   return "  facet normal 0 0 1\n    outer loop\n      vertex " + a + "\n      vertex " + b + "\n      vertex " + c +
@@ -192,5 +192,5 @@ TEST_F(ExportersStl, Texts) { expect_read(texts()); }
 TEST_F(ExportersStl, Binaries) { expect_read(binaries()); }
 TEST_F(ExportersStl, AreRefusedWithTheReason) { expect_refusals(refusals()); }
 
-}  // namespace
+}  // namespace exporters_stl
 }  // namespace loopmend

@@ -18,7 +18,7 @@
 #include <vector>
 
 namespace loopmend {
-namespace {
+namespace hostile_meshes {
 
 struct HostileMesh {
   std::string name;
@@ -211,5 +211,5 @@ TEST(HostileMeshes, TheCorpusIsFilledOrSaidWhyNot) {
   EXPECT_GT(filled, 20);
 }
 
-}  // namespace
+}  // namespace hostile_meshes
 }  // namespace loopmend

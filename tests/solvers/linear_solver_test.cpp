@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -48,6 +49,44 @@ TEST(SpdSolver, SolvesSeveralRightHandSides) {
   ASSERT_TRUE(solver->factorize(A));
   ASSERT_TRUE(solver->solve(A * exact, x));
   EXPECT_LT((x - exact).norm(), 1e-10 * exact.norm());
+}
+
+/// Large enough that a look at the token falls into CHOLMOD's work, and before, and behind it.
+TEST(SpdSolver, AFactorizationThatIsCancelledEndsAndLeavesTheSolverWhole) {
+  const Sparse G = grid_matrix(150, 0.3, 0), A = G * G * G;
+  const Eigen::VectorXd exact = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2);
+  for (int threads : {1, 2})
+    with_thread_budget(threads, [&] {
+      const auto solver = make_spd_solver();
+      Eigen::MatrixXd before, after;
+      ASSERT_TRUE(solver->factorize(A) && solver->solve(A * exact, before));
+      int stopped = 0;
+      for (int wait_ms = 0; wait_ms < 40; wait_ms += 2) {
+        const CancelToken cancel;
+        std::jthread person([&] {
+          std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+          cancel.cancel();
+        });
+        const bool factored = solver->factorize(A, cancel);
+        EXPECT_TRUE(factored || cancel.cancelled());
+        EXPECT_EQ(solver->solve(A * exact, after), factored) << "factors that are none are not used";
+        stopped += !factored;
+      }
+      EXPECT_GT(stopped, 0);
+      ASSERT_TRUE(solver->factorize(A) && solver->solve(A * exact, after));
+      EXPECT_EQ(after, before) << "nothing is left of what was stopped";
+    });
+}
+
+TEST(SpdSolver, WhatIsCancelledBeforeItBeginsIsNotFactored) {
+  const CancelToken cancelled;
+  cancelled.cancel();
+  for (int side : {5, 30, 60}) {
+    const Sparse A = grid_matrix(side, 0.3, 0);
+    const auto solver = make_spd_solver();
+    EXPECT_FALSE(solver->factorize(A, cancelled));
+    EXPECT_TRUE(solver->factorize(A)) << "the pattern was not taken for analysed";
+  }
 }
 
 /// As of patches: dense in one block, dissected, and halved.
