@@ -100,6 +100,8 @@ void Plot::make_band(int low, int high) {
 void Plot::drop_legend() {
   key_ = Key::dropped;
   plot_->legend->setVisible(false);
+  plot_->legend->setWrap(0);  // hidden ones take their room all the same: one row
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
   take_colors();
 }
 

@@ -242,8 +242,9 @@ void MendingTest::a_patch_out_of_proportion_is_amber() {
   QVERIFY2(window.document().state(0) == HoleState::doubtful,
            qPrintable(labels::state(window.document().state(0)) + window.document().message(0)));
   const QString said = QStringLiteral("out of proportion");
-  const QString sentence = part<QLabel>(window, "seamSentence")->text();
-  QVERIFY2(sentence.contains(said) && !sentence.contains(QStringLiteral("smaller")), qPrintable(sentence));
+  const auto sentence = [&] { return part<QLabel>(window, "seamSentence")->text(); };
+  QVERIFY2(wait_until([&] { return sentence().contains(said); }, 5), qPrintable(sentence()));
+  QVERIFY2(!sentence().contains(QStringLiteral("smaller")), qPrintable(sentence()));
   const QString tip = state.data(Qt::ToolTipRole).toString();
   QVERIFY2(tip.contains(said) && tip.contains(QStringLiteral("times that of the initial patch")), qPrintable(tip));
   window.selection().select({});
