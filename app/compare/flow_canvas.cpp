@@ -127,7 +127,7 @@ void FlowCanvas::set_surroundings(std::shared_ptr<const SurfaceShape> shape) {
 
 void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival) {
   MeshScene& scene = *impl_->scenes[static_cast<std::size_t>(side)];
-  shape ? scene.set_patch(0, std::move(shape), arrival) : scene.keep_patches({});
+  shape ? scene.set_patch(0, 0, std::move(shape), arrival) : scene.keep_patches({});
   redraw();
 }
 

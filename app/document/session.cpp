@@ -239,7 +239,7 @@ void put(Writer& out, const ColorRange& range) {
 
 ColorRange color_range(Reader& in) {
   ColorRange range;
-  range.rule = word(in, ColorRange::Rule::own);
+  range.rule = word(in, ColorRange::Rule::percentile_each);
   range.percent = in.number<double>();
   range.half_width = in.number<double>();
   if (!(range.percent >= 50 && range.percent <= 100 && range.half_width > 0))

@@ -152,11 +152,16 @@ QString FillBox::target_words(const std::set<int>& loops) const {
     return chosen ? tr("%1, selected").arg(labels::sentence(labels::holes(document_, loops)))
                   : tr("All open holes (%1)").arg(loops.size());
   if (chosen) return tr("The selection is filled already.");
-  bool left_out = false;
-  for (int loop = 0; loop < document_.loop_count() && !left_out; ++loop)
-    left_out = document_.present(loop) && document_.state(loop) == HoleState::left_out;
-  return left_out ? tr("No open hole is left. To fill a loop that is left out, select it.")
-                  : tr("No open hole is left.");
+  return tr("No open hole is left.");
+}
+
+/// One line each, so that the buttons below stay where they are.
+QString FillBox::advice(const std::set<int>& loops) const {
+  if (!loops.empty()) return estimate(loops);
+  for (int loop = 0; loop < document_.loop_count() && selection_.selected().empty(); ++loop)
+    if (document_.present(loop) && document_.state(loop) == HoleState::left_out)
+      return tr("To fill one that is left out, select it.");
+  return {};
 }
 
 /// From the projected areas and the mean length of the rims' edges: equilateral triangles of that size.
@@ -174,17 +179,18 @@ QString FillBox::estimate(const std::set<int>& loops) const {
   if (!(triangles > 0)) return {};
   const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(triangles)) - 1));
   const auto rounded = static_cast<std::size_t>(std::round(triangles / step) * step);
-  const QString edges = largest > 1.2 * smallest ? tr("%1 to %2").arg(labels::number(smallest), labels::number(largest))
-                                                 : labels::number(largest);
-  return tr("About %1 triangles, edges of %2.").arg(labels::count(rounded), edges);
+  const QString edges = largest > 1.2 * smallest
+                            ? tr("%1\u2013%2").arg(labels::number(smallest), labels::number(largest))
+                            : labels::number(largest);
+  return tr("\u2248 %1 triangles, edges %2").arg(labels::count(rounded), edges);
 }
 
 void FillBox::update_state() {
   const std::set<int> loops = loops_to_fill(document_, selection_);
   const bool idle = !controller_.busy();
   target_->setText(target_words(loops));
-  estimate_->setText(estimate(loops));
-  estimate_->setVisible(!loops.empty());
+  estimate_->setText(advice(loops));
+  estimate_->setVisible(!estimate_->text().isEmpty());
   fill_->setEnabled(idle && !loops.empty());
   whole_->setEnabled(idle && (!loops.empty() || !patches_to_smooth().empty()));
   whole_->setDefault(whole_->isEnabled());

@@ -127,7 +127,7 @@ void FlowBox::update_state() {
   if (!to_move.empty()) {
     target_->setText(labels::sentence(labels::holes(document_, loops_of(document_, to_move))));
   } else if (!chosen_patches(document_, selection_).empty()) {
-    target_->setText(tr("Accepted already. Open it again to go on."));
+    target_->setText(tr("Accepted; open it again to go on."));
   } else {
     target_->setText(chosen ? tr("The selection is not filled yet.") : tr("Nothing is filled yet."));
   }

@@ -61,7 +61,7 @@ Gallery::Gallery(QWidget* parent) : QWidget(parent) {
     button->setAutoRaise(true);
     button->setFixedWidth(picture_size.width() + 10);
     explain(button, example_title(example),
-            tr("%1: %2. A click opens it, a second one runs it").arg(id, example_title(example)));
+            tr("%1. A click opens it, a second one runs it").arg(example_title(example)));
     connect(button, &QToolButton::clicked, this, [this, id] { Q_EMIT example_wanted(id); });
     grid->addWidget(button, place / columns, place % columns);
     ++place;

@@ -28,6 +28,18 @@
 #include <utility>
 
 namespace loopmend {
+namespace {
+
+/// Home and End go to the first and the last row, not along a row: with Shift they extend the selection until there.
+class RowsView : public QTableView {
+ protected:
+  QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override {
+    if (action == MoveHome || action == MoveEnd) modifiers |= Qt::ControlModifier;
+    return QTableView::moveCursor(action, modifiers);
+  }
+};
+
+}  // namespace
 
 HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* parent)
     : QWidget(parent),
@@ -35,7 +47,7 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
       selection_(selection),
       model_(new HoleTable(document, this)),
       sorted_(new HoleFilter(document, this)),
-      table_(new QTableView),
+      table_(new RowsView),
       summary_(new QLabel),
       all_(make_button("selectAllHoles", tr("Select &all"),
                        tr("Select every hole; outer rims, cracks and cuts are left out"))),
@@ -232,6 +244,9 @@ void HolesPanel::show_selection() {
   for (int loop : selection_.selected())
     if (const QModelIndex at = sorted_->mapFromSource(model_->index(loop, 0)); at.isValid()) rows.push_back(at.row());
   std::sort(rows.begin(), rows.end());
+  // What was selected in the picture is where the keys go on from.
+  if (!rows.empty() && !std::binary_search(rows.begin(), rows.end(), table_->currentIndex().row()))
+    table_->setCurrentIndex(sorted_->index(rows.front(), HoleTable::number));
   QItemSelection ranges;
   for (std::size_t i = 0; i < rows.size();) {
     std::size_t last = i;

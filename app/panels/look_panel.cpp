@@ -123,11 +123,13 @@ QWidget* LookPanel::build_colors() {
   explain(map_, tr("Colours"), tr("Every one of them can be told apart by every kind of colour vision"));
   rule_ = new QComboBox;
   rule_->setObjectName(QStringLiteral("rangeRule"));
-  rule_->addItem(tr("Percentile of the scan"), static_cast<int>(ColorRange::Rule::percentile));
+  rule_->addItem(tr("Percentile, all scans alike"), static_cast<int>(ColorRange::Rule::percentile));
+  rule_->addItem(tr("Percentile of each scan"), static_cast<int>(ColorRange::Rule::percentile_each));
   rule_->addItem(tr("Own range"), static_cast<int>(ColorRange::Rule::own));
   explain(rule_, tr("Range"),
-          tr("How far the colours reach. The range is symmetric about 0 and comes from the scan alone, so it stays the "
-             "same while a flow runs"));
+          tr("How far the colours reach. The range is symmetric about 0 and comes from the scans alone, so it stays the "
+             "same while a flow runs. Several scans share the widest range, or each has its own; the legend then shows "
+             "that of the selected hole's scan"));
   percent_ = new QDoubleSpinBox;
   percent_->setObjectName(QStringLiteral("percentile"));
   percent_->setRange(50, 100);

@@ -36,6 +36,7 @@ Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
   plot_->plotLayout()->setRowSpacing(0);
   plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
   plot_->legend->setMargins(QMargins(4, 0, 4, 0));
+  plot_->legend->setWrap(2);  // four words in one row would be cut off
   auto* words = new QCPItemText(plot_);
   words->setObjectName(QStringLiteral("words"));
   words->position->setType(QCPItemPosition::ptAxisRectRatio);
@@ -99,6 +100,8 @@ void Plot::make_band(int low, int high) {
 void Plot::drop_legend() {
   key_ = Key::dropped;
   plot_->legend->setVisible(false);
+  plot_->legend->setWrap(0);  // hidden ones take their room all the same: one row
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
   take_colors();
 }
 

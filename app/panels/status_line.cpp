@@ -62,7 +62,7 @@ void StatusLine::count() {
   }
   int open = 0;
   for (int loop = 0; loop < document_.loop_count(); ++loop)
-    open += document_.present(loop) && !document_.patch_of(loop);
+    open += document_.present(loop) && !document_.patch_of(loop) && document_.loop(loop).kind != LoopKind::cut;
   scan_->setText(triangles == 0
                      ? QString()
                      : tr("%1 triangles \u00b7 %2 vertices").arg(labels::count(triangles), labels::count(vertices)));

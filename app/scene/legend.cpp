@@ -147,6 +147,7 @@ void Legend::lay_out(int width, int height) {
   place(top_, right, top - 46 * ratio_, 11);
   const double bar_top = top - 64 * ratio_, bottom = bar_top - bar_height;
   build_bar(right - bar_width, bottom, bar_width, bar_height);
+  bar_box_ = {Eigen::Vector2d(right - bar_width, bottom), Eigen::Vector2d(right, bar_top)};
   place(bottom_, right, bottom - 18 * ratio_, 11);
   const double range = table_->GetRange()[1];
   for (int i = 0; i < label_count; ++i) {
@@ -156,6 +157,19 @@ void Legend::lay_out(int width, int height) {
     label->GetTextProperty()->SetJustificationToRight();
     place(label, right - bar_width - 9 * ratio_, bottom + t * bar_height, 12);
   }
+}
+
+std::vector<Eigen::AlignedBox2d> Legend::boxes() {
+  std::vector<Eigen::AlignedBox2d> all{bar_box_};
+  const auto add = [&](vtkTextActor* text) {
+    double b[4];
+    text->GetBoundingBox(renderer_, b);
+    const Eigen::Vector2d at(text->GetPosition()[0], text->GetPosition()[1]);
+    all.emplace_back(at + Eigen::Vector2d(b[0], b[2]), at + Eigen::Vector2d(b[1], b[3]));
+  };
+  for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()}) add(text);
+  for (auto& label : labels_) add(label);
+  return all;
 }
 
 void Legend::place(vtkTextActor* text, double x, double y, int logical_size) {

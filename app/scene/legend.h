@@ -4,8 +4,11 @@
 
 #include <vtkNew.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <string>
+#include <vector>
 
 class vtkActor2D;
 class vtkLookupTable;
@@ -44,6 +47,9 @@ class Legend {
   /// Places it at the right edge and reads the range from the table. Call when size or range changed.
   void lay_out(int width, int height);
 
+  /// What it covers, pixels from the lower left corner of its renderer: a box for each of its texts and for the bar.
+  std::vector<Eigen::AlignedBox2d> boxes();
+
   static constexpr int width_px = 150;  ///< logical pixels that it takes at the right edge
 
  private:
@@ -53,6 +59,7 @@ class Legend {
 
   static constexpr int label_count = 5;
   double ratio_ = 1;
+  Eigen::AlignedBox2d bar_box_;
   char decimal_mark_ = '.';
   vtkLookupTable* table_;
   vtkRenderer* renderer_ = nullptr;

@@ -13,8 +13,9 @@ namespace loopmend {
 /// so the same before, while and after a flow runs.
 struct ColorRange {
   enum class Rule {
-    percentile,  ///< as far as `percent` of the scans' values go on either side
-    own,         ///< `half_width`
+    percentile,       ///< as far as `percent` of a scan's values go on either side; of several scans the widest
+    own,              ///< `half_width`
+    percentile_each,  ///< each scan, and what fills it, by its own values: scans of different sizes show their shapes
   } rule = Rule::percentile;
   double percent = 98;    ///< 50..100
   double half_width = 1;  ///< above 0; 1/length for H, 1/length² for K

@@ -33,7 +33,10 @@ using ShapePtr = std::shared_ptr<const SurfaceShape>;
 struct MeshScene::Impl {
   vtkNew<CachedBackground> renderer;
   vtkNew<vtkRenderer> legend_renderer;
-  vtkSmartPointer<vtkLookupTable> table = make_diverging_table();
+  vtkSmartPointer<vtkLookupTable> table = make_diverging_table();  ///< of the legend
+  std::map<int, vtkSmartPointer<vtkLookupTable>> tables;           ///< by scan
+  std::map<int, double> own_ranges;                                ///< by scan, where it is not the legend's
+  ColorMap map = ColorMap::blue_orange;
   std::map<int, std::unique_ptr<SurfaceActor>> scans;
   struct Parts {
     std::vector<ShapePtr> shapes;
@@ -43,10 +46,12 @@ struct MeshScene::Impl {
   struct PatchGoal {
     ShapePtr shape;
     Arrival arrival = Arrival::at_once;
+    int scan = 0;
   };
   std::map<int, PatchGoal> patch_shapes;
   std::map<int, std::unique_ptr<SurfaceActor>> patches;
-  PatchBatch batch{table}, ghosts{table}, marked{table};
+  std::map<int, PatchBatch> batches;  ///< by scan
+  PatchBatch ghosts{table}, marked{table};
   LoopLines loops;
   Legend legend{table};
   LegendPlace legend_place = LegendPlace::over_the_picture;
@@ -64,16 +69,37 @@ struct MeshScene::Impl {
     for (auto& [index, of_scan] : parts)
       for (auto& part : of_scan.actors) act(*part);
     for (auto& [id, patch] : patches) act(*patch);
-    act(batch.surface());
+    for (auto& [scan, batch] : batches) act(batch.surface());
   }
-  std::unique_ptr<SurfaceActor> make(SurfaceActor::Role role) {
-    auto made = std::make_unique<SurfaceActor>(role, table);
-    made->set_shading(shading);
-    made->set_edges(edges);
-    made->set_stripes(stripes);
-    made->set_clipping(clipping);
-    renderer->AddActor(made->actor());
+  double range_of(int scan) const {
+    const auto own = own_ranges.find(scan);
+    return own == own_ranges.end() ? table->GetRange()[1] : own->second;
+  }
+  vtkLookupTable* table_of(int scan) {
+    auto& of_scan = tables[scan];
+    if (!of_scan) {
+      of_scan = make_diverging_table();
+      paint_table(of_scan, map);
+      of_scan->SetRange(-range_of(scan), range_of(scan));
+    }
+    return of_scan;
+  }
+  void prepare(SurfaceActor& surface) {
+    surface.set_shading(shading);
+    surface.set_edges(edges);
+    surface.set_stripes(stripes);
+    surface.set_clipping(clipping);
+    renderer->AddActor(surface.actor());
+  }
+  std::unique_ptr<SurfaceActor> make(SurfaceActor::Role role, int scan) {
+    auto made = std::make_unique<SurfaceActor>(role, table_of(scan));
+    prepare(*made);
     return made;
+  }
+  PatchBatch& batch_of(int scan) {
+    const auto [at, is_new] = batches.try_emplace(scan, table_of(scan));
+    if (is_new) prepare(at->second.surface());
+    return at->second;
   }
   void drop_parts(int scan) {
     for (auto& part : parts[scan].actors) {
@@ -86,7 +112,7 @@ struct MeshScene::Impl {
     if (parts[scan].shapes == shapes) return;
     drop_parts(scan);
     for (const ShapePtr& shape : shapes) {
-      auto part = make(SurfaceActor::Role::scan);
+      auto part = make(SurfaceActor::Role::scan, scan);
       renderer->add_still(part->actor());
       part->set_shape(shape);
       parts[scan].actors.push_back(std::move(part));
@@ -118,29 +144,33 @@ struct MeshScene::Impl {
     }
   }
   void distribute_patches(SurfaceActor::Clock::time_point now) {
-    PatchBatch::Shapes together;
+    std::map<int, PatchBatch::Shapes> together;  // by scan
+    std::set<int> single;
     const bool many = patch_shapes.size() > most_single_patches;
     for (const auto& [id, goal] : patch_shapes) {
       const ShapePtr& shape = goal.shape;
       if (many && shape->points.size() / 3 <= small_patch_points) {
-        together.emplace(id, shape);
+        together[goal.scan].emplace(id, shape);
         continue;
       }
+      single.insert(id);
       auto& patch = patches[id];
-      if (!patch) patch = make(SurfaceActor::Role::patch);
+      if (!patch) patch = make(SurfaceActor::Role::patch, goal.scan);
+      patch->set_table(table_of(goal.scan));
       patch->set_shape(shape, goal.arrival, now);
     }
     std::erase_if(patches, [&](const auto& entry) {
-      if (patch_shapes.contains(entry.first) && !together.contains(entry.first)) return false;
+      if (single.contains(entry.first)) return false;
       renderer->RemoveActor(entry.second->actor());
       return true;
     });
-    batch.show(together);
+    for (auto& [scan, shapes] : together) batch_of(scan);
+    for (auto& [scan, batch] : batches) batch.show(together[scan]);
   }
 };
 
 MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
-  for (PatchBatch* batch : {&impl_->batch, &impl_->ghosts, &impl_->marked}) {
+  for (PatchBatch* batch : {&impl_->ghosts, &impl_->marked}) {
     batch->surface().actor()->VisibilityOff();
     impl_->renderer->AddActor(batch->surface().actor());
   }
@@ -169,7 +199,7 @@ void MeshScene::clear() {
 void MeshScene::set_scan(int index, ShapePtr shape, const std::vector<ShapePtr>& parts) {
   auto& scan = impl_->scans[index];
   if (!scan) {
-    scan = impl_->make(SurfaceActor::Role::scan);
+    scan = impl_->make(SurfaceActor::Role::scan, index);
     impl_->renderer->add_still(scan->actor());
   }
   impl_->set_parts(index, parts);
@@ -203,8 +233,8 @@ void MeshScene::place_scan(int index, const Eigen::Matrix4d& placement) {
   impl_->renderer->still_changed();
 }
 
-void MeshScene::set_patch(int id, ShapePtr shape, Arrival arrival) {
-  impl_->patch_shapes[id] = {std::move(shape), arrival};
+void MeshScene::set_patch(int id, int scan, ShapePtr shape, Arrival arrival) {
+  impl_->patch_shapes[id] = {std::move(shape), arrival, scan};
   impl_->patches_changed = true;
 }
 
@@ -315,19 +345,25 @@ void MeshScene::set_stripes(int count) {
 
 void MeshScene::set_color_map(ColorMap map) {
   impl_->renderer->still_changed();
+  impl_->map = map;
   paint_table(impl_->table, map);
+  for (auto& [scan, table] : impl_->tables) paint_table(table, map);
   impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
   impl_->update_legend();
 }
 
-void MeshScene::set_range(double half_width) {
+void MeshScene::set_range(double half_width, const std::map<int, double>& own) {
   impl_->renderer->still_changed();
+  impl_->own_ranges = own;
   impl_->table->SetRange(-half_width, half_width);
+  for (auto& [scan, table] : impl_->tables) table->SetRange(-impl_->range_of(scan), impl_->range_of(scan));
   impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
   impl_->update_legend();
 }
 
 double MeshScene::range() const { return impl_->table->GetRange()[1]; }
+
+double MeshScene::range_of(int scan) const { return impl_->range_of(scan); }
 
 void MeshScene::set_legend_words(const LegendWords& words) {
   impl_->legend.set_words(words);
@@ -377,6 +413,25 @@ void MeshScene::set_size(int width, int height) {
   impl_->width = width;
   impl_->height = height;
   impl_->update_legend();
+}
+
+std::vector<Eigen::AlignedBox2d> MeshScene::legend_boxes() const {
+  return impl_->wants_legend() ? impl_->legend.boxes() : std::vector<Eigen::AlignedBox2d>{};
+}
+
+std::vector<float> MeshScene::sample_points() const {
+  std::vector<const SurfaceShape*> shapes;
+  for (const auto& [index, scan] : impl_->scans) shapes.push_back(scan->shape());
+  for (const auto& [id, goal] : impl_->patch_shapes) shapes.push_back(goal.shape.get());
+  std::size_t count = 0;
+  for (const SurfaceShape* shape : shapes) count += shape->points.size() / 3;
+  constexpr std::size_t enough = 20000;
+  const std::size_t stride = 1 + count / enough;
+  std::vector<float> sample;
+  for (const SurfaceShape* shape : shapes)
+    for (std::size_t v = 0; 3 * v < shape->points.size(); v += stride)
+      for (std::size_t k = 0; k < 3; ++k) sample.push_back(shape->points[3 * v + k]);
+  return sample;
 }
 
 std::array<double, 6> MeshScene::bounds() const {

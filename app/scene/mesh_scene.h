@@ -11,6 +11,7 @@
 #include "scene/surface_shape.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,8 +34,8 @@ class MeshScene {
                 const std::vector<std::shared_ptr<const SurfaceShape>>& parts = {});
   /// Every scan whose index is not in `indices` goes.
   void keep_scans(const std::vector<int>& indices);
-  /// Adds the patch, or shows its new state.
-  void set_patch(int id, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
+  /// Adds the patch of this scan, or shows its new state.
+  void set_patch(int id, int scan, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
   /// A flow begins on this patch: another state of it is on its way.
   void expect_news(int id);
   /// Every patch whose id is not in `ids` goes.
@@ -66,14 +67,18 @@ class MeshScene {
   /// How many stripes zebra and isophotes have; 3..40.
   void set_stripes(int count);
   void set_color_map(ColorMap map);
-  /// Colours run over [−half_width, half_width], in 1/length for H, 1/length² for K.
-  void set_range(double half_width);
+  /// Colours run over [−half_width, half_width], in 1/length for H, 1/length² for K; so does the legend.
+  /// @param own  half-widths of scans, with their patches, whose colours run over another range
+  void set_range(double half_width, const std::map<int, double>& own = {});
   double range() const;
+  double range_of(int scan) const;
 
   void set_legend_words(const LegendWords& words);
   void set_legend(LegendPlace place);
   /// Where the legend is with LegendPlace::beside: to be given a viewport of its own in the same window.
   vtkRenderer* legend_renderer() const;
+  /// What the legend covers, in pixels from the lower left corner; nothing where there is none.
+  std::vector<Eigen::AlignedBox2d> legend_boxes() const;
   void set_background(Background background);
   /// Whether the background is drawn at all.
   enum class Ground { shown, transparent };
@@ -82,6 +87,8 @@ class MeshScene {
   /// Of the renderer that holds the legend, device pixels.
   void set_size(int width, int height);
 
+  /// Points of all scans and patches, three coordinates each: all of them or, of very many, every so manieth.
+  std::vector<float> sample_points() const;
   /// Of everything drawn, in the scene's frame: x0 x1 y0 y1 z0 z1.
   std::array<double, 6> bounds() const;
 

@@ -303,6 +303,8 @@ void SurfaceActor::set_stripes(int count) {
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendStripes", count);
 }
 
+void SurfaceActor::set_table(vtkLookupTable* table) { mapper_->SetLookupTable(table); }
+
 void SurfaceActor::recolor() { mapper_->Modified(); }
 
 }  // namespace loopmend

@@ -47,6 +47,7 @@ class SurfaceActor {
   void set_clipping(vtkPlane* plane);
   /// How many stripes zebra and isophotes have; 3..40.
   void set_stripes(int count);
+  void set_table(vtkLookupTable* table);
   /// To be called after the table's range changed.
   void recolor();
 

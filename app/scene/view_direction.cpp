@@ -48,6 +48,20 @@ Eigen::AlignedBox2d seen_box(vtkCamera* camera, const std::vector<float>& points
   return box;
 }
 
+bool is_clear(vtkCamera* camera, const std::vector<float>& points, const TakenPicture& picture) {
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> to_clip(
+      camera->GetCompositeProjectionTransformMatrix(picture.size.x() / picture.size.y(), -1, 1)->GetData());
+  const Eigen::AlignedBox2d whole(Eigen::Vector2d::Zero(), picture.size);
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    const Eigen::Vector4d p = to_clip * Eigen::Vector4d(points[i], points[i + 1], points[i + 2], 1);
+    const Eigen::Vector2d at = 0.5 * picture.size.cwiseProduct(p.head<2>() / p.w() + Eigen::Vector2d::Ones());
+    if (!(p.w() > 0) || !whole.contains(at)) return false;
+    for (const Eigen::AlignedBox2d& box : picture.taken)
+      if (box.contains(at)) return false;
+  }
+  return true;
+}
+
 /// Moves eye and focus in the picture's plane, so that `middle` comes to its centre.
 void shift(vtkCamera* camera, const Eigen::Vector2d& middle, double aspect) {
   Vec3 eye, focus, up;
@@ -135,6 +149,18 @@ void fit(vtkCamera* camera, const std::vector<float>& points, double aspect, dou
     shift(camera, seen.center(), aspect);
     const double widest = (0.5 * seen.sizes()).maxCoeff();
     if (widest > 0) camera->Zoom(std::clamp(share / widest, 0.2, 3.0));
+  }
+}
+
+void clear_of(vtkCamera* camera, const std::vector<float>& points, const TakenPicture& picture) {
+  constexpr double step = 1.02, most = 3;
+  for (double away = 1; away < most && !is_clear(camera, points, picture); away *= step) {
+    Vec3 eye, focus;
+    camera->GetPosition(eye.data());
+    camera->GetFocalPoint(focus.data());
+    eye = focus + step * (eye - focus);
+    camera->SetPosition(eye.data());
+    camera->SetParallelScale(step * camera->GetParallelScale());
   }
 }
 

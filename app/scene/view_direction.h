@@ -7,6 +7,8 @@
 #include "mesh/surface_model.h"
 #include "scene/surface_shape.h"
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
 class vtkCamera;
@@ -47,5 +49,14 @@ void place_camera(vtkCamera* camera, const Stand& stand);
 /// Moves the camera sideways and zooms until the points, three coordinates each, fill `share` of the picture, in its
 /// middle.
 void fit(vtkCamera* camera, const std::vector<float>& points, double aspect, double share);
+
+/// A picture of which parts are taken; pixels from its lower left corner.
+struct TakenPicture {
+  Eigen::Vector2d size;
+  std::vector<Eigen::AlignedBox2d> taken;
+};
+/// Moves the eye away until none of the points, three coordinates each, lies beside the picture or where it is taken.
+/// Gives up at a third of the size.
+void clear_of(vtkCamera* camera, const std::vector<float>& points, const TakenPicture& picture);
 
 }  // namespace loopmend

@@ -73,7 +73,7 @@ void ExampleController::on_made(const PaperExample& example, const std::vector<O
       parts_.tools.region().set_vertices(parts_.document.scans().front(), bumps_region(scans.front()->model->soup));
       break;
   }
-  parts_.banner.ask(tr("%1 of the paper: %2.").arg(QString::fromLatin1(example.id), example_title(example)),
+  parts_.banner.ask(tr("An example of the paper: %1.").arg(example_title(example)),
                     {{tr("&Run it"), "exampleRun", [this, id = QString::fromLatin1(example.id)] { run(id); }}});
 }
 

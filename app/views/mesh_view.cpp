@@ -28,6 +28,14 @@ LoopStyle style_of(HoleState state) {
   }
 }
 
+constexpr int trial_scan = -1;  ///< what is tried out, in place of scans
+constexpr int every_scan = -2;  ///< the legend is of all of them
+
+QString elided(const QString& name) {
+  constexpr int most = 14;
+  return name.size() <= most ? name : name.left(most - 1) + QStringLiteral("\u2026");
+}
+
 std::vector<float> line_of(const SurfaceShape& shape, const BoundaryLoop& loop) {
   std::vector<float> line;
   line.reserve(3 * loop.vertices.size());
@@ -116,7 +124,7 @@ void MeshView::follow_document() {
   connect(&document, &Document::scans_changed, this, &MeshView::on_scans_changed);
   connect(&document, &Document::shape_changed, this, [this] {
     show_surfaces();
-    update_range();
+    update_colors();
     redraw();
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
@@ -132,6 +140,7 @@ void MeshView::follow_document() {
     if (update_loops()) redraw_at_leisure();
   });
   connect(&selection, &HoleSelection::selection_changed, this, [this] {
+    if (legend_scan() != every_scan) update_colors();
     if (update_loops()) redraw();
   });
   connect(&selection, &HoleSelection::hover_changed, this, &MeshView::update_highlight);
@@ -157,6 +166,8 @@ const Look& MeshView::look() const { return impl_->look; }
 
 double MeshView::range() const { return impl_->scene.range(); }
 
+double MeshView::range_of(int scan) const { return impl_->scene.range_of(scan); }
+
 void MeshView::set_look(const Look& look) {
   const Look old = std::exchange(impl_->look, look);
   MeshScene& scene = impl_->scene;
@@ -165,8 +176,7 @@ void MeshView::set_look(const Look& look) {
   if (look.seams != old.seams) scene.set_seams(look.seams);
   if (look.map != old.map) scene.set_color_map(look.map);
   if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
-  update_legend_words();
-  update_range();
+  update_colors();
   redraw();
 }
 
@@ -183,27 +193,62 @@ void MeshView::set_viewpoint(const Viewpoint& viewpoint) {
   redraw();
 }
 
+void MeshView::update_colors() {
+  update_legend_words();
+  update_range();
+}
+
 void MeshView::update_range() {
   if (!is_colored(impl_->look.shading)) return;
   const bool mean = impl_->look.shading == Shading::curvature;
   const ColorRange& wanted = mean ? impl_->look.H : impl_->look.K;
-  double half_width = wanted.half_width;
-  if (wanted.rule == ColorRange::Rule::percentile) {
-    half_width = 0;
-    for (int index : impl_->document.scans()) {
-      const auto shape = impl_->document.scan(index)->shape;
-      const std::vector<float>& values = mean ? shape->H : shape->K;
-      if (!values.empty()) half_width = std::max(half_width, symmetric_range(values, wanted.percent));
-    }
+  if (wanted.rule == ColorRange::Rule::own) {
+    use_ranges(wanted.half_width, {});
+    return;
   }
-  if (half_width > 0 && half_width != impl_->scene.range()) impl_->scene.set_range(half_width);
+  std::map<int, double> of_scans;
+  double widest = 0;
+  for (int index : impl_->document.scans()) {
+    const auto shape = impl_->document.scan(index)->shape;
+    const double half_width = impl_->scan_ranges.of(index, shape, impl_->look.shading, wanted.percent);
+    if (half_width > 0) of_scans[index] = half_width;
+    widest = std::max(widest, half_width);
+  }
+  const int of_legend = legend_scan();
+  if (of_legend == every_scan || !of_scans.contains(of_legend)) {
+    use_ranges(widest, {});
+    return;
+  }
+  // What is tried out stands for the scans that it hides.
+  for (int index : impl_->trial.hidden_scans)
+    if (of_scans.contains(index)) of_scans[trial_scan] = of_scans[index];
+  use_ranges(of_scans[of_legend], of_scans);
+}
+
+void MeshView::use_ranges(double half_width, const std::map<int, double>& of_scans) {
+  if (!(half_width > 0) || (half_width == impl_->scene.range() && of_scans == impl_->ranges)) return;
+  impl_->ranges = of_scans;
+  impl_->scene.set_range(half_width, of_scans);
+}
+
+/// Whose range the legend shows: that of the selected hole's scan, else of the first one; `every_scan` where they share one.
+int MeshView::legend_scan() const {
+  const Document& document = impl_->document;
+  const ColorRange& range = impl_->look.shading == Shading::gaussian ? impl_->look.K : impl_->look.H;
+  if (range.rule != ColorRange::Rule::percentile_each || document.scans().size() < 2) return every_scan;
+  for (int loop : impl_->selection.selected())
+    if (document.present(loop)) return document.scan_of(loop);
+  return document.scans().front();
 }
 
 void MeshView::update_legend_words() {
   LegendWords words;
   const bool mean = impl_->look.shading != Shading::gaussian;
   words.title = (mean ? tr("Mean curvature H") : tr("Gaussian curvature K")).toStdString();
-  words.unit = (mean ? tr("in 1/length") : tr("in 1/length\u00b2")).toStdString();
+  QString unit = mean ? tr("in 1/length") : tr("in 1/length\u00b2");
+  if (const int scan = legend_scan(); scan != every_scan)
+    unit = elided(impl_->document.scan(scan)->name) + QStringLiteral(" \u00b7 ") + unit;
+  words.unit = unit.toStdString();
   words.top = (mean ? tr("hollow") : tr("dome or bowl")).toStdString();
   words.bottom = (mean ? tr("bulging") : tr("saddle")).toStdString();
   words.decimal_mark = QLocale().decimalPoint().toLatin1();
@@ -247,7 +292,7 @@ void MeshView::on_scans_changed() {
   const Document& document = impl_->document;
   update_hidden_note();
   show_surfaces();
-  update_range();
+  update_colors();
   std::vector<std::vector<float>> lines(document.loops().size());
   for (int loop = 0; loop < document.loop_count(); ++loop)
     if (impl_->shows(loop))
@@ -299,7 +344,6 @@ Arrival MeshView::arrival(int patch) const {
 
 /// Scans and patches, or what is tried out in their place.
 void MeshView::show_surfaces() {
-  constexpr int trial = -1;
   const Document& document = impl_->document;
   std::vector<int> scans, patches;
   for (int index : document.scans()) {
@@ -310,17 +354,17 @@ void MeshView::show_surfaces() {
     impl_->scene.set_scan(index, shown.whole, shown.parts);
   }
   if (impl_->trial.backdrop) {
-    scans.push_back(trial);
-    impl_->scene.set_scan(trial, impl_->trial.backdrop);
+    scans.push_back(trial_scan);
+    impl_->scene.set_scan(trial_scan, impl_->trial.backdrop);
   }
   for (const OpenPatch& patch : document.patches()) {
     if (impl_->trial.hidden_scans.contains(patch.scan) || impl_->visibility.is_hidden_patch(patch)) continue;
     patches.push_back(patch.id);
-    impl_->scene.set_patch(patch.id, patch.state->shape, Arrival::soon);
+    impl_->scene.set_patch(patch.id, patch.scan, patch.state->shape, Arrival::soon);
   }
   if (impl_->trial.patch) {
-    patches.push_back(trial);
-    impl_->scene.set_patch(trial, impl_->trial.patch, impl_->trial.arrival);
+    patches.push_back(trial_scan);
+    impl_->scene.set_patch(trial_scan, trial_scan, impl_->trial.patch, impl_->trial.arrival);
   }
   impl_->scene.keep_scans(scans);
   impl_->scene.keep_patches(patches);
@@ -328,6 +372,7 @@ void MeshView::show_surfaces() {
 
 void MeshView::show_trial(const ProblemPicture& picture) {
   impl_->trial = picture;
+  update_range();
   show_surfaces();
   redraw();
 }
@@ -340,7 +385,7 @@ void MeshView::place_scan(int scan, const Eigen::Matrix4d& placement) {
 void MeshView::on_patch_moved(int id) {
   const OpenPatch* patch = impl_->document.patch(id);
   if (patch && !impl_->trial.hidden_scans.contains(patch->scan) && !impl_->visibility.is_hidden_patch(*patch))
-    impl_->scene.set_patch(id, patch->state->shape, arrival(id));
+    impl_->scene.set_patch(id, patch->scan, patch->state->shape, arrival(id));
   redraw();
 }
 

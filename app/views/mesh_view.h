@@ -13,6 +13,7 @@
 #include <QImage>
 #include <QWidget>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -43,6 +44,8 @@ class MeshView : public QWidget {
   void set_look(const Look& look);
   /// Half-width of the colour range in force.
   double range() const;
+  /// That of a scan's colours.
+  double range_of(int scan) const;
 
   /// A first picture of a scan that is still being opened.
   void show_preview(std::shared_ptr<const SurfaceShape> shape);
@@ -109,7 +112,10 @@ class MeshView : public QWidget {
   struct Impl;
   void follow_document();
   void on_scans_changed();
+  void update_colors();
   void update_range();
+  void use_ranges(double half_width, const std::map<int, double>& of_scans);
+  int legend_scan() const;
   void update_legend_words();
   void on_patches_changed();
   void on_visibility_changed();

@@ -4,11 +4,11 @@
 
 #include "document/document.h"
 #include "document/hole_selection.h"
-#include "scene/legend.h"
 #include "scene/mesh_scene.h"
 #include "views/camera_flight.h"
 #include "views/loop_picker.h"
 #include "views/mesh_view.h"
+#include "views/scan_ranges.h"
 #include "views/shown_shapes.h"
 #include "views/surface_probe.h"
 #include "views/tool_sheet.h"
@@ -58,6 +58,8 @@ struct MeshView::Impl {
   std::optional<QPoint> mouse_at;  ///< while it is over the picture
   Look look;
   std::optional<Probe> probe;
+  ScanRanges scan_ranges;
+  std::map<int, double> ranges;  ///< of scans whose colours have one of their own
   bool preview_shown = false;
   bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
   ProblemPicture trial;
@@ -109,12 +111,6 @@ struct MeshView::Impl {
     return at < depth->GetNumberOfValues() ? depth->GetValue(at) : 1;
   }
 
-  /// Without a strip at either side, where a legend is shown: Frame keeps the scene off its bar and numbers.
-  double aspect_beside_legend() const {
-    const int strips = is_colored(look.shading) ? Legend::width_px : 0;
-    const int least = canvas->width() / 2;
-    return static_cast<double>(std::max(least, canvas->width() - strips)) / std::max(1, canvas->height());
-  }
   double aspect() const { return static_cast<double>(canvas->width()) / std::max(1, canvas->height()); }
 };
 

@@ -2,6 +2,7 @@
 #include "views/mesh_view_impl.h"
 
 #include "scene/view_direction.h"
+#include "views/turn_style.h"
 
 #include <vtkUnsignedCharArray.h>
 
@@ -296,8 +297,17 @@ void MeshView::frame() {
   stand.radius = 0.42 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm();
   stand.direction = (now.position - now.focus).normalized();
   stand.up = now.up;
-  stand.aspect = impl_->aspect_beside_legend();
+  stand.aspect = impl_->aspect();
   place_camera(impl_->camera(), stand);
+  match_parallel_scale(impl_->camera());
+  const QSize size = impl_->pixels();
+  TakenPicture picture{{size.width(), size.height()}, impl_->scene.legend_boxes()};
+  const double margin = 8 * devicePixelRatioF();
+  for (Eigen::AlignedBox2d& box : picture.taken) {
+    box.min().array() -= margin;
+    box.max().array() += margin;
+  }
+  clear_of(impl_->camera(), impl_->scene.sample_points(), picture);
   redraw();
 }
 

@@ -828,12 +828,12 @@
             <translation>%1 %2</translation>
         </message>
         <message>
-            <source>%1 of the paper: %2.</source>
-            <translation>%1 des Aufsatzes: %2.</translation>
-        </message>
-        <message>
             <source>&amp;Run it</source>
             <translation>&amp;Laufen lassen</translation>
+        </message>
+        <message>
+            <source>An example of the paper: %1.</source>
+            <translation>Ein Beispiel des Aufsatzes: %1.</translation>
         </message>
     </context>
     <context>
@@ -1035,20 +1035,8 @@
             <translation>Die Auswahl ist schon gefüllt.</translation>
         </message>
         <message>
-            <source>No open hole is left. To fill a loop that is left out, select it.</source>
-            <translation>Kein Loch ist mehr offen. Ausgelassene Ränder: erst auswählen, dann füllen.</translation>
-        </message>
-        <message>
             <source>No open hole is left.</source>
             <translation>Kein Loch ist mehr offen.</translation>
-        </message>
-        <message>
-            <source>%1 to %2</source>
-            <translation>%1 bis %2</translation>
-        </message>
-        <message>
-            <source>About %1 triangles, edges of %2.</source>
-            <translation>Etwa %1 Dreiecke, Kanten von %2.</translation>
         </message>
         <message>
             <source>Show the patch with its edges before it is made; for up to 200 holes at once</source>
@@ -1113,6 +1101,18 @@
         <message>
             <source>What is wrong with the scan, each with its count and a button: vertices to be joined, degenerate, duplicate and intersecting faces, non-manifold edges, crumbs</source>
             <translation>Was am Scan nicht stimmt, jeweils mit Anzahl und Knopf: Ecken zum Verbinden, entartete, doppelte und sich schneidende Flächen, nicht-mannigfaltige Kanten, Krümel</translation>
+        </message>
+        <message>
+            <source>To fill one that is left out, select it.</source>
+            <translation>Ausgelassene: auswählen, dann füllen.</translation>
+        </message>
+        <message>
+            <source>%1–%2</source>
+            <translation>%1–%2</translation>
+        </message>
+        <message>
+            <source>≈ %1 triangles, edges %2</source>
+            <translation>≈ %1 Dreiecke, Kanten %2</translation>
         </message>
     </context>
     <context>
@@ -1472,10 +1472,6 @@
             <translation>&amp;Lauf</translation>
         </message>
         <message>
-            <source>Accepted already. Open it again to go on.</source>
-            <translation>Schon angenommen. Wieder öffnen, um weiterzumachen.</translation>
-        </message>
-        <message>
             <source>The selection is not filled yet.</source>
             <translation>Die Auswahl ist noch nicht gefüllt.</translation>
         </message>
@@ -1538,6 +1534,10 @@
         <message>
             <source>Continue relief</source>
             <translation>Relief fortsetzen</translation>
+        </message>
+        <message>
+            <source>Accepted; open it again to go on.</source>
+            <translation>Angenommen; erst wieder öffnen.</translation>
         </message>
     </context>
     <context>
@@ -1674,8 +1674,8 @@
             <translation>Der Graph einer Funktion: MCF, SDF, WF und MMCVF</translation>
         </message>
         <message>
-            <source>%1: %2. A click opens it, a second one runs it</source>
-            <translation>%1: %2. Ein Klick öffnet es, ein zweiter lässt es laufen</translation>
+            <source>%1. A click opens it, a second one runs it</source>
+            <translation>%1. Ein Klick öffnet es, ein zweiter lässt es laufen</translation>
         </message>
     </context>
     <context>
@@ -2151,20 +2151,12 @@
             <translation>Alle sind für jedes Farbsehen zu unterscheiden</translation>
         </message>
         <message>
-            <source>Percentile of the scan</source>
-            <translation>Perzentil des Scans</translation>
-        </message>
-        <message>
             <source>Own range</source>
             <translation>Eigener Bereich</translation>
         </message>
         <message>
             <source>Range</source>
             <translation>Bereich</translation>
-        </message>
-        <message>
-            <source>How far the colours reach. The range is symmetric about 0 and comes from the scan alone, so it stays the same while a flow runs</source>
-            <translation>Wie weit die Farben reichen. Der Bereich liegt gleich weit um 0 und kommt allein vom Scan; so bleibt er gleich, während ein Fluss läuft</translation>
         </message>
         <message>
             <source>Percentile</source>
@@ -2201,6 +2193,18 @@
         <message>
             <source>Scan colours</source>
             <translation>Farben des Scans</translation>
+        </message>
+        <message>
+            <source>Percentile, all scans alike</source>
+            <translation>Perzentil, alle Scans gleich</translation>
+        </message>
+        <message>
+            <source>Percentile of each scan</source>
+            <translation>Perzentil je Scan</translation>
+        </message>
+        <message>
+            <source>How far the colours reach. The range is symmetric about 0 and comes from the scans alone, so it stays the same while a flow runs. Several scans share the widest range, or each has its own; the legend then shows that of the selected hole's scan</source>
+            <translation>Wie weit die Farben reichen. Der Bereich liegt gleich weit um 0 und kommt allein von den Scans; so bleibt er gleich, während ein Fluss läuft. Mehrere Scans teilen den weitesten Bereich, oder jeder hat seinen eigenen; die Legende zeigt dann den des Scans mit dem gewählten Loch</translation>
         </message>
     </context>
     <context>

@@ -87,7 +87,7 @@ void FeatureTest::every_look_draws_another_picture() {
   key(window, Qt::Key_1);
   part<QComboBox>(window, "colorMap")->setCurrentIndex(1);
   shoot();
-  part<QComboBox>(window, "rangeRule")->setCurrentIndex(1);
+  part<QComboBox>(window, "rangeRule")->setCurrentIndex(2);
   const double range = window.view().range();
   part<QDoubleSpinBox>(window, "ownRange")->setValue(range / 4);
   QCOMPARE(window.view().range(), part<QDoubleSpinBox>(window, "ownRange")->value());

@@ -1,40 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What outlasts the moment: preferences, recent files, saving before the window closes, how a session was looked at; and
-// what becomes of a fill where the flow must give way.
+// What outlasts the moment: preferences, recent files, saving before the window closes, how a session was looked at.
 #include "driver.h"
 #include "test_main.h"
 
-#include "dialogs/help_window.h"
 #include "document/labels.h"
 #include "document/preferences.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
-#include "panels/banner.h"
 #include "samples/analytic_surfaces.h"
 #include "views/file_desk.h"
 
-#include <QAbstractItemView>
 #include <QAction>
-#include <QApplication>
-#include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QLabel>
-#include <QListWidget>
 #include <QMenu>
-#include <QProcess>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSpinBox>
-#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QWheelEvent>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 using namespace loopmend;
@@ -57,27 +46,6 @@ QList<QAction*> recent_entries(MainWindow& window) {
 
 bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-9 * (1 + b.norm()); }
 
-/// A unit sphere with two neighbouring holes; a plate stands where the patch of the larger one wants to go.
-QString write_obstructed_sphere(const QString& path) {
-  const Vec3 large = Vec3::UnitZ(), small = Vec3(std::sin(1.05), 0, std::cos(1.05));
-  const auto within = [](const Vec3& p, const Vec3& middle, double angle) { return p.dot(middle) > std::cos(angle); };
-  const TriangleSoup sphere =
-      cut(make_icosphere(4), [&](const Vec3& p) { return within(p, large, 0.5) || within(p, small, 0.3); });
-  TriangleSoup plate;
-  for (double x : {-0.1, 0.1})
-    for (double z : {0.95, 1.2}) plate.points.emplace_back(x, 0, z);
-  plate.triangles = {{0, 2, 1}, {1, 2, 3}};
-  write_mesh(path.toStdString(), joined({sphere, plate}));
-  return path;
-}
-
-Points sorted(Points points) {
-  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  });
-  return points;
-}
-
 }  // namespace
 
 class KeepingTest : public QObject {
@@ -91,15 +59,8 @@ class KeepingTest : public QObject {
   void export_offers_to_smooth_initial_patches();
   void a_session_is_looked_at_as_before();
   void a_session_of_the_first_version_opens();
-  void where_the_flow_must_give_way();
-  void window_and_command_line_give_the_same_bits_data();
-  void window_and_command_line_give_the_same_bits();
-  void help_is_there_in_german();
-  void everything_can_be_reached_by_keys();
-  void the_picture_is_moved_and_asked_by_keys();
-  void a_right_click_on_a_hole_offers_what_applies();
   void the_layout_is_kept_and_fits_a_small_screen();
-  void sides_projection_and_zoom_to_the_cursor();
+  void no_button_moves_under_the_mouse();
   void what_will_not_be_saved_is_told_on_opening();
 
  private:
@@ -324,251 +285,6 @@ void KeepingTest::a_session_of_the_first_version_opens() {
   QVERIFY(count_colors(shown.window.view().picture()) >= 64);
 }
 
-void KeepingTest::where_the_flow_must_give_way() {
-  const QString scan = write_obstructed_sphere(folder_.filePath(QStringLiteral("obstructed.ply")));
-  Shown shown({scan});
-  MainWindow& window = shown.window;
-  const Document& document = window.document();
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
-  QCOMPARE(document.patches().size(), std::size_t(1));  // neighbours: one problem
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
-  // Together they would cut the plate: each by itself, and the large one stays as it was filled.
-  QCOMPARE(document.patches().size(), std::size_t(2));
-  const PatchState &large = *document.patch_of(0)->state, &small = *document.patch_of(1)->state;
-  QVERIFY2(large.status == PatchStatus::filled, large.message.c_str());
-  QVERIFY2(QString::fromStdString(large.message).contains(QStringLiteral("kept")), large.message.c_str());
-  QVERIFY2(small.status == PatchStatus::converged, small.message.c_str());
-  const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
-  window.controller().export_to(by_hand);
-  QVERIFY(wait_idle(window));
-  const QString by_script = folder_.filePath(QStringLiteral("by-script.ply"));
-  QProcess program;
-  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
-  QVERIFY(program.waitForFinished(120000));
-  QCOMPARE(program.exitCode(), 0);
-  QVERIFY2(
-      sorted(read_mesh(by_hand.toStdString()).soup.points) == sorted(read_mesh(by_script.toStdString()).soup.points),
-      "window and command line do not give the same vertices");
-  key(window, Qt::Key_Z, Qt::ControlModifier);
-  QCOMPARE(document.patches().size(), std::size_t(1));
-}
-
-namespace {
-
-/// A sphere with a hole, a fin, and a crack along part of its equator.
-TriangleSoup to_be_mended() {
-  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
-  const std::size_t before = soup.points.size();
-  std::map<int, int> twin;
-  for (std::size_t v = 0; v < before; ++v)
-    if (const Vec3 p = soup.points[v]; std::abs(p.z()) < 1e-12 && p.x() > 0.3) {
-      twin[static_cast<int>(v)] = static_cast<int>(soup.points.size());
-      soup.points.push_back(p);
-    }
-  for (Triangle& t : soup.triangles) {
-    double z = 0;
-    for (int v : t) z += soup.points[static_cast<std::size_t>(v)].z();
-    for (int& v : t)
-      if (z > 0 && twin.contains(v)) v = twin[v];
-  }
-  const auto lowest = std::min_element(soup.triangles.begin(), soup.triangles.end(), [&](const auto& s, const auto& t) {
-    return soup.points[static_cast<std::size_t>(s[0])].z() < soup.points[static_cast<std::size_t>(t[0])].z();
-  });
-  const Triangle fin{(*lowest)[0], (*lowest)[1], static_cast<int>(soup.points.size())};
-  soup.points.emplace_back(0, 0, -2);
-  soup.triangles.push_back(fin);
-  return soup;
-}
-
-}  // namespace
-
-void KeepingTest::window_and_command_line_give_the_same_bits_data() {
-  QTest::addColumn<QString>("scan");
-  QTest::addColumn<QStringList>("options");
-  QTest::newRow("sample") << sample_file(folder_) << QStringList();
-  for (const char* name : {"bunny.ply", "head_holes.ply", "plane_holes.obj"})
-    QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList();
-  QTest::newRow("relief") << sample_file(folder_) << QStringList{QStringLiteral("--relief"), QStringLiteral("continued")};
-  const QString island = folder_.filePath(QStringLiteral("island.ply"));
-  write_mesh(island.toStdString(), cut(make_icosphere(5), [](const Vec3& p) {
-               return p.z() > 0.7 && (p - Vec3(0.2, 0, 0.98).normalized()).norm() > 0.15;
-             }));
-  QTest::newRow("island") << island << QStringList();
-  QTest::newRow("island covered") << island << QStringList{QStringLiteral("--islands"), QStringLiteral("cover")};
-  const QString mend = folder_.filePath(QStringLiteral("mend.ply"));
-  write_mesh(mend.toStdString(), to_be_mended());
-  for (const char* option : {"--stitch", "--repair"})
-    QTest::newRow(option) << mend << QStringList{QLatin1String(option)};
-  const QString ragged = folder_.filePath(QStringLiteral("ragged.ply"));
-  TriangleSoup dangling = cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; });
-  const SurfaceModel open = make_surface_model(dangling);
-  const BoundaryLoop loop = find_boundary_loops(open).front();
-  const int a = open.soup_vertex[static_cast<std::size_t>(loop.vertices[0])];
-  const int b = open.soup_vertex[static_cast<std::size_t>(loop.vertices[1])];
-  // A triangle on one edge of the boundary, beyond the surface.
-  const Vec3 &from = dangling.points[static_cast<std::size_t>(a)], &to = dangling.points[static_cast<std::size_t>(b)];
-  dangling.points.push_back((from + to) / 2 + (loop.center - (from + to) / 2) * 0.1);
-  dangling.triangles.push_back({a, b, static_cast<int>(dangling.points.size()) - 1});
-  write_mesh(ragged.toStdString(), dangling);
-  QTest::newRow("ragged boundary") << ragged << QStringList{QStringLiteral("--trim-boundary"), QStringLiteral("3")};
-}
-
-/// Everything that a person gets who fills all holes, runs the flow and exports, against the command's file.
-void KeepingTest::window_and_command_line_give_the_same_bits() {
-  QFETCH(QString, scan);
-  QFETCH(QStringList, options);
-  if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
-  Shown shown({scan});
-  MainWindow& window = shown.window;
-  if (options.contains(QStringLiteral("--trim-boundary"))) {
-    const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
-    press(window, "trim");
-    QVERIFY(wait_idle(window));
-    const int trimmed = window.document().scans().front();
-    QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
-  }
-  const auto mended = [&](const std::function<void()>& act) {
-    const int before = window.document().scans().front();
-    act();
-    return wait_idle(window) && window.document().scans().front() != before;  // another one came in its place
-  };
-  if (options.contains(QStringLiteral("--stitch"))) QVERIFY(mended([&] { press(window, "stitch"); }));
-  if (options.contains(QStringLiteral("--repair")))
-    QVERIFY(mended([&] { window.controller().repair(harmless_repairs); }));
-  part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
-  part<QCheckBox>(window, "relief")->setChecked(options.contains(QStringLiteral("--relief")));
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
-  const QString by_hand = folder_.filePath(QStringLiteral("window.ply"));
-  const QString by_script = folder_.filePath(QStringLiteral("command.ply"));
-  window.controller().export_to(by_hand);
-  QVERIFY(wait_idle(window));
-  QProcess program;
-  program.start(QStringLiteral(LOOPMEND_PROGRAM),
-                QStringList{QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script} + options);
-  QVERIFY(program.waitForFinished(240000));
-  QFile ours(by_hand), theirs(by_script);
-  QVERIFY(ours.open(QIODevice::ReadOnly) && theirs.open(QIODevice::ReadOnly));
-  const QByteArray expected = theirs.readAll();
-  QVERIFY(expected.size() > 1000);
-  QVERIFY2(ours.readAll() == expected, "the window's file is not the command's");
-}
-
-void KeepingTest::help_is_there_in_german() {
-  const QLocale before;
-  QLocale::setDefault(QLocale(QStringLiteral("de")));
-  HelpWindow help;
-  auto* pages = help.findChild<QListWidget*>();
-  QSet<QString> names, links;
-  for (int row = 0; row < pages->count(); ++row) {
-    const QString name = pages->item(row)->data(Qt::UserRole).toString();
-    names << name;
-    pages->setCurrentRow(row);
-    QVERIFY2(help.shown_text().contains(QStringLiteral(" der ")), qPrintable(name));
-    // The same links and pictures as in English, and all of them there.
-    QStringList found[2];
-    for (int german : {0, 1}) {
-      QFile page((german ? QStringLiteral(":/help/de/%1.md") : QStringLiteral(":/help/%1.md")).arg(name));
-      QVERIFY(page.open(QIODevice::ReadOnly));
-      auto matches =
-          QRegularExpression(QStringLiteral("\\]\\(([^)]+)\\)")).globalMatch(QString::fromUtf8(page.readAll()));
-      while (matches.hasNext()) found[german] << matches.next().captured(1).remove(QStringLiteral("../"));
-    }
-    QCOMPARE(found[1], found[0]);
-    for (const QString& link : found[1]) QVERIFY2(QFile::exists(QStringLiteral(":/help/") + link), qPrintable(link));
-  }
-  QLocale::setDefault(before);
-}
-
-void KeepingTest::everything_can_be_reached_by_keys() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
-  window.view().canvas()->setFocus();
-  QSet<QWidget*> reached;
-  for (int i = 0; i < 200; ++i) {
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-    reached << QApplication::focusWidget();
-  }
-  QStringList missed;
-  for (QWidget* widget : window.findChildren<QWidget*>()) {
-    const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox") ||
-                         widget->inherits("QAbstractSpinBox") || widget->inherits("QAbstractSlider") ||
-                         widget->inherits("QAbstractItemView") || widget->inherits("QLineEdit");
-    const bool inner = widget->objectName().isEmpty() || widget->objectName().startsWith(QStringLiteral("qt_")) ||
-                       widget->inherits("QScrollBar") || qobject_cast<QAbstractSpinBox*>(widget->parentWidget());
-    if (control && !inner && widget->isVisible() && widget->isEnabled() && !reached.contains(widget))
-      missed << widget->objectName();
-  }
-  QVERIFY2(missed.isEmpty(), qPrintable(missed.join(QStringLiteral(", "))));
-  // Every action has a key or stands in a menu, which keys open.
-  QSet<QAction*> in_menus;
-  for (QMenu* menu : window.findChildren<QMenu*>())
-    for (QAction* action : menu->actions()) in_menus << action;
-  for (QAction* action : window.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
-    if (!action->objectName().isEmpty())
-      QVERIFY2(in_menus.contains(action) || !action->shortcut().isEmpty(), qPrintable(action->objectName()));
-}
-
-void KeepingTest::the_picture_is_moved_and_asked_by_keys() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  QWidget* canvas = window.view().canvas();
-  canvas->setFocus();
-  const Viewpoint first = window.view().viewpoint();
-  QTest::keyClick(canvas, Qt::Key_Left);
-  const Viewpoint turned = window.view().viewpoint();
-  QVERIFY(near(turned.focus, first.focus) && !near(turned.eye, first.eye));
-  QTest::keyClick(canvas, Qt::Key_Right, Qt::ShiftModifier);
-  const Viewpoint slid = window.view().viewpoint();
-  QVERIFY(near(slid.eye - turned.eye, slid.focus - turned.focus) && !near(slid.eye, turned.eye));
-  QTest::keyClick(canvas, Qt::Key_Left, Qt::ShiftModifier);
-  QVERIFY((window.view().viewpoint().eye - turned.eye).norm() < 1e-6 * turned.eye.norm());
-  key(window, Qt::Key_P);
-  const QString words = part<QLabel>(window, "statusFigures")->text();
-  QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
-}
-
-void KeepingTest::a_right_click_on_a_hole_offers_what_applies() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  const int hole = first_hole(window.document());
-  window.view().fly_to(hole);
-  settle(900);
-  const QPoint at = visible_point(window, hole);
-  QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, at);
-  // One that was closed is deleted a little later.
-  const auto open_menu = [&]() -> QMenu* {
-    for (QMenu* menu : window.findChildren<QMenu*>(QStringLiteral("holeMenu")))
-      if (menu->isVisible()) return menu;
-    return nullptr;
-  };
-  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
-  QCOMPARE(window.selection().selected(), std::set<int>{hole});
-  QMenu* menu = open_menu();
-  const QList<QAction*> offered = menu->actions();
-  const auto is_offered = [&](const char* name) {
-    const auto* action = part<QAction>(window, name);
-    return offered.contains(const_cast<QAction*>(action)) && action->isEnabled();
-  };
-  QVERIFY(is_offered("fillAction") && is_offered("trimAction"));
-  QVERIFY(!is_offered("acceptAction"));
-  menu->close();
-  trigger(window, "initialAction");
-  QVERIFY(wait_idle(window));
-  QVERIFY(part<QAction>(window, "acceptAction")->isEnabled());
-  // The same menu in the table; the header keeps the columns.
-  auto* table = part<QTableView>(window, "holesTable");
-  Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
-  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
-  open_menu()->close();
-}
-
 void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
   {
     Shown shown({sample_file(folder_)});
@@ -592,49 +308,48 @@ void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
   QVERIFY(next.findChild<QAction*>(QStringLiteral("wireframe"), Qt::FindDirectChildrenOnly)->isChecked());
 }
 
-void KeepingTest::sides_projection_and_zoom_to_the_cursor() {
+/// Whatever is filled, selected, left out or at work.
+void KeepingTest::no_button_moves_under_the_mouse() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
-  const auto direction = [&] {
-    const Viewpoint from = window.view().viewpoint();
-    return Vec3((from.eye - from.focus).normalized());
+  QStringList moved;
+  std::map<QByteArray, QPoint> first;
+  const auto look = [&](const char* when) {
+    settle(150);
+    for (const char* name : {"fillAndSmooth", "fill", "trim", "stitch", "repair", "run", "step", "accept", "reject",
+                             "cancel", "selectAllHoles", "holesTable", "meshCanvas"}) {
+      const auto* widget = part<QWidget>(window, name);
+      if (!widget) {
+        moved << QStringLiteral("no widget %1").arg(QLatin1String(name));
+        continue;
+      }
+      const QPoint at = widget->mapTo(&window, QPoint(0, 0));
+      const auto [before, is_new] = first.try_emplace(name, at);
+      if (before->second != at)
+        moved << QStringLiteral("%1, %2: by %3, %4")
+                     .arg(QLatin1String(name), QLatin1String(when))
+                     .arg(at.x() - before->second.x())
+                     .arg(at.y() - before->second.y());
+    }
   };
-  trigger(window, "lookRight");
-  const Vec3 right = direction();
-  trigger(window, "lookLeft");
-  QVERIFY((right + direction()).norm() < 1e-9);
-  trigger(window, "lookTop");
-  QVERIFY(std::abs(right.dot(direction())) < 1e-9);
-
-  trigger(window, "lookFront");
-  settle(400);
-  const QImage perspective = window.view().picture();
-  trigger(window, "orthographic");
-  QVERIFY(picture_changes(window, perspective, 0.001));
-  trigger(window, "orthographic");
-  QVERIFY(picture_returns(window, perspective));
-
-  // What lies under the cursor stays there: only exactly so in the focal plane, which runs through the middle of the scan.
-  for (const bool orthographic : {false, true}) {
-    if (orthographic) trigger(window, "orthographic");
-    trigger(window, "lookFront");
-    settle(300);
-    QWidget* canvas = window.view().canvas();
-    const QPoint at(canvas->width() / 4, canvas->height() / 3);
-    const Viewpoint before = window.view().viewpoint();
-    QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(canvas, &wheel);
-    settle(300);
-    const Viewpoint after = window.view().viewpoint();
-    const double closer = (before.eye - before.focus).norm() / (after.eye - after.focus).norm();
-    QVERIFY2(closer > 1.05, qPrintable(QString::number(closer)));
-    // The focus moves towards the cursor: up and to the left of the picture.
-    const Vec3 side = (before.focus - before.eye).cross(before.up).normalized();
-    const Vec3 way = after.focus - before.focus;
-    QVERIFY(way.dot(side) < 0 && way.dot(before.up) > 0);
-    const double aspect = static_cast<double>(canvas->width()) / canvas->height();
-    QVERIFY(std::abs(way.dot(side) / way.dot(before.up) + 0.5 * aspect / (1.0 / 3)) < 0.05);
-  }
+  look("opened");
+  const int hole = first_hole(window.document());
+  window.selection().select({hole});
+  look("one selected");
+  press(window, "fillAndSmooth");
+  look("at work");
+  QVERIFY(wait_idle(window));
+  look("one filled");
+  window.selection().select({});
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  look("all filled");
+  window.selection().select({0});
+  look("the outer rim selected");
+  window.selection().select({hole});
+  press(window, "accept");
+  look("accepted");
+  QVERIFY2(moved.isEmpty(), qPrintable(moved.join(QLatin1Char('\n'))));
 }
 
 void KeepingTest::what_will_not_be_saved_is_told_on_opening() {

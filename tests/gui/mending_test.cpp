@@ -5,6 +5,8 @@
 
 #include "dialogs/export_dialog.h"
 #include "dialogs/repair_dialog.h"
+#include "document/hole_table.h"
+#include "document/labels.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
@@ -19,8 +21,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <cmath>
+#include <random>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -55,6 +61,29 @@ QString write_open_sphere(const QString& path) {
   return path;
 }
 
+/// A third of a sphere, rough: who has its boundary taken literally gets a bubble.
+QString write_rough_bowl(const QString& path) {
+  TriangleSoup bowl = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > std::cos(2.2); });
+  std::mt19937 random(1);
+  std::normal_distribution<double> roughness(0, 0.01);
+  for (Vec3& p : bowl.points) p *= 1 + roughness(random);
+  write_mesh(path.toStdString(), bowl);
+  return path;
+}
+
+/// How many pixels of a cell have about this colour.
+int pixels_of(QTableView* table, const QModelIndex& cell, const QColor& color) {
+  const QImage picture = table->viewport()->grab(table->visualRect(cell)).toImage();
+  const auto near = [](int a, int b) { return std::abs(a - b) < 40; };
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QColor at = picture.pixelColor(x, y);
+      count += near(at.red(), color.red()) && near(at.green(), color.green()) && near(at.blue(), color.blue());
+    }
+  return count;
+}
+
 }  // namespace
 
 class MendingTest : public QObject {
@@ -67,6 +96,7 @@ class MendingTest : public QObject {
   void defects_are_listed_and_mended_one_by_one();
   void doll_becomes_printable();
   void dragon_is_stitched_watertight();
+  void a_patch_out_of_proportion_is_amber();
 
  private:
   QTemporaryDir folder_;
@@ -196,6 +226,44 @@ void MendingTest::dragon_is_stitched_watertight() {
   qInfo("dragon: %s after %lld ms", qPrintable(verdict(window)), clock.elapsed());
   QVERIFY(window.print_check().result()->encloses());
   QVERIFY(verdict(window).startsWith(QStringLiteral("Watertight")));
+}
+
+void MendingTest::a_patch_out_of_proportion_is_amber() {
+  Shown shown({write_rough_bowl(folder_.filePath(QStringLiteral("bowl.ply")))});
+  MainWindow& window = shown.window;
+  auto* table = part<QTableView>(window, "holesTable");
+  const QModelIndex state = table->model()->index(0, HoleTable::state);
+  const QColor amber(200, 120, 20);
+  window.selection().select({0});
+  auto* boundary = part<QComboBox>(window, "boundary");
+  boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::exact)));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 2 * minutes));
+  QVERIFY2(window.document().state(0) == HoleState::doubtful,
+           qPrintable(labels::state(window.document().state(0)) + window.document().message(0)));
+  const QString said = QStringLiteral("out of proportion");
+  const auto sentence = [&] { return part<QLabel>(window, "seamSentence")->text(); };
+  QVERIFY2(wait_until([&] { return sentence().contains(said); }, 5), qPrintable(sentence()));
+  QVERIFY2(!sentence().contains(QStringLiteral("smaller")), qPrintable(sentence()));
+  const QString tip = state.data(Qt::ToolTipRole).toString();
+  QVERIFY2(tip.contains(said) && tip.contains(QStringLiteral("times that of the initial patch")), qPrintable(tip));
+  window.selection().select({});
+  settle(200);
+  QVERIFY2(pixels_of(table, state, amber) > 5, "the sign in the table is not amber");
+  auto* group = part<QComboBox>(window, "holesGroup");
+  group->setCurrentIndex(group->findText(QStringLiteral("Problems")));
+  QCOMPARE(table->model()->rowCount(), 1);
+  group->setCurrentIndex(0);
+  // A patch in proportion is marked by nothing.
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  window.selection().select({0});
+  boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::robust)));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 2 * minutes));
+  QVERIFY(window.document().state(0) != HoleState::doubtful);
+  window.selection().select({});
+  settle(200);
+  QCOMPARE(pixels_of(table, table->model()->index(0, HoleTable::state), amber), 0);
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<MendingTest>(); }

@@ -14,17 +14,14 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QProcess>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSlider>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
@@ -33,7 +30,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <optional>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -103,8 +99,6 @@ class ToolsTest : public QObject {
   void points_of_a_polyhedron();
   void picked_points_and_a_box();
   void a_bridge_parts_a_hole_in_two();
-  void a_distance_is_measured();
-  void a_plane_cuts_the_picture_open();
   void rims_of_three_parts_are_joined();
   void a_part_is_placed_by_its_handle();
   void made_surfaces_survive_a_session();
@@ -313,84 +307,6 @@ void ToolsTest::a_bridge_parts_a_hole_in_two() {
   QCOMPARE(window.document().scans(), std::vector<int>{0});
   key(window, Qt::Key_Escape);
   QVERIFY(window.tools().panel()->tool() == Tool::none);
-}
-
-/// Where a point of the scene appears, logical pixels; nothing where something else is drawn before it.
-std::optional<QPoint> seen_at(const ViewSpace& space, const Vec3& point) {
-  const Eigen::Vector3d at = space.to_screen(point);
-  const bool inside = at.z() > 0 && at.x() >= 0 && at.y() >= 0 && at.x() < space.width && at.y() < space.height;
-  if (!inside || std::abs(space.depth_at(static_cast<int>(at.x()), static_cast<int>(at.y())) - at.z()) > 1e-3)
-    return std::nullopt;
-  return (QPointF(at.x(), at.y()) / space.ratio).toPoint();
-}
-
-void ToolsTest::a_distance_is_measured() {
-  const QString path = file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
-  Shown shown({path});
-  MainWindow& window = shown.window;
-  window.view().frame();
-  settle(300);
-  key(window, Qt::Key_D);
-  QVERIFY(window.tools().panel()->tool() == Tool::measure);
-  QVERIFY(!part<QPushButton>(window, "trialEvolve")->isVisible());
-  MeasureTool& tool = window.tools().measure();
-  QWidget* canvas = window.view().canvas();
-  const Points& points = window.document().scan(0)->model->soup.points;
-  const Vec3 origin = window.document().origin();
-  // Each click takes the vertex that is nearest on the surface, not one behind it.
-  std::vector<std::pair<Vec3, QPoint>> seen;
-  for (const Vec3& p : points)
-    if (const auto at = seen_at(window.view().space(), p - origin)) seen.emplace_back(p, *at);
-  QVERIFY(seen.size() > 100);
-  const auto& [a, at_a] = seen.front();
-  const auto& [b, at_b] = *std::max_element(seen.begin(), seen.end(), [&](const auto& x, const auto& y) {
-    return (x.first - a).norm() < (y.first - a).norm();
-  });
-  QTest::mouseClick(canvas, Qt::LeftButton, {}, at_a);
-  QVERIFY(tool.is_begun() && !tool.way());
-  QTest::mouseClick(canvas, Qt::LeftButton, {}, at_b);
-  QVERIFY(tool.way());
-  constexpr double spacing = 0.04;  // of the ball's vertices: a pixel may lie nearer to a neighbour
-  QVERIFY2(std::abs(tool.way()->norm() - (b - a).norm()) < 2 * spacing,
-           qPrintable(QStringLiteral("%1, not %2").arg(tool.way()->norm()).arg((b - a).norm())));
-  const auto is_distance = [&](double length) {
-    return part<QLabel>(window, "measureDistance")->text().contains(QLocale().toString(length, 'g', 6));
-  };
-  QVERIFY(is_distance(tool.way()->norm()));
-  press(window, "measureCopy");
-  QCOMPARE(QGuiApplication::clipboard()->text().toDouble(), tool.way()->norm());
-  QTest::mouseClick(canvas, Qt::LeftButton, {}, at_a);
-  QVERIFY(!tool.way());
-  key(window, Qt::Key_Escape);
-  QVERIFY(!tool.is_begun() && window.tools().panel()->tool() == Tool::measure);
-  key(window, Qt::Key_Escape);
-  QVERIFY(window.tools().panel()->tool() == Tool::none);
-}
-
-void ToolsTest::a_plane_cuts_the_picture_open() {
-  Shown shown({file("whole.ply", make_icosphere(4))});
-  MainWindow& window = shown.window;
-  window.view().frame();
-  settle(300);
-  const auto depth = [&] {
-    settle(100);
-    const ViewSpace space = window.view().space();
-    return space.depth_at(space.width / 2, space.height / 2);
-  };
-  const float front = depth();
-  QVERIFY(front < 1);
-  key(window, Qt::Key_X);
-  QVERIFY(window.findChild<QAction*>(QStringLiteral("clip"))->isChecked());
-  const float back = depth();
-  QVERIFY2(back > front && back < 1, "the inside of the far half is seen");
-  part<QCheckBox>(window, "clipNear")->setChecked(true);
-  QCOMPARE(depth(), front);
-  part<QCheckBox>(window, "clipNear")->setChecked(false);
-  part<QSlider>(window, "clipPlace")->setValue(200);
-  QCOMPARE(depth(), 1.0F);
-  key(window, Qt::Key_X);
-  QCOMPARE(depth(), front);
-  QVERIFY(!part<QSlider>(window, "clipPlace")->isVisible());
 }
 
 void ToolsTest::rims_of_three_parts_are_joined() {

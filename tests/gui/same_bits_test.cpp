@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window and the command line give the same vertices: for everything that a person can choose, and where the flow must
+// give way.
+#include "driver.h"
+#include "test_main.h"
+
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
+
+#include <QCheckBox>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+/// A unit sphere with two neighbouring holes; a plate stands where the patch of the larger one wants to go.
+QString write_obstructed_sphere(const QString& path) {
+  const Vec3 large = Vec3::UnitZ(), small = Vec3(std::sin(1.05), 0, std::cos(1.05));
+  const auto within = [](const Vec3& p, const Vec3& middle, double angle) { return p.dot(middle) > std::cos(angle); };
+  const TriangleSoup sphere =
+      cut(make_icosphere(4), [&](const Vec3& p) { return within(p, large, 0.5) || within(p, small, 0.3); });
+  TriangleSoup plate;
+  for (double x : {-0.1, 0.1})
+    for (double z : {0.95, 1.2}) plate.points.emplace_back(x, 0, z);
+  plate.triangles = {{0, 2, 1}, {1, 2, 3}};
+  write_mesh(path.toStdString(), joined({sphere, plate}));
+  return path;
+}
+
+Points sorted(Points points) {
+  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return points;
+}
+
+/// A sphere with a hole, a fin, and a crack along part of its equator.
+TriangleSoup to_be_mended() {
+  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
+  const std::size_t before = soup.points.size();
+  std::map<int, int> twin;
+  for (std::size_t v = 0; v < before; ++v)
+    if (const Vec3 p = soup.points[v]; std::abs(p.z()) < 1e-12 && p.x() > 0.3) {
+      twin[static_cast<int>(v)] = static_cast<int>(soup.points.size());
+      soup.points.push_back(p);
+    }
+  for (Triangle& t : soup.triangles) {
+    double z = 0;
+    for (int v : t) z += soup.points[static_cast<std::size_t>(v)].z();
+    for (int& v : t)
+      if (z > 0 && twin.contains(v)) v = twin[v];
+  }
+  const auto lowest = std::min_element(soup.triangles.begin(), soup.triangles.end(), [&](const auto& s, const auto& t) {
+    return soup.points[static_cast<std::size_t>(s[0])].z() < soup.points[static_cast<std::size_t>(t[0])].z();
+  });
+  const Triangle fin{(*lowest)[0], (*lowest)[1], static_cast<int>(soup.points.size())};
+  soup.points.emplace_back(0, 0, -2);
+  soup.triangles.push_back(fin);
+  return soup;
+}
+
+}  // namespace
+
+class SameBitsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void where_the_flow_must_give_way();
+  void window_and_command_line_give_the_same_bits_data();
+  void window_and_command_line_give_the_same_bits();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void SameBitsTest::where_the_flow_must_give_way() {
+  const QString scan = write_obstructed_sphere(folder_.filePath(QStringLiteral("obstructed.ply")));
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.patches().size(), std::size_t(1));  // neighbours: one problem
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 240));
+  // Together they would cut the plate: each by itself, and the large one stays as it was filled.
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  const PatchState &large = *document.patch_of(0)->state, &small = *document.patch_of(1)->state;
+  QVERIFY2(large.status == PatchStatus::filled, large.message.c_str());
+  QVERIFY2(QString::fromStdString(large.message).contains(QStringLiteral("kept")), large.message.c_str());
+  QVERIFY2(small.status == PatchStatus::converged, small.message.c_str());
+  const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
+  window.controller().export_to(by_hand);
+  QVERIFY(wait_idle(window));
+  const QString by_script = folder_.filePath(QStringLiteral("by-script.ply"));
+  QProcess program;
+  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
+  QVERIFY(program.waitForFinished(120000));
+  QCOMPARE(program.exitCode(), 0);
+  QVERIFY2(
+      sorted(read_mesh(by_hand.toStdString()).soup.points) == sorted(read_mesh(by_script.toStdString()).soup.points),
+      "window and command line do not give the same vertices");
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.patches().size(), std::size_t(1));
+}
+
+void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
+  QTest::addColumn<QString>("scan");
+  QTest::addColumn<QStringList>("options");
+  QTest::newRow("sample") << sample_file(folder_) << QStringList();
+  for (const char* name : {"bunny.ply", "head_holes.ply", "plane_holes.obj"})
+    QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList();
+  QTest::newRow("relief") << sample_file(folder_)
+                          << QStringList{QStringLiteral("--relief"), QStringLiteral("continued")};
+  const QString island = folder_.filePath(QStringLiteral("island.ply"));
+  write_mesh(island.toStdString(), cut(make_icosphere(5), [](const Vec3& p) {
+               return p.z() > 0.7 && (p - Vec3(0.2, 0, 0.98).normalized()).norm() > 0.15;
+             }));
+  QTest::newRow("island") << island << QStringList();
+  QTest::newRow("island covered") << island << QStringList{QStringLiteral("--islands"), QStringLiteral("cover")};
+  const QString mend = folder_.filePath(QStringLiteral("mend.ply"));
+  write_mesh(mend.toStdString(), to_be_mended());
+  for (const char* option : {"--stitch", "--repair"})
+    QTest::newRow(option) << mend << QStringList{QLatin1String(option)};
+  const QString ragged = folder_.filePath(QStringLiteral("ragged.ply"));
+  TriangleSoup dangling = cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; });
+  const SurfaceModel open = make_surface_model(dangling);
+  const BoundaryLoop loop = find_boundary_loops(open).front();
+  const int a = open.soup_vertex[static_cast<std::size_t>(loop.vertices[0])];
+  const int b = open.soup_vertex[static_cast<std::size_t>(loop.vertices[1])];
+  // A triangle on one edge of the boundary, beyond the surface.
+  const Vec3 &from = dangling.points[static_cast<std::size_t>(a)], &to = dangling.points[static_cast<std::size_t>(b)];
+  dangling.points.push_back((from + to) / 2 + (loop.center - (from + to) / 2) * 0.1);
+  dangling.triangles.push_back({a, b, static_cast<int>(dangling.points.size()) - 1});
+  write_mesh(ragged.toStdString(), dangling);
+  QTest::newRow("ragged boundary") << ragged << QStringList{QStringLiteral("--trim-boundary"), QStringLiteral("3")};
+}
+
+/// Everything that a person gets who fills all holes, runs the flow and exports, against the command's file.
+void SameBitsTest::window_and_command_line_give_the_same_bits() {
+  QFETCH(QString, scan);
+  QFETCH(QStringList, options);
+  if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  if (options.contains(QStringLiteral("--trim-boundary"))) {
+    const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
+    press(window, "trim");
+    QVERIFY(wait_idle(window));
+    const int trimmed = window.document().scans().front();
+    QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
+  }
+  const auto mended = [&](const std::function<void()>& act) {
+    const int before = window.document().scans().front();
+    act();
+    return wait_idle(window) && window.document().scans().front() != before;  // another one came in its place
+  };
+  if (options.contains(QStringLiteral("--stitch"))) QVERIFY(mended([&] { press(window, "stitch"); }));
+  if (options.contains(QStringLiteral("--repair")))
+    QVERIFY(mended([&] { window.controller().repair(harmless_repairs); }));
+  part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
+  part<QCheckBox>(window, "relief")->setChecked(options.contains(QStringLiteral("--relief")));
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 240));
+  const QString by_hand = folder_.filePath(QStringLiteral("window.ply"));
+  const QString by_script = folder_.filePath(QStringLiteral("command.ply"));
+  window.controller().export_to(by_hand);
+  QVERIFY(wait_idle(window));
+  QProcess program;
+  program.start(QStringLiteral(LOOPMEND_PROGRAM),
+                QStringList{QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script} + options);
+  QVERIFY(program.waitForFinished(240000));
+  QFile ours(by_hand), theirs(by_script);
+  QVERIFY(ours.open(QIODevice::ReadOnly) && theirs.open(QIODevice::ReadOnly));
+  const QByteArray expected = theirs.readAll();
+  QVERIFY(expected.size() > 1000);
+  QVERIFY2(ours.readAll() == expected, "the window's file is not the command's");
+}
+
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<SameBitsTest>(); }
+
+#include "same_bits_test.moc"

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the scene is looked at: sides, zoom, keys, the legend that Frame keeps clear, ranges of colours, the clipping plane and
+// distances.
+#include "driver.h"
+#include "test_main.h"
+
+#include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
+#include "views/tool_controller.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+void trigger(MainWindow& window, const char* action) {
+  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
+
+bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-9 * (1 + b.norm()); }
+
+TriangleSoup scaled(TriangleSoup soup, const Vec3& factors, const Vec3& shift = Vec3::Zero()) {
+  for (Vec3& p : soup.points) p = p.cwiseProduct(factors) + shift;
+  return soup;
+}
+
+/// Where a point of the scene appears, logical pixels; nothing where something else is drawn before it.
+std::optional<QPoint> seen_at(const ViewSpace& space, const Vec3& point) {
+  const Eigen::Vector3d at = space.to_screen(point);
+  const bool inside = at.z() > 0 && at.x() >= 0 && at.y() >= 0 && at.x() < space.width && at.y() < space.height;
+  if (!inside || std::abs(space.depth_at(static_cast<int>(at.x()), static_cast<int>(at.y())) - at.z()) > 1e-3)
+    return std::nullopt;
+  return (QPointF(at.x(), at.y()) / space.ratio).toPoint();
+}
+
+/// How near, in pixels, a vertex of the scan comes to a pixel that the legend draws.
+double nearest_to_legend(MainWindow& window) {
+  PictureOptions options;
+  options.size = window.view().canvas()->size() * window.view().canvas()->devicePixelRatioF();
+  options.extras = PictureOptions::Extras::legend;
+  const QImage with = window.view().picture(options);
+  options.extras = PictureOptions::Extras::none;
+  const QImage without = window.view().picture(options);
+  std::vector<QPoint> legend;
+  for (int y = 0; y < with.height(); y += 2)
+    for (int x = 0; x < with.width(); x += 2)
+      if (with.pixel(x, y) != without.pixel(x, y)) legend.emplace_back(x, y);
+  if (legend.size() < 100) return -1;  // there is no legend
+  const ViewSpace space = window.view().space();
+  double least = 1e300;
+  for (int scan : window.document().scans())
+    for (const Vec3& p : window.document().scan(scan)->model->soup.points) {
+      const Eigen::Vector3d at = space.to_screen(p - window.document().origin());
+      for (const QPoint& pixel : legend) least = std::min(least, std::hypot(pixel.x() - at.x(), pixel.y() - at.y()));
+    }
+  return least;
+}
+
+}  // namespace
+
+class ViewTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void the_picture_is_moved_and_asked_by_keys();
+  void sides_projection_and_zoom_to_the_cursor();
+  void frame_keeps_clear_of_the_legend_data();
+  void frame_keeps_clear_of_the_legend();
+  void each_scan_may_have_its_own_range();
+  void a_distance_is_measured();
+  void a_plane_cuts_the_picture_open();
+
+ private:
+  QString file(const char* name, const TriangleSoup& soup) {
+    const QString path = folder_.filePath(QLatin1String(name));
+    write_mesh(path.toStdString(), soup);
+    return path;
+  }
+  QTemporaryDir folder_;
+};
+
+void ViewTest::the_picture_is_moved_and_asked_by_keys() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  QWidget* canvas = window.view().canvas();
+  canvas->setFocus();
+  const Viewpoint first = window.view().viewpoint();
+  QTest::keyClick(canvas, Qt::Key_Left);
+  const Viewpoint turned = window.view().viewpoint();
+  QVERIFY(near(turned.focus, first.focus) && !near(turned.eye, first.eye));
+  QTest::keyClick(canvas, Qt::Key_Right, Qt::ShiftModifier);
+  const Viewpoint slid = window.view().viewpoint();
+  QVERIFY(near(slid.eye - turned.eye, slid.focus - turned.focus) && !near(slid.eye, turned.eye));
+  QTest::keyClick(canvas, Qt::Key_Left, Qt::ShiftModifier);
+  QVERIFY((window.view().viewpoint().eye - turned.eye).norm() < 1e-6 * turned.eye.norm());
+  key(window, Qt::Key_P);
+  const QString words = part<QLabel>(window, "statusFigures")->text();
+  QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
+}
+
+void ViewTest::sides_projection_and_zoom_to_the_cursor() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const auto direction = [&] {
+    const Viewpoint from = window.view().viewpoint();
+    return Vec3((from.eye - from.focus).normalized());
+  };
+  trigger(window, "lookRight");
+  const Vec3 right = direction();
+  trigger(window, "lookLeft");
+  QVERIFY((right + direction()).norm() < 1e-9);
+  trigger(window, "lookTop");
+  QVERIFY(std::abs(right.dot(direction())) < 1e-9);
+
+  trigger(window, "lookFront");
+  settle(400);
+  const QImage perspective = window.view().picture();
+  trigger(window, "orthographic");
+  QVERIFY(picture_changes(window, perspective, 0.001));
+  trigger(window, "orthographic");
+  QVERIFY(picture_returns(window, perspective));
+
+  // What lies under the cursor stays there: only exactly so in the focal plane, which runs through the middle of the scan.
+  for (const bool orthographic : {false, true}) {
+    if (orthographic) trigger(window, "orthographic");
+    trigger(window, "lookFront");
+    settle(300);
+    QWidget* canvas = window.view().canvas();
+    const QPoint at(canvas->width() / 4, canvas->height() / 3);
+    const Viewpoint before = window.view().viewpoint();
+    QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(canvas, &wheel);
+    settle(300);
+    const Viewpoint after = window.view().viewpoint();
+    const double closer = (before.eye - before.focus).norm() / (after.eye - after.focus).norm();
+    QVERIFY2(closer > 1.05, qPrintable(QString::number(closer)));
+    // The focus moves towards the cursor: up and to the left of the picture.
+    const Vec3 side = (before.focus - before.eye).cross(before.up).normalized();
+    const Vec3 way = after.focus - before.focus;
+    QVERIFY(way.dot(side) < 0 && way.dot(before.up) > 0);
+    const double aspect = static_cast<double>(canvas->width()) / canvas->height();
+    QVERIFY(std::abs(way.dot(side) / way.dot(before.up) + 0.5 * aspect / (1.0 / 3)) < 0.05);
+  }
+}
+
+void ViewTest::frame_keeps_clear_of_the_legend_data() {
+  QTest::addColumn<double>("wide");
+  QTest::addColumn<double>("high");
+  QTest::addColumn<bool>("orthographic");
+  QTest::newRow("wide") << 3.0 << 1.0 << false;
+  QTest::newRow("wide, orthographic") << 3.0 << 1.0 << true;
+  QTest::newRow("as the picture") << 1.6 << 1.0 << false;
+  QTest::newRow("square") << 1.0 << 1.0 << false;
+  QTest::newRow("high") << 1.0 << 3.0 << false;
+}
+
+void ViewTest::frame_keeps_clear_of_the_legend() {
+  QFETCH(double, wide);
+  QFETCH(double, high);
+  QFETCH(bool, orthographic);
+  const TriangleSoup ball = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; });
+  Shown shown({file("wide.ply", scaled(ball, {wide, high, 0.5}))});
+  MainWindow& window = shown.window;
+  key(window, Qt::Key_1);
+  if (orthographic) trigger(window, "orthographic");
+  for (const char* side : {"lookFront", "lookTop"}) {
+    trigger(window, side);
+    key(window, Qt::Key_F);
+    settle(400);
+    const double least = nearest_to_legend(window);
+    QVERIFY2(least > 4, qPrintable(QStringLiteral("%1: %2 pixels").arg(QLatin1String(side)).arg(least)));
+    QVERIFY2(count_colors(window.view().picture()) >= 40, "it is not seen at all");
+  }
+}
+
+/// Two balls of which one is ten times smaller: ten times the curvature.
+void ViewTest::each_scan_may_have_its_own_range() {
+  const TriangleSoup egg = scaled(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }), {1.3, 1, 0.8});
+  Shown shown({file("large.ply", egg), file("small.ply", scaled(egg, {0.1, 0.1, 0.1}, {2, 0, 0}))});
+  MainWindow& window = shown.window;
+  MeshView& view = window.view();
+  key(window, Qt::Key_1);
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  settle(300);
+  const double shared = view.range();
+  QCOMPARE(view.range_of(0), shared);
+  QCOMPARE(view.range_of(1), shared);
+  const QImage before = view.picture();
+  auto* rule = part<QComboBox>(window, "rangeRule");
+  rule->setCurrentIndex(rule->findText(QStringLiteral("Percentile of each scan")));
+  QVERIFY(std::abs(view.range_of(1) / view.range_of(0) - 10) < 0.01);
+  QCOMPARE(view.range(), view.range_of(0));  // the legend: of the first, as nothing is selected
+  QCOMPARE(view.range_of(1), shared);        // the widest
+  QVERIFY2(picture_changes(window, before, 0.05), "the large one shows its shape now");
+  // The legend tells the range of the scan whose hole is selected.
+  const QImage first = view.picture();
+  window.selection().select({window.document().first_loop_of(1)});
+  QCOMPARE(view.range(), view.range_of(1));
+  QVERIFY(picture_changes(window, first, 0.0005));
+  rule->setCurrentIndex(rule->findText(QStringLiteral("Percentile, all scans alike")));
+  QCOMPARE(view.range_of(0), shared);
+  // A session keeps the choice.
+  rule->setCurrentIndex(rule->findText(QStringLiteral("Percentile of each scan")));
+  const QString session = folder_.filePath(QStringLiteral("ranges.loopmend"));
+  window.controller().save_session(session);
+  QVERIFY(wait_idle(window));
+  Shown again({session});
+  QCOMPARE(part<QComboBox>(again.window, "rangeRule")->currentText(), QStringLiteral("Percentile of each scan"));
+  QVERIFY(std::abs(again.window.view().range_of(1) / again.window.view().range_of(0) - 10) < 0.01);
+}
+
+void ViewTest::a_distance_is_measured() {
+  const QString path = file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  window.view().frame();
+  settle(300);
+  key(window, Qt::Key_D);
+  QVERIFY(window.tools().panel()->tool() == Tool::measure);
+  QVERIFY(!part<QPushButton>(window, "trialEvolve")->isVisible());
+  MeasureTool& tool = window.tools().measure();
+  QWidget* canvas = window.view().canvas();
+  const Points& points = window.document().scan(0)->model->soup.points;
+  const Vec3 origin = window.document().origin();
+  // Each click takes the vertex that is nearest on the surface, not one behind it.
+  std::vector<std::pair<Vec3, QPoint>> seen;
+  for (const Vec3& p : points)
+    if (const auto at = seen_at(window.view().space(), p - origin)) seen.emplace_back(p, *at);
+  QVERIFY(seen.size() > 100);
+  const auto& [a, at_a] = seen.front();
+  const auto& [b, at_b] = *std::max_element(seen.begin(), seen.end(), [&](const auto& x, const auto& y) {
+    return (x.first - a).norm() < (y.first - a).norm();
+  });
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at_a);
+  QVERIFY(tool.is_begun() && !tool.way());
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at_b);
+  QVERIFY(tool.way());
+  constexpr double spacing = 0.04;  // of the ball's vertices: a pixel may lie nearer to a neighbour
+  QVERIFY2(std::abs(tool.way()->norm() - (b - a).norm()) < 2 * spacing,
+           qPrintable(QStringLiteral("%1, not %2").arg(tool.way()->norm()).arg((b - a).norm())));
+  const auto is_distance = [&](double length) {
+    return part<QLabel>(window, "measureDistance")->text().contains(QLocale().toString(length, 'g', 6));
+  };
+  QVERIFY(is_distance(tool.way()->norm()));
+  press(window, "measureCopy");
+  QCOMPARE(QGuiApplication::clipboard()->text().toDouble(), tool.way()->norm());
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at_a);
+  QVERIFY(!tool.way());
+  key(window, Qt::Key_Escape);
+  QVERIFY(!tool.is_begun() && window.tools().panel()->tool() == Tool::measure);
+  key(window, Qt::Key_Escape);
+  QVERIFY(window.tools().panel()->tool() == Tool::none);
+}
+
+void ViewTest::a_plane_cuts_the_picture_open() {
+  Shown shown({file("whole.ply", make_icosphere(4))});
+  MainWindow& window = shown.window;
+  window.view().frame();
+  settle(300);
+  const auto depth = [&] {
+    settle(100);
+    const ViewSpace space = window.view().space();
+    return space.depth_at(space.width / 2, space.height / 2);
+  };
+  const float front = depth();
+  QVERIFY(front < 1);
+  key(window, Qt::Key_X);
+  QVERIFY(window.findChild<QAction*>(QStringLiteral("clip"))->isChecked());
+  const float back = depth();
+  QVERIFY2(back > front && back < 1, "the inside of the far half is seen");
+  part<QCheckBox>(window, "clipNear")->setChecked(true);
+  QCOMPARE(depth(), front);
+  part<QCheckBox>(window, "clipNear")->setChecked(false);
+  part<QSlider>(window, "clipPlace")->setValue(200);
+  QCOMPARE(depth(), 1.0F);
+  key(window, Qt::Key_X);
+  QCOMPARE(depth(), front);
+  QVERIFY(!part<QSlider>(window, "clipPlace")->isVisible());
+}
+
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<ViewTest>(); }
+
+#include "view_test.moc"

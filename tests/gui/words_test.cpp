@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words and keys: what the interface says and in which language, Qt's own dialogs included; and what each key does where.
+#include "driver.h"
+#include "test_main.h"
+
+#include "dialogs/help_window.h"
+#include "document/language.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeView>
+
+#include <algorithm>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+void trigger(MainWindow& window, const char* action) {
+  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
+
+/// Everything that a person can read or hear of an object: each of its properties that holds text.
+QStringList texts_of(const QObject& object) {
+  QStringList texts;
+  for (const char* property : {"text", "title", "toolTip", "statusTip", "whatsThis", "windowTitle", "accessibleName",
+                               "accessibleDescription", "placeholderText", "prefix", "suffix", "plainText"})
+    if (const QString text = object.property(property).toString(); !text.isEmpty()) texts << text;
+  if (const auto* view = qobject_cast<const QAbstractItemView*>(&object); view && view->model()) {
+    const QAbstractItemModel& model = *view->model();
+    for (int column = 0; column < model.columnCount(); ++column) {
+      for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+        texts << model.headerData(column, Qt::Horizontal, role).toString();
+      for (int row = 0; row < model.rowCount(); ++row)
+        for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+          texts << model.index(row, column).data(role).toString();
+    }
+  }
+  if (const auto* combo = qobject_cast<const QComboBox*>(&object))
+    for (int k = 0; k < combo->count(); ++k)
+      texts << combo->itemText(k) << combo->itemData(k, Qt::ToolTipRole).toString();
+  return texts;
+}
+
+/// A dialog of this class that is open; it is the one that the window waits for.
+template <class Dialog>
+Dialog* open_dialog() {
+  for (QWidget* widget : QApplication::topLevelWidgets())
+    if (auto* dialog = qobject_cast<Dialog*>(widget); dialog && dialog->isVisible()) return dialog;
+  return nullptr;
+}
+
+}  // namespace
+
+class WordsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void help_is_there_in_german();
+  void dialogs_of_qt_are_in_german();
+  void no_word_of_the_workshop_is_shown();
+  void everything_can_be_reached_by_keys();
+  void shift_end_extends();
+  void delete_without_a_selection_does_nothing();
+  void a_right_click_on_a_hole_offers_what_applies();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void WordsTest::help_is_there_in_german() {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QStringLiteral("de")));
+  HelpWindow help;
+  auto* pages = help.findChild<QListWidget*>();
+  QSet<QString> names, links;
+  for (int row = 0; row < pages->count(); ++row) {
+    const QString name = pages->item(row)->data(Qt::UserRole).toString();
+    names << name;
+    pages->setCurrentRow(row);
+    QVERIFY2(help.shown_text().contains(QStringLiteral(" der ")), qPrintable(name));
+    // The same links and pictures as in English, and all of them there.
+    QStringList found[2];
+    for (int german : {0, 1}) {
+      QFile page((german ? QStringLiteral(":/help/de/%1.md") : QStringLiteral(":/help/%1.md")).arg(name));
+      QVERIFY(page.open(QIODevice::ReadOnly));
+      auto matches =
+          QRegularExpression(QStringLiteral("\\]\\(([^)]+)\\)")).globalMatch(QString::fromUtf8(page.readAll()));
+      while (matches.hasNext()) found[german] << matches.next().captured(1).remove(QStringLiteral("../"));
+    }
+    QCOMPARE(found[1], found[0]);
+    for (const QString& link : found[1]) QVERIFY2(QFile::exists(QStringLiteral(":/help/") + link), qPrintable(link));
+  }
+  QLocale::setDefault(before);
+}
+
+/// Opening asks by a dialog of Qt where the desktop has none of its own, exporting always.
+void WordsTest::dialogs_of_qt_are_in_german() {
+  install_language(QStringLiteral("de"));
+  QStringList opening, exporting;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    const auto read = [](QStringList& into) {
+      QTimer::singleShot(600, [&into] {
+        auto* dialog = open_dialog<QFileDialog>();
+        if (!dialog) return;
+        for (const QPushButton* button : dialog->findChildren<QPushButton*>())
+          into << button->text().remove(QLatin1Char('&'));
+        for (const QLabel* label : dialog->findChildren<QLabel*>()) into << label->text().remove(QLatin1Char('&'));
+        if (const auto* tree = dialog->findChild<QTreeView*>())
+          for (int column = 0; column < tree->model()->columnCount(); ++column)
+            into << tree->model()->headerData(column, Qt::Horizontal).toString();
+        dialog->reject();
+      });
+    };
+    read(opening);
+    trigger(window, "open");
+    QVERIFY(wait_until([&] { return !opening.isEmpty(); }, 10));
+    read(exporting);
+    trigger(window, "export");
+    QVERIFY(wait_until([&] { return !exporting.isEmpty(); }, 10));
+  }
+  install_language(QStringLiteral("en"));
+  for (const QStringList& words : {opening, exporting}) {
+    const QString all = words.join(QStringLiteral(" | "));
+    QVERIFY2(words.contains(QStringLiteral("Abbrechen")), qPrintable(all));
+    QVERIFY2(all.contains(QStringLiteral("Dateityp")) || all.contains(QStringLiteral("Dateien des Typs")),
+             qPrintable(all));
+    QVERIFY2(!all.contains(QStringLiteral("Cancel")) && !all.contains(QStringLiteral("File name")) &&
+                 !all.contains(QStringLiteral("Date Modified")),
+             qPrintable(all));
+  }
+  QVERIFY2(exporting.contains(QStringLiteral("Speichern")), qPrintable(exporting.join(QStringLiteral(" | "))));
+}
+
+/// What the paper's authors and we call things among ourselves: GLOSSARY of the design, and the numbers of the paper's figures.
+void WordsTest::no_word_of_the_workshop_is_shown() {
+  const QRegularExpression forbidden(
+      QStringLiteral("\\bfillers?\\b|\\bfig(ure)?\\.? ?\\d|\\bstrays\\b|\\bretreat|\\bracing\\b|To do|Trouble"),
+      QRegularExpression::CaseInsensitiveOption);
+  Shown shown;
+  MainWindow& window = shown.window;
+  QStringList found;
+  int read = 0;
+  const auto look = [&](const QObject& of) {
+    for (const QObject* object : of.findChildren<QObject*>())
+      for (const QString& text : texts_of(*object)) {
+        ++read;
+        if (forbidden.match(text).hasMatch()) found << text;
+      }
+  };
+  look(window);  // the start page with the paper's examples
+  QTest::mouseClick(part<QToolButton>(window, "example_fig5.2a"), Qt::LeftButton);
+  QVERIFY(wait_until([&] { return window.document().has_scan(); }));
+  settle(200);
+  look(window);
+  window.open(sample_file(folder_));
+  QVERIFY(wait_idle(window));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  for (const char* tool :
+       {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction", "toolMeasureAction"}) {
+    trigger(window, tool);
+    settle(60);
+    look(window);
+  }
+  for (const char* action : {"compare", "preferences", "screenshot", "shortcuts", "repairAction", "about"}) {
+    trigger(window, action);
+    settle(200);
+    for (QWidget* other : QApplication::topLevelWidgets())
+      if (other != &window && other->isVisible() && !other->inherits("QMenu")) {
+        look(*other);
+        other->close();
+      }
+  }
+  found.removeDuplicates();
+  QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+  QVERIFY2(read > 1000, qPrintable(QString::number(read)));
+}
+
+void WordsTest::everything_can_be_reached_by_keys() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  window.view().canvas()->setFocus();
+  QSet<QWidget*> reached;
+  for (int i = 0; i < 200; ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    reached << QApplication::focusWidget();
+  }
+  QStringList missed;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox") ||
+                         widget->inherits("QAbstractSpinBox") || widget->inherits("QAbstractSlider") ||
+                         widget->inherits("QAbstractItemView") || widget->inherits("QLineEdit");
+    const bool inner = widget->objectName().isEmpty() || widget->objectName().startsWith(QStringLiteral("qt_")) ||
+                       widget->inherits("QScrollBar") || qobject_cast<QAbstractSpinBox*>(widget->parentWidget());
+    if (control && !inner && widget->isVisible() && widget->isEnabled() && !reached.contains(widget))
+      missed << widget->objectName();
+  }
+  QVERIFY2(missed.isEmpty(), qPrintable(missed.join(QStringLiteral(", "))));
+  // Every action has a key or stands in a menu, which keys open.
+  QSet<QAction*> in_menus;
+  for (QMenu* menu : window.findChildren<QMenu*>())
+    for (QAction* action : menu->actions()) in_menus << action;
+  for (QAction* action : window.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
+    if (!action->objectName().isEmpty())
+      QVERIFY2(in_menus.contains(action) || !action->shortcut().isEmpty(), qPrintable(action->objectName()));
+}
+
+/// In the table from the row with the focus to the last one, in a text from the caret to its end, in the list of the scene.
+void WordsTest::shift_end_extends() {
+  Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 3)});
+  MainWindow& window = shown.window;
+  auto* table = part<QTableView>(window, "holesTable");
+  const int rows = table->model()->rowCount();
+  QVERIFY(rows >= 9);
+  const auto in_row = [&](int row) { return table->visualRect(table->model()->index(row, 1)).center(); };
+  const auto selected_rows = [&] {
+    QList<int> result;
+    for (const QModelIndex& index : table->selectionModel()->selectedRows()) result << index.row();
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto run = [](int first, int last) {
+    QList<int> result;
+    for (int row = first; row <= last; ++row) result << row;
+    return result;
+  };
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, in_row(2));
+  table->setFocus();
+  QTest::keyClick(table, Qt::Key_End, Qt::ShiftModifier);
+  QCOMPARE(selected_rows(), run(2, rows - 1));
+  QCOMPARE(window.selection().selected().size(), static_cast<std::size_t>(rows - 2));
+  QTest::keyClick(table, Qt::Key_Home, Qt::ShiftModifier);
+  QCOMPARE(selected_rows(), run(0, 2));
+  QTest::keyClick(table, Qt::Key_End);
+  QCOMPARE(selected_rows(), run(rows - 1, rows - 1));
+  // A hole that was selected in the picture is where it begins.
+  window.selection().select({4});
+  const int begin = selected_rows().value(0);
+  QTest::keyClick(table, Qt::Key_End, Qt::ShiftModifier);
+  QCOMPARE(selected_rows(), run(begin, rows - 1));
+
+  auto* filter = part<QLineEdit>(window, "holesFilter");
+  filter->setFocus();
+  filter->setText(QStringLiteral("hole"));
+  filter->setCursorPosition(1);
+  QTest::keyClick(filter, Qt::Key_End, Qt::ShiftModifier);
+  QCOMPARE(filter->selectedText(), QStringLiteral("ole"));
+  QTest::keyClick(filter, Qt::Key_Delete);
+  QCOMPARE(filter->text(), QStringLiteral("h"));
+}
+
+/// Neither with the focus in the picture, nor in the table, nor in a text.
+void WordsTest::delete_without_a_selection_does_nothing() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  window.selection().select({});
+  const std::size_t patches = window.document().patches().size();
+  QVERIFY(patches > 2);
+  for (const char* name : {"meshCanvas", "holesTable", "holesFilter", "sceneTree"}) {
+    auto* widget = part<QWidget>(window, name);
+    widget->setFocus();
+    QTest::keyClick(widget, Qt::Key_Delete);
+    QCOMPARE(window.document().patches().size(), patches);
+  }
+  // In a text it deletes letters, whatever is selected.
+  auto* filter = part<QLineEdit>(window, "holesFilter");
+  window.selection().select({first_hole(window.document())});
+  filter->setFocus();
+  filter->setText(QStringLiteral("x"));
+  filter->setCursorPosition(0);
+  QTest::keyClick(filter, Qt::Key_Delete);
+  QCOMPARE(filter->text(), QString());
+  QCOMPARE(window.document().patches().size(), patches);
+  window.view().canvas()->setFocus();
+  QTest::keyClick(window.view().canvas(), Qt::Key_Delete);
+  QCOMPARE(window.document().patches().size(), patches - 1);
+}
+
+void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const int hole = first_hole(window.document());
+  window.view().fly_to(hole);
+  settle(900);
+  const QPoint at = visible_point(window, hole);
+  QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, at);
+  // One that was closed is deleted a little later.
+  const auto open_menu = [&]() -> QMenu* {
+    for (QMenu* menu : window.findChildren<QMenu*>(QStringLiteral("holeMenu")))
+      if (menu->isVisible()) return menu;
+    return nullptr;
+  };
+  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
+  QCOMPARE(window.selection().selected(), std::set<int>{hole});
+  QMenu* menu = open_menu();
+  const QList<QAction*> offered = menu->actions();
+  const auto is_offered = [&](const char* name) {
+    const auto* action = part<QAction>(window, name);
+    return offered.contains(const_cast<QAction*>(action)) && action->isEnabled();
+  };
+  QVERIFY(is_offered("fillAction") && is_offered("trimAction"));
+  QVERIFY(!is_offered("acceptAction"));
+  menu->close();
+  trigger(window, "initialAction");
+  QVERIFY(wait_idle(window));
+  QVERIFY(part<QAction>(window, "acceptAction")->isEnabled());
+  // The same menu in the table; the header keeps the columns.
+  auto* table = part<QTableView>(window, "holesTable");
+  Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
+  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
+  open_menu()->close();
+}
+
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<WordsTest>(); }
+
+#include "words_test.moc"
