@@ -150,7 +150,7 @@ void WordsTest::dialogs_of_qt_are_in_german() {
   QVERIFY2(exporting.contains(QStringLiteral("Speichern")), qPrintable(exporting.join(QStringLiteral(" | "))));
 }
 
-/// What the paper's authors and we call things among ourselves: GLOSSARY of the design, and the numbers of the paper's figures.
+/// What the paper's authors and we call things among ourselves, and the numbers of the paper's figures.
 void WordsTest::no_word_of_the_workshop_is_shown() {
   const QRegularExpression forbidden(
       QStringLiteral("\\bfillers?\\b|\\bfig(ure)?\\.? ?\\d|\\bstrays\\b|\\bretreat|\\bracing\\b|To do|Trouble"),
