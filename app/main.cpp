@@ -13,6 +13,7 @@
 #include <QApplication>
 #include <QThread>
 
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -100,9 +101,9 @@ bool has_display() {
 
 int main(int argc, char** argv) {
   loopmend::keep_freed_memory();
-  static const std::string last_words = "loopmend-gui: where work was not saved, its copy is in " +
+  static const std::string last_words = "loopmend-gui: a copy of what was not saved may be in " +
                                         loopmend::Autosave::place().toStdString() +
-                                        ", and is offered at the next start\n";
+                                        "; it is offered at the next start\n";
   loopmend::handle_signals(last_words.c_str());
   loopmend::deliver_interrupts();
   // Not exit(): where `ulimit -v` is tight, OpenBLAS would wait for a thread of its own that asks for memory for ever.
@@ -119,8 +120,8 @@ int main(int argc, char** argv) {
     std::_Exit(exit_no_memory);
   }
   // Qt and the graphics driver wait for ever, behind a black window, for threads that they could not start. Ten at once were
-  // counted on two cores.
-  if (const int needed = 8 + 2 * QThread::idealThreadCount(); !can_start(needed)) {
+  // counted on two cores; how many more there are on many cores is not known.
+  if (const int needed = 8 + 2 * std::min(QThread::idealThreadCount(), 8); !can_start(needed)) {
     std::fprintf(
         stderr,
         "loopmend-gui: the window needs %d threads, and the system allows this user no more so many (ulimit -u). "

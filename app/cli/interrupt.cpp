@@ -37,7 +37,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 void say_what_stands() {
   if (file_in_place(0) == nullptr) {
-    say("; nothing was written\n");
+    say(*last_words == '\0' ? "; nothing was written\n" : "\n");  // a window may have written files before
     return;
   }
   say(" after ");

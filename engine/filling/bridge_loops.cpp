@@ -262,7 +262,11 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
                         " million vertices: a lower density needs fewer";
       return outcome;
     }
-    if (vertices > many_vertices && defect_count(patch_validity(first)) > tangled * first.patch_triangles) continue;
+    if (vertices > many_vertices && defect_count(patch_validity(first)) > tangled * first.patch_triangles) {
+      outcome.message =
+          "every first surface between these loops folds or cuts itself all over: a lower density may help";
+      continue;
+    }
     Start start(remeshed(first, cancel));
     const bool ready = shape == FirstBridge::Shape::smooth && defect_count(start.quality) == 0;
     if (!ready) start = faired(std::move(start), cancel);
@@ -271,6 +275,8 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
     best = std::move(start);
     if (ready) break;
   }
+  if (!best && !outcome.message.empty()) return outcome;
+  outcome.message.clear();
   if (!best) {
     outcome.message = "no surface that joins these loops was found: they do not face a common middle, nor each other";
     return outcome;

@@ -149,7 +149,7 @@ Triangles uncut_among(const Triangles& candidates, const OpenLoop& open, const P
   }
   const std::vector<char> cuts = triangles_that_cut(all, triangles, static_cast<int>(candidates.size()), cancel);
   Triangles uncut;
-  for (std::size_t f = 0; f < candidates.size(); ++f)
+  for (std::size_t f = 0; f < cuts.size(); ++f)
     if (!cuts[f]) uncut.push_back(candidates[f]);
   return uncut;
 }

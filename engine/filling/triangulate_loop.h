@@ -28,7 +28,7 @@ Triangles triangulate_loop(const Points& points, const Triangles& surroundings, 
 
 /// The least folded of those triangulations whose triangles cut neither the surroundings nor one another.
 /// @param surroundings  all triangles that a triangulation might cut
-/// @returns as triangulate_loop(); empty as well where none was found, when cancelled, and for loops of more than 200 edges.
+/// @returns as triangulate_loop(); empty as well where none was found, when cancelled, for loops of more than 200 edges, and among very many surroundings.
 Triangles triangulate_loop_uncut(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
                                  const CancelToken& cancel);
 

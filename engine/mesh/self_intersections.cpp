@@ -144,6 +144,8 @@ class PairTest {
 /// Up to here a sweep is faster than trees, and cannot take long however the triangles lie.
 constexpr std::size_t most_for_sweep = 20000;
 
+constexpr std::size_t most_pairs = 20'000'000;
+
 using Boxes = std::vector<Eigen::AlignedBox3d>;
 
 /// visit(f, g) for all pairs of boxes that touch and of which one at least is among the first `count`; f < g. Along the
@@ -242,9 +244,16 @@ std::vector<char> triangles_that_cut(const Points& points, const Triangles& tria
   }
   const PairTest test(points, triangles);
   std::vector<char> cuts(count, 0);
-  CGAL::box_intersection_d(first.begin(), first.end(), others.begin(), others.end(), [&](const Box& a, const Box& b) {
-    if (!cuts[a.info()] && !cancel.cancelled() && test.cut(a.info(), b.info())) cuts[a.info()] = 1;
-  });
+  struct TooMuch {};
+  std::size_t pairs = 0;
+  try {
+    CGAL::box_intersection_d(first.begin(), first.end(), others.begin(), others.end(), [&](const Box& a, const Box& b) {
+      if (++pairs > most_pairs || cancel.cancelled()) throw TooMuch();
+      if (!cuts[a.info()] && test.cut(a.info(), b.info())) cuts[a.info()] = 1;
+    });
+  } catch (const TooMuch&) {
+    cuts.clear();
+  }
   return cuts;
 }
 

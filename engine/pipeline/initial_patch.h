@@ -27,7 +27,8 @@ struct InitialPatch {
   std::vector<LoopPatchOutcome>
       outcomes;  ///< one per loop; empty where they are to be made anew when they are asked for
   /// Whether `patch` is what the loops alone lead to, or a flow has moved it: then it is solved as one, from there alone.
-  enum class Origin { loops, evolved } origin = Origin::loops;
+  /// `uncut`: made of triangles that cut nothing, since what the loops lead to cuts the surface.
+  enum class Origin { loops, evolved, uncut } origin = Origin::loops;
   std::optional<RimSurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
   double seconds = 0;               ///< that it took
 

@@ -11,7 +11,6 @@
 #include <exception>
 #include <new>
 #include <numeric>
-#include <optional>
 
 namespace loopmend {
 
@@ -132,7 +131,7 @@ class GroupSolver {
     PatchResult made = solved(initial);
     if (cancel_.cancelled()) return result;
     if (made.validity.intersections > 0 && initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops)
-      if (std::optional<PatchResult> between = between_what_lies_around(initial); between) made = std::move(*between);
+      solve_between_what_lies_around(initial, made, result.holes.front().message);
     if (cancel_.cancelled()) return result;
     const bool valid = made.validity.intersections == 0;
     if (!valid) {
@@ -161,30 +160,39 @@ class GroupSolver {
     return result;
   }
 
-  /// Of a loop whose every patch cuts the surface: from an initial patch that does not. Empty if there is none.
-  std::optional<PatchResult> between_what_lies_around(const InitialPatch& initial) const {
+  /// Of a loop whose every patch cuts the surface: once more from an initial patch that does not. Where there is none, or
+  /// anything goes wrong, `made` and `message` stay as they are.
+  void solve_between_what_lies_around(const InitialPatch& initial, PatchResult& made, std::string& message) const {
     const BoundaryLoop& loop = initial.loops.front();
-    if (pierced_edges(scan_, loop) > 0) return std::nullopt;
-    const auto start = std::chrono::steady_clock::now();
-    InitialPatch uncut;
-    uncut.loops = initial.loops;
-    uncut.outcomes = {fill_loop_uncut(scan_.model, scan_.index, loop, options_.initial, cancel_)};
-    if (!uncut.outcomes.front().patch) return std::nullopt;
-    uncut.patch = make_patch(scan_.model, uncut.loops, {*uncut.outcomes.front().patch});
-    uncut.patch->grading.density = options_.initial.density;
-    uncut.survey = initial.survey;
-    uncut.seconds = initial.seconds + seconds_since(start);
-    PatchResult made = solved(uncut);
-    if (made.validity.intersections > 0 || cancel_.cancelled()) return std::nullopt;
-    made.attempts.insert(made.attempts.begin(), "from triangles that cut nothing");
-    return made;
+    if (pierced_edges(scan_, loop) > 0) return;
+    try {
+      const auto start = std::chrono::steady_clock::now();
+      InitialPatchOptions options = options_.initial;  // what the first patch may have of memory, this one may, too
+      options.most_vertices = std::min(options.most_vertices, 2.0 * initial.patch->free_count + 1000);
+      InitialPatch uncut;
+      uncut.origin = InitialPatch::Origin::uncut;
+      uncut.loops = initial.loops;
+      uncut.outcomes = {fill_loop_uncut(scan_.model, scan_.index, loop, options, cancel_)};
+      if (!uncut.outcomes.front().patch) return;
+      uncut.patch = make_patch(scan_.model, uncut.loops, {*uncut.outcomes.front().patch});
+      uncut.patch->grading.density = options.density;
+      uncut.survey = initial.survey;
+      uncut.seconds = made.seconds.total + seconds_since(start);
+      PatchResult next = solved(uncut);
+      if (next.validity.intersections > 0 || cancel_.cancelled()) return;
+      made.attempts.emplace_back("from triangles that cut nothing");
+      next.attempts.insert(next.attempts.begin(), made.attempts.begin(), made.attempts.end());
+      message = uncut.outcomes.front().message;
+      made = std::move(next);
+    } catch (const std::exception&) {  // for want of memory, say: what was made before stands
+    }
   }
 
   PatchResult solved(const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
     const RimSurvey survey = initial.survey ? *initial.survey : survey_rim(*initial.patch, cancel_);
-    const bool evolved = initial.origin == InitialPatch::Origin::evolved;
-    const std::vector<BoundaryLoop> loops = evolved ? std::vector<BoundaryLoop>() : initial.loops;
+    const bool from_loops = initial.origin == InitialPatch::Origin::loops;
+    const std::vector<BoundaryLoop> loops = from_loops ? initial.loops : std::vector<BoundaryLoop>();
     const PatchProblem problem{scan_, *initial.patch, loops};
     PatchResult result;
     std::vector<SeamReport> before;

@@ -23,7 +23,7 @@ for signal in TERM HUP INT SEGV ABRT; do
   kill -s "$signal" "$window"
   wait "$window"
   code=$?
-  if ((code != 128 + $(kill -l "$signal"))) || ! grep -qF "its copy is in $XDG_DATA_HOME/loopmend/recovery" "$folder/err"; then
+  if ((code != 128 + $(kill -l "$signal"))) || ! grep -qF "a copy of what was not saved may be in $XDG_DATA_HOME/loopmend/recovery" "$folder/err"; then
     echo "SIG$signal: exit code $code, and these words:" >&2
     cat "$folder/out" "$folder/err" >&2
     exit 1
