@@ -35,8 +35,8 @@ struct LoopSite {
   Points points;             ///< the loop, then the rings around it
   std::vector<int> vertex;   ///< n: for each place the first with the same vertex
   std::vector<char> shared;  ///< n: whether another boundary, or this one again, passes the vertex
-  Triangles surroundings;    ///< over `points`, by the first places
-  std::vector<double> size;  ///< n: mean length of the edges of the surroundings at each loop vertex
+  Triangles neighborhood;    ///< over `points`, by the first places
+  std::vector<double> size;  ///< n: mean length of the edges of the neighborhood at each loop vertex
   RimNormals rim_normals;
   ConstrainedRemesher::Watch watch;                             ///< ends remeshing with Cancelled or TooManyVertices
   Patch frame;                                                  ///< an empty patch: its centre and scale
@@ -48,11 +48,11 @@ struct Cancelled {};
 struct TooManyVertices {};
 
 /// Sizes and normals at the rim.
-void measure_surroundings(LoopSite& site) {
+void measure_neighborhood(LoopSite& site) {
   std::vector<double> sum(site.points.size(), 0), count(site.points.size(), 0);
   std::map<std::pair<int, int>, int> rim;
   for (int i = 0; i < site.n; ++i) rim[{site.vertex[i], site.vertex[(i + 1) % site.n]}] = i;
-  for (const Triangle& t : site.surroundings)
+  for (const Triangle& t : site.neighborhood)
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
       const double length = (site.points[a] - site.points[b]).norm();
@@ -83,19 +83,19 @@ LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
     site.points.push_back(site.frame.positions[visited[i]]);
   }
   site.points.insert(site.points.end(), site.frame.positions.begin() + distinct, site.frame.positions.end());
-  site.surroundings = site.frame.triangles;
-  for (Triangle& t : site.surroundings)
+  site.neighborhood = site.frame.triangles;
+  for (Triangle& t : site.neighborhood)
     for (int& v : t) v = v < distinct ? place[v] : v - distinct + site.n;
 
-  measure_surroundings(site);
+  measure_neighborhood(site);
   return site;
 }
 
-/// The same with all triangles of the scan about the loop for surroundings.
+/// The same, but the neighborhood is all triangles of the scan that meet the loop's bounding box.
 LoopSite make_wide_site(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop) {
   LoopSite site = make_site(model, loop);
   site.points.resize(site.n);
-  site.surroundings.clear();
+  site.neighborhood.clear();
   std::unordered_map<int, int> place;  // of soup points
   Eigen::AlignedBox3d box;
   for (int i = 0; i < site.n; ++i) {
@@ -110,12 +110,12 @@ LoopSite make_wide_site(const SurfaceModel& model, const TriangleIndex& index, c
       if (added) site.points.push_back(site.frame.to_frame(model.soup.points[v]));
       v = entry->second;
     }
-    site.surroundings.push_back(t);
+    site.neighborhood.push_back(t);
   }
   site.cuts = LoopSite::Cuts::may_not;
   site.size.clear();
   site.rim_normals.clear();
-  measure_surroundings(site);
+  measure_neighborhood(site);
   return site;
 }
 
@@ -130,7 +130,7 @@ struct Candidate {
   bool wants_another(int rim) const { return quality.intersections > 0 || (quality.folds > 0 && quality.folds < rim); }
 };
 
-/// Patch and surroundings in one list, the patch's triangles first.
+/// Patch and neighborhood in one list, the patch's triangles first.
 void join(const LoopSite& site, const Candidate& c, Points& points, Triangles& triangles) {
   points = c.points;
   points.insert(points.end(), site.points.begin() + site.n, site.points.end());
@@ -138,7 +138,7 @@ void join(const LoopSite& site, const Candidate& c, Points& points, Triangles& t
   for (Triangle& t : triangles)
     for (int& v : t) v = v < site.n ? site.vertex[v] : v;
   const int shift = static_cast<int>(c.points.size()) - site.n;
-  for (Triangle t : site.surroundings) {
+  for (Triangle t : site.neighborhood) {
     for (int& v : t) v = v < site.n ? v : v + shift;
     triangles.push_back(t);
   }
@@ -195,7 +195,7 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
   for (TriangulationMethod method : methods) {
     if (cancel.cancelled()) break;
     Candidate c;
-    c.triangles = triangulate_loop(site.points, site.surroundings, site.vertex, method);
+    c.triangles = triangulate_loop(site.points, site.neighborhood, site.vertex, method);
     if (c.triangles.empty()) continue;
     c.points.assign(site.points.begin(), site.points.begin() + site.n);
     split_shared_chords(site, c);
@@ -325,7 +325,7 @@ Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, In
 
 /// A loop of three edges whose triangle is there already, on the other side: an isolated triangle, not a hole.
 bool closes_a_lone_triangle(const LoopSite& site) {
-  return site.n == 3 && std::any_of(site.surroundings.begin(), site.surroundings.end(), [](const Triangle& t) {
+  return site.n == 3 && std::any_of(site.neighborhood.begin(), site.neighborhood.end(), [](const Triangle& t) {
            return std::max({t[0], t[1], t[2]}) < 3;
          });
 }
@@ -352,6 +352,19 @@ double expected_vertices(double area, const std::vector<double>& sizes) {
   double mean = 0;
   for (double size : sizes) mean += size / static_cast<double>(sizes.size());
   return area / (0.866 * mean * mean);
+}
+
+double expected_vertices(const LoopSite& site, const BoundaryLoop& loop, double density) {
+  std::vector<double> sizes = site.size;
+  for (double& size : sizes) size /= density;
+  return expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
+}
+
+ConstrainedRemesher::Watch watch_for(double most_vertices, const CancelToken& cancel) {
+  return [most_vertices, &cancel](std::size_t count) {
+    if (cancel.cancelled()) throw Cancelled();
+    if (static_cast<double>(count) > most_vertices) throw TooManyVertices();
+  };
 }
 
 /// "3 million", or the number as it is where it is smaller.
@@ -403,17 +416,12 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
     outcome.message = "the loop is the boundary of a single triangle";
     return outcome;
   }
-  std::vector<double> sizes = site.size;
-  for (double& size : sizes) size /= options.density;
-  const double vertices = expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
+  const double vertices = expected_vertices(site, loop, options.density);
   if (vertices > options.most_vertices) {
     outcome.message = "the patch would need about " + number_of(vertices) + " vertices: a lower density needs fewer";
     return outcome;
   }
-  site.watch = [&](std::size_t count) {
-    if (cancel.cancelled()) throw Cancelled();
-    if (static_cast<double>(count) > options.most_vertices + site.n) throw TooManyVertices();
-  };
+  site.watch = watch_for(options.most_vertices + site.n, cancel);
   const std::vector<Candidate> candidates = first_triangulations(site, cancel);
   if (candidates.empty()) {
     if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
@@ -444,20 +452,15 @@ LoopPatchOutcome fill_loop_uncut(const SurfaceModel& model, const TriangleIndex&
   check(options);
   LoopSite site = make_wide_site(model, index, loop);
   Candidate best;
-  best.triangles = triangulate_loop_uncut(site.points, site.surroundings, site.vertex, cancel);
+  best.triangles = triangulate_loop_uncut(site.points, site.neighborhood, site.vertex, cancel);
   if (best.triangles.empty()) return {};
   best.points.assign(site.points.begin(), site.points.begin() + site.n);
   split_shared_chords(site, best);
   split_double_edges(site.n, best.points, best.triangles);
   best.quality = assess(site, best);
   if (best.quality.intersections > 0) return {};
-  std::vector<double> sizes = site.size;
-  for (double& size : sizes) size /= options.density;
-  const double vertices = expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
-  site.watch = [&](std::size_t count) {
-    if (cancel.cancelled()) throw Cancelled();
-    if (static_cast<double>(count) > options.most_vertices + site.n) throw TooManyVertices();
-  };
+  const double vertices = expected_vertices(site, loop, options.density);
+  site.watch = watch_for(options.most_vertices + site.n, cancel);
   const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
   try {
     best = refine(site, size, best, InitialShape::triangulated, vertices, cancel);

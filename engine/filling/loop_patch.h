@@ -37,8 +37,8 @@ struct LoopPatchOutcome {
 LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const InitialPatchOptions& options,
                            const CancelToken& cancel);
 
-/// The same where every patch cuts the surface that goes another way than between what lies around: of triangles that cut
-/// nothing of the scan, refined as far as they stay so. Up to 200 edges.
+/// For a loop whose ordinary patches cut the surface: the loop is triangulated by triangles that cut nothing of the scan, and refined
+/// as far as none of them does. Up to 200 edges.
 /// @param index  of the model's soup triangles
 /// @throws InvalidArgument if the density is out of range.
 LoopPatchOutcome fill_loop_uncut(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop,

@@ -23,7 +23,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// What the loop looks like from inside. It begins with the loop's second vertex. Empty where an edge is no boundary edge.
-OpenLoop seen_from_inside(const Points& points, const Triangles& surroundings, const std::vector<int>& loop) {
+OpenLoop seen_from_inside(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop) {
   const int n = static_cast<int>(loop.size());
   const auto vertex = [&](int place) { return loop[(place + 1) % n]; };
   std::map<int, std::vector<int>> places;
@@ -43,7 +43,7 @@ OpenLoop seen_from_inside(const Points& points, const Triangles& surroundings, c
       for (int k : at_b->second)
         if (std::abs(k - i) > 1 && std::abs(k - i) != n - 1) open.present.insert(std::minmax(i, k));
   };
-  for (const Triangle& t : surroundings)
+  for (const Triangle& t : neighborhood)
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
       if (const auto edge = edge_place.find({b, a}); edge != edge_place.end()) {
@@ -136,14 +136,14 @@ Triangles all_triangles(int n) {
   return triangles;
 }
 
-/// Those among `candidates`, over the open loop's points, that cut none of the surroundings.
+/// Those among `candidates`, over the open loop's points, that cut none of the neighborhood.
 Triangles uncut_among(const Triangles& candidates, const OpenLoop& open, const Points& points,
-                      const Triangles& surroundings, const CancelToken& cancel) {
+                      const Triangles& neighborhood, const CancelToken& cancel) {
   Points all = open.points;
   all.insert(all.end(), points.begin(), points.end());
   Triangles triangles = candidates;
   const int shift = static_cast<int>(open.points.size());
-  for (Triangle t : surroundings) {
+  for (Triangle t : neighborhood) {
     for (int& v : t) v += shift;
     triangles.push_back(t);
   }
@@ -213,9 +213,9 @@ bool has_chord(const Triangles& triangles, const std::set<std::pair<int, int>>& 
 
 }  // namespace
 
-Triangles triangulate_loop(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
+Triangles triangulate_loop(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
                            TriangulationMethod method) {
-  const OpenLoop open = seen_from_inside(points, surroundings, loop);
+  const OpenLoop open = seen_from_inside(points, neighborhood, loop);
   Triangles triangles;
   if (open.points.empty()) return triangles;
   if (method == TriangulationMethod::planar) triangles = planar_triangulation(open);
@@ -225,14 +225,14 @@ Triangles triangulate_loop(const Points& points, const Triangles& surroundings, 
   return over_the_loop(std::move(triangles), static_cast<int>(loop.size()));
 }
 
-Triangles triangulate_loop_uncut(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
+Triangles triangulate_loop_uncut(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
                                  const CancelToken& cancel) {
   const int n = static_cast<int>(loop.size());
   if (n > longest_uncut) return {};
-  const OpenLoop open = seen_from_inside(points, surroundings, loop);
+  const OpenLoop open = seen_from_inside(points, neighborhood, loop);
   if (open.points.empty()) return {};
   const Triangles candidates = n <= longest_for_all_triangles ? all_triangles(n) : delaunay_triangles(open.points);
-  const Triangles allowed = uncut_among(candidates, open, points, surroundings, cancel);
+  const Triangles allowed = uncut_among(candidates, open, points, neighborhood, cancel);
   std::vector<int> vertex;
   for (int i = 0; i < n; ++i) vertex.push_back(loop[(i + 1) % n]);
   const Triangles triangles = least_folded_uncut(open, vertex, allowed, cancel);

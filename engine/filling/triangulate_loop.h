@@ -18,18 +18,18 @@ enum class TriangulationMethod {
 };
 
 /// @param points       the loop's neighbourhood, #P
-/// @param surroundings triangles of the mesh around the loop, over `points`; chords that are edges of these are avoided
+/// @param neighborhood triangles of the mesh around the loop, over `points`; chords that are edges of these are avoided
 /// @param loop         n ≥ 3 indices into `points`, in the order of the boundary halfedges; one that the loop passes twice is
 /// there twice
-/// @returns n − 2 triangles over places 0..n−1 of the loop, oriented like the surroundings; empty when there is no such
+/// @returns n − 2 triangles over places 0..n−1 of the loop, oriented like the neighborhood; empty when there is no such
 /// triangulation.
-Triangles triangulate_loop(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
+Triangles triangulate_loop(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
                            TriangulationMethod method);
 
-/// The least folded of those triangulations whose triangles cut neither the surroundings nor one another.
-/// @param surroundings  all triangles that a triangulation might cut
-/// @returns as triangulate_loop(); empty as well where none was found, when cancelled, for loops of more than 200 edges, and among very many surroundings.
-Triangles triangulate_loop_uncut(const Points& points, const Triangles& surroundings, const std::vector<int>& loop,
+/// The least folded of those triangulations whose triangles cut neither the neighborhood nor one another.
+/// @param neighborhood  all triangles that a triangulation might cut
+/// @returns as triangulate_loop(); empty as well where none was found, when cancelled, for loops of more than 200 edges, and among very many triangles.
+Triangles triangulate_loop_uncut(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
                                  const CancelToken& cancel);
 
 }  // namespace loopmend

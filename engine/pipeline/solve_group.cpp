@@ -131,7 +131,7 @@ class GroupSolver {
     PatchResult made = solved(initial);
     if (cancel_.cancelled()) return result;
     if (made.validity.intersections > 0 && initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops)
-      solve_between_what_lies_around(initial, made, result.holes.front().message);
+      solve_from_uncut_triangles(initial, made, result.holes.front().message);
     if (cancel_.cancelled()) return result;
     const bool valid = made.validity.intersections == 0;
     if (!valid) {
@@ -162,7 +162,7 @@ class GroupSolver {
 
   /// Of a loop whose every patch cuts the surface: once more from an initial patch that does not. Where there is none, or
   /// anything goes wrong, `made` and `message` stay as they are.
-  void solve_between_what_lies_around(const InitialPatch& initial, PatchResult& made, std::string& message) const {
+  void solve_from_uncut_triangles(const InitialPatch& initial, PatchResult& made, std::string& message) const {
     const BoundaryLoop& loop = initial.loops.front();
     if (pierced_edges(scan_, loop) > 0) return;
     try {
