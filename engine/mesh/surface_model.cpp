@@ -5,6 +5,7 @@
 #include "core/threads.h"
 #include "mesh/directed_edges.h"
 #include "mesh/flat_view.h"
+#include "mesh/loops_at_copies.h"
 #include "mesh/vertex_fans.h"
 
 #include <algorithm>
@@ -67,6 +68,37 @@ std::vector<int> add_faces(const TriangleSoup& soup, const FlatView& view, const
   return view_of;
 }
 
+/// The same, and joins copies of points where that makes simpler loops.
+template <class Wanted>
+std::vector<int> add_surface(const TriangleSoup& soup, FlatView& view, std::vector<char> points,
+                             const Wanted& is_wanted, SurfaceModel& model) {
+  std::vector<int> view_of = add_faces(soup, view, points, is_wanted, model);
+  if (!view.is_split) return view_of;
+  std::vector<int> point_of(model.mesh.n_vertices());
+  for (std::size_t v = 0; v < view_of.size(); ++v)
+    if (view_of[v] >= 0) point_of[view_of[v]] = static_cast<int>(v);
+  const JoinedCopies parted = join_copies_on_loops(model, point_of);
+  if (parted.links.empty()) return view_of;
+  const auto point = [&](int v) {
+    const auto found = parted.joined.find(v);
+    return found == parted.joined.end() ? v : found->second;
+  };
+  for (Triangle& t : view.triangles)
+    for (int& v : t) v = point(v);
+  for (const auto& [copy, first] : parted.joined) points[copy] = 0;
+  model.mesh.clear();
+  model.soup_vertex.clear();
+  model.soup_face.clear();
+  view_of = add_faces(soup, view, points, is_wanted, model);
+  const auto edge = [&](int from, int to) {
+    return model.mesh.find_halfedge(VertexHandle(view_of[point(from)]), VertexHandle(view_of[point(to)]));
+  };
+  std::vector<std::pair<TriMesh::HalfedgeHandle, TriMesh::HalfedgeHandle>> next;  // found while all links are whole
+  for (const BoundaryLink& link : parted.links) next.emplace_back(edge(link.from, link.at), edge(link.at, link.to));
+  for (const auto& [in, out] : next) model.mesh.set_next_halfedge_handle(in, out);
+  return view_of;
+}
+
 /// How many edges away the nearest point is that the view is made around: exact up to `rings`, else more.
 std::vector<unsigned char> rings_around(const TriangleSoup& soup, const FlatView& view, const AroundLoops& around) {
   constexpr unsigned char far = 255;
@@ -124,7 +156,7 @@ SurfaceModel make_surface_model(TriangleSoup soup) {
   const std::size_t count = view.all(soup).size();
   model.mesh.reserve(view.origin.size(), count * 3 / 2 + 16, count);
   model.soup_face.reserve(count);
-  add_faces(
+  add_surface(
       soup, view, used_points(soup, view, model.repairs), [](const Triangle&) { return true; }, model);
   model.soup = std::move(soup);
   return model;
@@ -150,7 +182,7 @@ SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around
   for (const Triangle& t : view.all(soup))
     if (is_wanted(t))
       for (int v : t) points[v] = 1;
-  const std::vector<int> view_of = add_faces(soup, view, points, is_wanted, model);
+  const std::vector<int> view_of = add_surface(soup, view, points, is_wanted, model);
   beyond.rings = around.rings;
   beyond.is_cut_off.resize(model.mesh.n_vertices());
   beyond.piece_of_vertex.resize(model.mesh.n_vertices());

@@ -18,8 +18,8 @@ struct ModelRepairs {
   std::size_t degenerate_faces = 0;    ///< a vertex twice in one face: kept in the file, left out of the view
   std::size_t duplicate_faces = 0;     ///< same three vertices as an earlier face: likewise
   std::size_t non_manifold_edges = 0;  ///< edges with more than two faces: the view is cut there
-  /// Vertices with more than one fan of faces: split in the view, but for those whose fans lie side by side, as where two
-  /// holes touch.
+  /// Vertices with more than one fan of faces: split in the view, but for those whose fans lie side by side, and those
+  /// that one loop would pass several times, as where two holes touch.
   std::size_t non_manifold_vertices = 0;
   std::size_t reoriented_faces = 0;       ///< faces turned round to agree with their neighbours, in view and file
   std::size_t unreferenced_vertices = 0;  ///< points that no face uses: kept in the file

@@ -125,12 +125,11 @@ double gap_angle(const TriMesh& mesh, HalfedgeHandle in) {
       for (std::size_t k = 0; k < fans.size(); ++k)
         if (fans[arrangement->order[(k + 1) % fans.size()]].in == in) return arrangement->gap[k];
   double faces = 0;
-  for (const MeshFan& fan : fans) {
-    if (fan.in != in && fans.size() > 1) continue;
+  for (const MeshFan& fan : fans)
     for (std::size_t i = 0; i + 1 < fan.link.size(); ++i)
       faces += angle_between(fan.link[i] - mesh.point(v), fan.link[i + 1] - mesh.point(v));
-  }
-  return full_turn - faces;
+  const double gaps = full_turn - faces;
+  return fans.size() > 1 ? std::max(0.0, gaps) / static_cast<double>(fans.size()) : gaps;
 }
 
 }  // namespace loopmend

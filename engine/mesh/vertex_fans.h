@@ -29,7 +29,8 @@ int fan_count(const TriMesh& mesh, TriMesh::VertexHandle v);
 void link_fans(TriMesh& mesh, TriMesh::VertexHandle v);
 
 /// Angle of the gap that lies between the boundary edge `in` and the next one, at the vertex between them: 2π less the
-/// angles of the faces where there is one fan, else as seen along the mean normal. Radians.
+/// angles of the faces where there is one fan, else as seen along the mean normal; where the fans cannot be arranged, an equal
+/// share of what their faces leave. Radians.
 double gap_angle(const TriMesh& mesh, TriMesh::HalfedgeHandle in);
 
 }  // namespace loopmend

@@ -154,6 +154,34 @@ TEST(BoundaryLoops, TwoHolesThatMeetAtAVertexAreTwoLoops) {
   EXPECT_EQ(apart[2].first, LoopKind::hole);
 }
 
+TEST(BoundaryLoops, TwoHolesThatMeetAreTwoLoopsWhereTheSurfaceTurnsOverToo) {
+  const int shared = 3 * 7 + 3;
+  TriangleSoup soup = grid_without(6, {{2, 2}, {3, 3}});
+  for (const Vec3& place : {Vec3(4.3, 1.7, 0.3), Vec3(3.8, 2.2, 0.9), Vec3(1.7, 4.3, -0.2)}) {
+    soup.points[shared] = place;  // the two fans at it face different sides, or overlap
+    const SurfaceModel model = make_surface_model(soup);
+    EXPECT_EQ(model.mesh.n_vertices(), 49u);
+    EXPECT_EQ(model.repairs.non_manifold_vertices, 1u);
+    const auto loops = loops_of(model);
+    ASSERT_EQ(loops.size(), 3u);
+    EXPECT_EQ(std::set({loops[1].second, loops[2].second}),
+              (std::set<std::vector<int>>{{16, 17, 23, 24}, {24, 25, 31, 32}}));
+    EXPECT_EQ(loops_of(make_view_around_loops(soup, {1, {}})), loops);
+  }
+}
+
+TEST(BoundaryLoops, ChainsOfHolesThatMeetAreTheirHolesWhereverTheVerticesLie) {
+  // Four holes in a chain, three vertices between them, and one of six edges; every vertex between is out of place.
+  TriangleSoup soup = grid_without(8, {{1, 1}, {2, 2}, {3, 3}, {3, 4}, {4, 5}});
+  for (int k : {2, 3}) soup.points[k * 9 + k] = Vec3(k + 1.3, k - 1.3, 0.4);
+  soup.points[5 * 9 + 4] = Vec3(5.3, 3.7, 0.4);
+  const auto loops = loops_of(make_surface_model(soup));
+  ASSERT_EQ(loops.size(), 5u);
+  std::multiset<std::size_t> edges;
+  for (const auto& [kind, vertices] : loops) edges.insert(vertices.size());
+  EXPECT_EQ(edges, (std::multiset<std::size_t>{4, 4, 4, 6, 32}));
+}
+
 TEST(BoundaryLoops, AHoleThatMeetsTheOuterRimAtAVertexIsALoopOfItsOwn) {
   const auto loops = loops_of(make_surface_model(grid_without(6, {{1, 0}, {2, 1}, {2, 2}})));
   ASSERT_EQ(loops.size(), 2u);
