@@ -1,15 +1,25 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the picture of README.md and of the first page: the embedded sample before and after. The pictures of the window are
-# made by docs/user/window/make_pictures.sh.
+# Makes the picture of README.md and of the first page: the embedded sample before and after; and those of
+# docs/user/walkthrough.md, where PYTHON (default /usr/bin/python3) has pytest, PyVista and Matplotlib. The pictures of the
+# window are made by docs/user/window/make_pictures.sh.
 # Usage: docs/make_pictures.sh BUILD
 set -euo pipefail
 
-program=$(cd "${1:?Usage: docs/make_pictures.sh BUILD}" && pwd)/bin/loopmend
-assets=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/assets
+build=$(cd "${1:?Usage: docs/make_pictures.sh BUILD}" && pwd)
+docs=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+program=$build/bin/loopmend assets=$docs/assets
+python=${PYTHON:-/usr/bin/python3}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 "$program" sample -o "$folder/scan.ply"
 "$program" fill "$folder/scan.ply" -o "$folder/filled.ply" --quiet
 "$program" render "$folder/scan.ply" "$folder/filled.ply" --view front --size 1200x620 -o "$assets/before_after.png"
+
+if "$python" -c 'import matplotlib, pytest, pyvista' 2>/dev/null; then
+  PYTHONPATH=$build/python LOOPMEND_KEEP_PICTURES=$docs/user/pictures \
+    "$python" "$docs/../python/tests/run.py" "$docs/../python/tests/test_user_page.py" -k walkthrough
+else
+  echo "docs/user/pictures: left as they are, since $python lacks pytest, PyVista or Matplotlib" >&2
+fi

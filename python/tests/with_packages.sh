@@ -12,7 +12,7 @@ wheel=$(find "$wheels" -maxdepth 1 -name 'loopmend-*.whl' 2>/dev/null | head -1 
 [[ -n $wheel ]] || { echo "skipped: there is no wheel in $wheels, which the test python.wheel makes" >&2; exit 77; }
 [[ -x $folder/bin/python ]] || "$python" -m venv "$folder"
 if ! "$folder/bin/pip" install --quiet --disable-pip-version-check numpy pytest mypy \
-  trimesh meshio pyvista distributed snakemake \
+  trimesh meshio pyvista matplotlib distributed snakemake \
   >"$folder/log" 2>&1; then
   echo "skipped: the packages are not to be had: $(tail -1 "$folder/log")" >&2
   exit 77
