@@ -32,7 +32,11 @@ void SplitDescent::fair(EvolvingPatch& patch, const CancelToken& cancel) {
 void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
   if (fairing_) return fair(patch, cancel);
   Stopwatch watch;
-  if (!problem_) problem_.emplace(patch.state.patch, estimate_);
+  if (!problem_) {
+    problem_.emplace(patch.state.patch, estimate_, cancel);
+    if (cancel.cancelled()) problem_.reset();  // it may be unfinished
+  }
+  if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
   StepRecord record;
   const SplitProblem::Outcome outcome = problem_->step(cancel);
   if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, "cancelled");
@@ -40,7 +44,8 @@ void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
     if (patch.history.back().split.total() > 0) return patch.stop(PatchStatus::converged, "");
     return patch.stop(PatchStatus::faired, "no step of the flow came below its fairings, which were kept");
   }
-  const Points moved = problem_->patch_positions();
+  const Points moved = problem_->patch_positions(cancel);
+  if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
   if (moved.empty())
     return patch.stop(PatchStatus::stalled, "stopped early: the noise could not be carried into the patch");
   record.step = static_cast<int>(patch.history.size()) + 1;

@@ -199,9 +199,9 @@ Start faired(Start best, const CancelToken& cancel) {
     best = std::move(trial);
     return true;
   };
-  take(graph_fairing(best.patch));
+  take(graph_fairing(best.patch, cancel));
   for (int round = 0; round < fairing_rounds && !cancel.cancelled(); ++round)
-    if (!take(linear_fairing(best.patch, 0, robust_clamp))) break;
+    if (!take(linear_fairing(best.patch, 0, robust_clamp, cancel))) break;
   return best;
 }
 

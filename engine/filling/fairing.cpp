@@ -109,7 +109,7 @@ void extend_evenly(const Triangles& triangles, const std::vector<char>& fixed, P
     if (row[i] >= 0) vectors[i] = solution.row(row[i]).transpose();
 }
 
-Points graph_fairing(const Patch& patch) {
+Points graph_fairing(const Patch& patch, const CancelToken& cancel) {
   const int count = patch.vertex_count();
   std::vector<Eigen::Triplet<double>> all, inner;
   const auto add = [](std::vector<Eigen::Triplet<double>>& triplets, int i, int j) {
@@ -132,7 +132,7 @@ Points graph_fairing(const Patch& patch) {
   const SparseMatrix L = rows.asDiagonal() * C;
   const SparseMatrix Q = SparseMatrix(L.transpose()) * C_inner * L;
   Points result = patch.positions;
-  return minimise_quadratic_form(Q, result, 0, patch.free_count) ? result : patch.positions;
+  return minimise_quadratic_form(Q, result, 0, patch.free_count, cancel) ? result : patch.positions;
 }
 
 }  // namespace loopmend

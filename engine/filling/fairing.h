@@ -33,6 +33,6 @@ Points linear_fairing(const Patch& patch, const Topology& topology, double bendi
 
 /// The third order with all weights one: the triangles' shapes do not count, so that pinched necks and slivers of the
 /// present shape leave no trace (docs/dev/numerics.md, "Starts"). @returns as linear_fairing.
-Points graph_fairing(const Patch& patch);
+Points graph_fairing(const Patch& patch, const CancelToken& cancel = {});
 
 }  // namespace loopmend

@@ -43,7 +43,7 @@ PatchResult evolve_patch(const Patch& start, const EvolutionOptions& options, co
       [&](const PatchResult& run) { return rating_of(run, no_worse(run.validity, at_start) && !run.history.empty()); });
   if (is_good(result) || cancel.cancelled()) return result;
   Patch smooth = start;
-  smooth.positions = linear_fairing(start, 0, robust_clamp);
+  smooth.positions = linear_fairing(start, 0, robust_clamp, cancel);
   if (smooth.positions == start.positions) return result;
   PatchResult second = run_flow(smooth, options, on_step, cancel);
   return better(second, result) ? second : result;

@@ -30,13 +30,13 @@ std::pair<int, double> promise_of(const Patch& patch, const EvolutionOptions& op
 }
 
 /// The rounded polyhedron where it promises more than flat faces do, faired or not.
-Patch first_start(const PolyhedronPatch& level, const EvolutionOptions& options) {
+Patch first_start(const PolyhedronPatch& level, const EvolutionOptions& options, const CancelToken& cancel) {
   const bool to_the_end = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady;
   if (!to_the_end || level.subdivisions < coarsest) return level.patch;
   const std::optional<Patch> rounded = rounded_polyhedron(level);
   if (!rounded) return level.patch;
   Patch faired = level.patch;
-  faired.positions = linear_fairing(level.patch, 0, robust_clamp);
+  faired.positions = linear_fairing(level.patch, 0, robust_clamp, cancel);
   const auto flat = std::min(promise_of(level.patch, options), promise_of(faired, options));
   return promise_of(*rounded, options) < flat ? *rounded : level.patch;
 }
@@ -62,7 +62,7 @@ Interpolation interpolate_points(const SurfaceModel& polyhedron, const Subdivisi
   PolyhedronPatch level = subdivide_polyhedron(polyhedron, coarse);
   EvolutionOptions options = *evolution;
   options.triangles = PatchTriangles::kept;  // the subdivision was asked for
-  result.outcome = evolve_patch(first_start(level, options), options, on_step, cancel);
+  result.outcome = evolve_patch(first_start(level, options, cancel), options, on_step, cancel);
   for (int k = coarse.subdivisions; k < subdivision.subdivisions && !cancel.cancelled(); ++k) {
     level = split_further(level, result.outcome.patch);
     PatchResult finer = evolve_patch(level.patch, options, on_step, cancel);

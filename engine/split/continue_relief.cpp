@@ -32,12 +32,14 @@ using Bands = std::array<Eigen::MatrixXd, 3>;
 /// f − (1 − ℓ²Δ)⁻¹ f = ℓ² (M + ℓ²C)⁻¹ C f.
 class BandFilter {
  public:
-  BandFilter(const SplitGeometry& geometry, const Topology& topology, double edge) : geometry_(geometry) {
+  BandFilter(const SplitGeometry& geometry, const Topology& topology, double edge, const CancelToken& cancel)
+      : geometry_(geometry) {
     for (std::size_t b = 0; b < cutoffs.size(); ++b) {
       length_[b] = cutoffs[b] * edge;
       solvers_[b] = make_spd_solver();
-      valid_ = valid_ && solvers_[b]->factorize(length_[b] * length_[b] * geometry.stiffness +
-                                                SparseMatrix(geometry.mass.asDiagonal()));
+      valid_ = valid_ &&
+               solvers_[b]->factorize(
+                   length_[b] * length_[b] * geometry.stiffness + SparseMatrix(geometry.mass.asDiagonal()), cancel);
     }
     inner_ = Eigen::VectorXd::Ones(geometry.mass.size());
     for (int v = 0; v < inner_.size(); ++v)
@@ -166,12 +168,13 @@ MeasuredPlaces measured_places(const Patch& patch, const Topology& topology) {
 class RandomWaves {
  public:
   /// @param S  lower triangle, of the relief's energy ∫((Δ − κ²) f)²
-  RandomWaves(const BandFilter& filter, const Eigen::VectorXd& mass, SparseMatrix S, int free)
+  RandomWaves(const BandFilter& filter, const Eigen::VectorXd& mass, SparseMatrix S, int free,
+              const CancelToken& cancel)
       : filter_(filter),
         mass_(mass),
         S_(std::move(S)),
         free_(free) {
-    valid_ = solver_->factorize(S_.topLeftCorner(free, free));
+    valid_ = solver_->factorize(S_.topLeftCorner(free, free), cancel);
   }
 
   bool is_valid() const { return valid_; }
@@ -203,14 +206,14 @@ class RandomWaves {
 /// Brings random waves to the strength at which the patch has, band by band, what the neighborhood has.
 class ReliefFit {
  public:
-  ReliefFit(const Patch& patch, const SplitEstimate& estimate)
+  ReliefFit(const Patch& patch, const SplitEstimate& estimate, const CancelToken& cancel)
       : patch_(patch),
         edge_(estimate.edge),
         surface_(patch.vertex_count(), patch.triangles),
         topology_(patch.vertex_count(), patch.triangles),
         geometry_(surface_.at(patch.positions)),
-        filter_(geometry_, topology_, edge_),
-        waves_(filter_, geometry_.mass, geometry_.roughness(1 / estimate.radius), patch.free_count),
+        filter_(geometry_, topology_, edge_, cancel),
+        waves_(filter_, geometry_.mass, geometry_.roughness(1 / estimate.radius), patch.free_count, cancel),
         at_(measured_places(patch, topology_)) {
     const Bands bands = filter_.of_surface(patch.positions);
     for (int b = 0; b < 3; ++b) {
@@ -246,7 +249,7 @@ class ReliefFit {
         rough[i] = patch_.positions[i] + height * geometry_.normals[i];
       }
       const SplitGeometry geometry = surface_.at(rough);
-      const BandFilter filter(geometry, topology_, edge_);
+      const BandFilter filter(geometry, topology_, edge_, cancel);
       if (!filter.is_valid()) return {};
       const Bands bands = filter.of_surface(rough);
       for (int b = 0; b < 3; ++b) present_[b] = mean_square(bands[b].col(0)(at_.patch), geometry.mass(at_.patch));
@@ -272,7 +275,7 @@ class ReliefFit {
 std::optional<ContinuedRelief> continue_relief(const Patch& patch, const SplitEstimate& estimate, std::uint64_t seed,
                                                const CancelToken& cancel) {
   if (patch.free_count == 0 || !(estimate.edge > 0) || !(estimate.radius > 0)) return std::nullopt;
-  ReliefFit fit(patch, estimate);
+  ReliefFit fit(patch, estimate, cancel);
   if (!fit.is_valid() || fit.around().maxCoeff() < std::pow(least_relief * estimate.edge, 2)) return std::nullopt;
   Random random(seed);
   ContinuedRelief result;

@@ -22,7 +22,7 @@ Eigen::VectorXd times(const SparseMatrix& lower, const Eigen::VectorXd& x) {
 
 /// Solves A x = b. @returns false where A is not positive definite, or when cancelled.
 bool solve(SpdSolver& solver, const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x,
-           const CancelToken& cancel = {}) {
+           const CancelToken& cancel) {
   Eigen::MatrixXd solution;
   if (!solver.factorize(A, cancel) || !solver.solve(b, solution)) return false;
   x = solution.col(0);
@@ -31,7 +31,7 @@ bool solve(SpdSolver& solver, const SparseMatrix& A, const Eigen::VectorXd& b, E
 
 }  // namespace
 
-SplitProblem::SplitProblem(const Patch& patch, const SplitEstimate& estimate)
+SplitProblem::SplitProblem(const Patch& patch, const SplitEstimate& estimate, const CancelToken& cancel)
     : scan_(patch.positions),
       free_(patch.free_count),
       lambda_(estimate.lambda()),
@@ -39,7 +39,7 @@ SplitProblem::SplitProblem(const Patch& patch, const SplitEstimate& estimate)
       kappa_(1 / estimate.radius),
       edge_(estimate.edge),
       surface_(patch.vertex_count(), patch.triangles) {
-  if (std::optional<State> first = state_at(scan_))
+  if (std::optional<State> first = state_at(scan_, cancel))
     state_ = std::move(*first);
   else
     at_rest_ = true;
@@ -51,7 +51,7 @@ Eigen::VectorXd SplitProblem::precision(const State& state) const {
   return weight;
 }
 
-std::optional<SplitProblem::State> SplitProblem::state_at(Points y) {
+std::optional<SplitProblem::State> SplitProblem::state_at(Points y, const CancelToken& cancel) {
   State state;
   state.geometry = surface_.at(y);
   state.S = state.geometry.roughness(kappa_);
@@ -59,7 +59,7 @@ std::optional<SplitProblem::State> SplitProblem::state_at(Points y) {
   state.distance = Eigen::VectorXd::Zero(n);
   for (Eigen::Index i = free_; i < n; ++i) state.distance[i] = (scan_[i] - y[i]).dot(state.geometry.normals[i]);
   state.y = std::move(y);
-  if (!best_relief(state)) return std::nullopt;
+  if (!best_relief(state, cancel)) return std::nullopt;
   state.energy.smooth = 4 * lambda_ * state.geometry.variation();
   state.energy.relief = state.relief.dot(times(state.S, state.relief));
   if (s2_ > 0) {
@@ -71,14 +71,16 @@ std::optional<SplitProblem::State> SplitProblem::state_at(Points y) {
 }
 
 /// For the y of the state: without noise what is left of the scan, smoothly continued over the patch.
-bool SplitProblem::best_relief(State& state) {
+bool SplitProblem::best_relief(State& state, const CancelToken& cancel) {
   const Eigen::VectorXd& d = state.distance;
   if (s2_ > 0) {
     const Eigen::VectorXd weight = precision(state);
-    return solve(*relief_solver_, state.S + SparseMatrix(weight.asDiagonal()), weight.cwiseProduct(d), state.relief);
+    return solve(*relief_solver_, state.S + SparseMatrix(weight.asDiagonal()), weight.cwiseProduct(d), state.relief,
+                 cancel);
   }
   Eigen::VectorXd patch;
-  if (!solve(*relief_solver_, state.S.topLeftCorner(free_, free_), -times(state.S, d).head(free_), patch)) return false;
+  if (!solve(*relief_solver_, state.S.topLeftCorner(free_, free_), -times(state.S, d).head(free_), patch, cancel))
+    return false;
   state.relief = d;
   state.relief.head(free_) = patch;
   return true;
@@ -123,17 +125,18 @@ SplitProblem::Outcome SplitProblem::step(const CancelToken& cancel) {
     Points y = state_.y;
     for (std::size_t i = 0; i < y.size(); ++i)
       y[i] += share * (*phi)[static_cast<Eigen::Index>(i)] * state_.geometry.normals[i];
-    std::optional<State> next = state_at(std::move(y));
+    std::optional<State> next = state_at(std::move(y), cancel);
     if (!next || !(next->energy.total() < state_.energy.total())) continue;
     at_rest_ = state_.energy.total() - next->energy.total() < worth_a_step * state_.energy.total();
     state_ = std::move(*next);
     return Outcome::moved;
   }
+  if (cancel.cancelled()) return Outcome::cancelled;
   at_rest_ = true;
   return Outcome::at_rest;
 }
 
-Points SplitProblem::patch_positions() {
+Points SplitProblem::patch_positions(const CancelToken& cancel) {
   Eigen::VectorXd r = state_.relief.head(free_);
   if (s2_ > 0) {
     // The patch meets the scan with its noise: (−Δ + 1/h²) e = 0 on the patch, e as it is on the boundary.
@@ -143,7 +146,8 @@ Points SplitProblem::patch_positions() {
         state_.geometry.stiffness + SparseMatrix((state_.geometry.mass / (edge_ * edge_)).asDiagonal());
     Eigen::VectorXd carried;
     const SparseMatrix own = B.topLeftCorner(free_, free_);
-    if (!solve(*make_spd_solver(), own.triangularView<Eigen::Lower>(), -(B * e).head(free_), carried)) return {};
+    if (!solve(*make_spd_solver(), own.triangularView<Eigen::Lower>(), -(B * e).head(free_), carried, cancel))
+      return {};
     r += carried;
   }
   Points result(state_.y.begin(), state_.y.begin() + free_);

@@ -19,15 +19,15 @@ namespace loopmend {
 class SplitProblem {
  public:
   /// From the patch as it is. @param patch  with surroundings.
-  SplitProblem(const Patch& patch, const SplitEstimate& estimate);
+  SplitProblem(const Patch& patch, const SplitEstimate& estimate, const CancelToken& cancel);
 
   enum class Outcome { moved, at_rest, cancelled };
   /// One step of Gauss-Newton. `at_rest`: the last one lowered J by next to nothing, or none lowers it.
   Outcome step(const CancelToken& cancel);
 
   const SplitEnergy& energy() const { return state_.energy; }
-  /// Of the patch's free vertices: y + r n, with e carried in over about one edge. Empty if that cannot be solved.
-  Points patch_positions();
+  /// Of the patch's free vertices: y + r n, with e carried in over about one edge. Empty if that cannot be solved, or when cancelled.
+  Points patch_positions(const CancelToken& cancel);
 
  private:
   struct State {
@@ -39,8 +39,8 @@ class SplitProblem {
     SplitEnergy energy;
   };
 
-  std::optional<State> state_at(Points y);
-  bool best_relief(State& state);
+  std::optional<State> state_at(Points y, const CancelToken& cancel);
+  bool best_relief(State& state, const CancelToken& cancel);
   std::optional<Eigen::VectorXd> displacement(const CancelToken& cancel);
   Eigen::VectorXd precision(const State& state) const;
 

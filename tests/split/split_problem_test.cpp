@@ -90,7 +90,7 @@ TEST(SplitProblem, EveryStepLowersItsEnergyUntilItRests) {
   for (const Patch& start : {noisy_start(0.001), relief_start()}) {
     const SplitEstimate estimate = estimate_split(start);
     ASSERT_FALSE(estimate.is_exact());
-    SplitProblem problem(start, estimate);
+    SplitProblem problem(start, estimate, {});
     double last = problem.energy().total();
     int steps = 0;
     SplitProblem::Outcome outcome = SplitProblem::Outcome::moved;
@@ -108,7 +108,7 @@ TEST(SplitProblem, EveryStepLowersItsEnergyUntilItRests) {
 
 TEST(SplitProblem, ACancelledStepChangesNothing) {
   const Patch start = noisy_start(0.001);
-  SplitProblem problem(start, estimate_split(start));
+  SplitProblem problem(start, estimate_split(start), {});
   const double before = problem.energy().total();
   CancelToken token;
   token.cancel();
