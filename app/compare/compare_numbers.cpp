@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -126,6 +127,8 @@ void CompareNumbers::fill_row(int row, const std::vector<std::string>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const int column = static_cast<int>(c);
     QString text = QString::fromStdString(cells[c]);
+    if (bool is_number = false; QLocale::c().toDouble(text, &is_number), is_number)
+      text.replace(QLatin1Char('.'), QLocale().decimalPoint());
     if (c == 0 && text == QLatin1String("start")) text = tr("Start");
     if (c == 1) text = status_words(cells[c]);
     if (text == QLatin1String("nan")) text = QStringLiteral("\u2013");

@@ -62,10 +62,12 @@ QString kind_help(LoopKind kind) {
     case LoopKind::outer_rim:
       return tr("The outline of an open sheet. It is left out unless you select it yourself and press Fill.");
     case LoopKind::crack:
-      return tr(
-          "A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.");
+      return tr("A crack: nothing is missing here, the two sides only are not joined. Stitch joins them.");
     case LoopKind::cut:
-      return tr("Not a hole: more than two triangles meet along this edge, so the surface was cut here.");
+      return tr(
+          "Not a hole: more than two triangles meet along this edge, so the surface was cut here. Repair\u2026 in the "
+          "tab "
+          "Patch lists such edges and removes them.");
   }
   return {};
 }
@@ -97,12 +99,23 @@ QString state_help(HoleState state) {
     case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
     case HoleState::converged: return tr("The flow has converged to its steady state.");
     case HoleState::faired: return tr("Shaped by linear fairing, not by the flow.");
-    case HoleState::doubtful: return tr("Filled, but the patch is out of proportion to its hole: look at it.");
-    case HoleState::stalled: return tr("The flow stopped before it converged; this is its last good state.");
+    case HoleState::doubtful:
+      return tr(
+          "Filled, but the patch is out of proportion to its hole: look at it, then accept it, or discard it and trim "
+          "the boundary.");
+    case HoleState::stalled:
+      return tr(
+          "The flow stopped before it converged; this is its last good state. Run goes on from here; Accept keeps it.");
     case HoleState::cutting:
-      return tr("This patch cuts the surface or itself. It is not exported unless you accept it.");
+      return tr(
+          "This patch cuts the surface or itself. It is not exported unless you accept it. Discard opens the hole "
+          "again; "
+          "then trim its boundary, or erase a ring of faces, and fill anew.");
     case HoleState::accepted: return tr("Accepted: no flow moves it until you open it again.");
-    case HoleState::failed: return tr("This hole could not be filled.");
+    case HoleState::failed:
+      return tr(
+          "This hole could not be filled. Trim its boundary, erase a ring of faces around it, or bridge it, and fill "
+          "again.");
   }
   return {};
 }

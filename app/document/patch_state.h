@@ -71,6 +71,8 @@ enum class Acceptance { pending, accepted };
 using Timeline = std::vector<PatchStatePtr>;
 using TimelinePtr = std::shared_ptr<const Timeline>;
 
+inline constexpr int no_patch = 0;  ///< no patch has this id
+
 /// A patch that is open in the document.
 struct OpenPatch {
   int id = 0;

@@ -223,7 +223,7 @@ void FillController::say_fill_outcome(const FillResult& result, const std::set<i
       Q_EMIT logged(
           tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), QString::fromStdString(words)));
   if (!result.failures.empty())
-    Q_EMIT failed(tr("%1 of %2 holes could not be filled. The State column says why.")
+    Q_EMIT failed(tr("%1 of %2 holes could not be filled. The State column says why, and what may help.")
                       .arg(result.failures.size())
                       .arg(wanted.size()));
 }
@@ -411,7 +411,8 @@ void FillController::set_acceptance(const std::set<int>& patch_ids, Acceptance a
     pairs.push_back({*patch, std::move(after)});
   }
   const QString where = labels::holes(document_, loops);
-  push(std::move(pairs), acceptance == Acceptance::accepted ? tr("Accept %1").arg(where) : tr("Reopen %1").arg(where));
+  push(std::move(pairs),
+       acceptance == Acceptance::accepted ? tr("Accept %1").arg(where) : tr("Open again: %1").arg(where));
 }
 
 void FillController::reject(const std::set<int>& patch_ids) {

@@ -47,8 +47,9 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
             Q_EMIT logged(labels::import_summary(*scan) +
                           tr(" Opened in %1 s.").arg(labels::seconds(clock_.elapsed())));
             for (const std::string& problem : scan->color_problems) Q_EMIT logged(QString::fromStdString(problem));
-            if (!scan->color_problems.empty()) Q_EMIT notice(QString::fromStdString(scan->color_problems.front()));
-            if (scan->loops.empty()) Q_EMIT notice(tr("This surface is closed: there is no hole to fill."));
+            if (!scan->color_problems.empty())
+              Q_EMIT notice(scan->name + QStringLiteral(": ") + QString::fromStdString(scan->color_problems.front()));
+            if (scan->loops.empty()) Q_EMIT notice(tr("%1 is closed: it has no hole to fill.").arg(scan->name));
           });
         };
         const OpenedScanPtr scan = load_scan(path, origin, stages, job->token());

@@ -5,20 +5,43 @@
 #include "panels/parts.h"
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTextBoundaryFinder>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace loopmend {
 namespace {
 
 constexpr int notice_ms = 6000;
 constexpr int icon_px = 18;
+constexpr int least_words_px = 260;  ///< beside answers
+enum Place { sign_column, words_column, answers_column, close_column };
+
+/// Each part between two places where a line may be broken, shortened in its middle where it is wider than `width`.
+QString shortened(const QString& text, const QFontMetrics& letters, int width) {
+  QString result;
+  QTextBoundaryFinder finder(QTextBoundaryFinder::Line, text);
+  for (int from = 0, to = finder.toNextBoundary(); to >= 0; from = to, to = finder.toNextBoundary()) {
+    const QString part = text.mid(from, to - from);
+    result +=
+        letters.horizontalAdvance(part.trimmed()) <= width ? part : letters.elidedText(part, Qt::ElideMiddle, width);
+  }
+  return result;
+}
 
 }  // namespace
 
-Banner::Banner(QWidget* parent) : QFrame(parent), sign_(new QLabel), words_(new QLabel), close_(new QToolButton) {
+Banner::Banner(QWidget* parent)
+    : QFrame(parent),
+      sign_(new QLabel),
+      words_(new QLabel),
+      close_(new QToolButton),
+      answer_row_(new QWidget) {
   setObjectName(QStringLiteral("banner"));
   words_->setObjectName(QStringLiteral("bannerText"));
   words_->setWordWrap(true);
@@ -27,12 +50,17 @@ Banner::Banner(QWidget* parent) : QFrame(parent), sign_(new QLabel), words_(new 
   close_->setObjectName(QStringLiteral("bannerClose"));
   close_->setAutoRaise(true);
   explain(close_, tr("Close"), tr("Close this message (Esc)"));
-  layout_ = new QHBoxLayout(this);
+  auto* answers = new QBoxLayout(QBoxLayout::LeftToRight, answer_row_);
+  answers->setContentsMargins(0, 0, 0, 0);
+  answers->addStretch(1);
+  layout_ = new QGridLayout(this);
   layout_->setContentsMargins(12, 7, 6, 7);
   layout_->setSpacing(10);
-  layout_->addWidget(sign_, 0, Qt::AlignVCenter);
-  layout_->addWidget(words_, 1);
-  layout_->addWidget(close_, 0, Qt::AlignVCenter);
+  layout_->setColumnStretch(words_column, 1);
+  layout_->addWidget(sign_, 0, sign_column, Qt::AlignVCenter);
+  layout_->addWidget(words_, 0, words_column);
+  layout_->addWidget(answer_row_, 0, answers_column, Qt::AlignVCenter);
+  layout_->addWidget(close_, 0, close_column, Qt::AlignVCenter);
   parent->installEventFilter(this);
   timer_.setSingleShot(true);
   connect(close_, &QToolButton::clicked, this, &QWidget::hide);
@@ -45,14 +73,35 @@ bool Banner::eventFilter(QObject* watched, QEvent* event) {
   return QFrame::eventFilter(watched, event);
 }
 
+/// The answers lie beside the words, or below them where they would leave too little room.
+void Banner::fit_words() {
+  const QMargins margins = layout_->contentsMargins();
+  static_cast<QBoxLayout*>(answer_row_->layout())->setDirection(QBoxLayout::LeftToRight);
+  const int answers = answers_.empty() ? 0 : answer_row_->sizeHint().width() + layout_->spacing();
+  const int room = parentWidget()->width() - margins.left() - margins.right() - 2 * layout_->spacing() -
+                   sign_->sizeHint().width() - close_->sizeHint().width();
+  const bool beside = room - answers >= std::max(answers, least_words_px);
+  auto* row = static_cast<QBoxLayout*>(answer_row_->layout());
+  row->setDirection(answers <= room ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  row->activate();
+  layout_->removeWidget(answer_row_);
+  if (beside)
+    layout_->addWidget(answer_row_, 0, answers_column, Qt::AlignVCenter);
+  else
+    layout_->addWidget(answer_row_, 1, words_column, 1, -1);
+  answer_row_->setVisible(!answers_.empty());
+  const QString shown = shortened(text_, words_->fontMetrics(), std::max(1, beside ? room - answers : room));
+  words_->setText(shown);
+  words_->setToolTip(shown == text_ ? QString() : text_);
+}
+
 void Banner::settle() {
   const int width = parentWidget()->width();
+  fit_words();
   layout_->invalidate();
   setGeometry(0, 0, width, layout_->hasHeightForWidth() ? layout_->totalHeightForWidth(width) : sizeHint().height());
   raise();
 }
-
-QString Banner::text() const { return words_->text(); }
 
 void Banner::show_problem(const QString& words) {
   show_words(words, Tone::problem);
@@ -82,7 +131,10 @@ void Banner::ask(const QString& words, std::vector<Answer> answers) {
       drop_answers();
       act();
     });
-    layout_->insertWidget(layout_->count() - 1, button, 0, Qt::AlignVCenter);
+    answer_row_->layout()->addWidget(button);
+    button->show();  // at once, so that its room is known
+    button->ensurePolished();
+    button->setMinimumWidth(button->sizeHint().width());
     answers_.push_back(button);
   }
   settle();
@@ -103,7 +155,7 @@ void Banner::show_words(const QString& words, Tone tone) {
                     .arg(ground.name(), ground.darker(115).name(), ink.name()));
   sign_->setPixmap(icon(problem ? "warning" : "info", ink).pixmap(icon_px, icon_px));
   close_->setIcon(icon("close", ink));
-  words_->setText(words);
+  text_ = words;
   show();
   settle();
 }

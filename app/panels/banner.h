@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line over the top of the picture that says what went wrong, or right. It stops nothing, and moves nothing.
+// A line over the top of the picture that says what went wrong, or right. It stops nothing, and moves nothing. Words wrap, and
+// what is too long to wrap, such as a file name, is shortened in its middle: the tooltip has it whole.
 #pragma once
 
 #include <QFrame>
@@ -8,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-class QHBoxLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -33,13 +34,15 @@ class Banner : public QFrame {
   };
   /// A question in place: the person may go on with something else meanwhile. Closing it means none of the answers.
   void ask(const QString& words, std::vector<Answer> answers);
-  QString text() const;
+  /// What it says, nothing shortened.
+  QString text() const { return text_; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void settle();
+  void fit_words();
   enum class Tone { problem, notice, question };
   void drop_answers();
   void show_words(const QString& words, Tone tone);
@@ -47,7 +50,9 @@ class Banner : public QFrame {
   QLabel* sign_;
   QLabel* words_;
   QToolButton* close_;
-  QHBoxLayout* layout_;
+  QWidget* answer_row_;
+  QGridLayout* layout_;
+  QString text_;
   std::vector<QPushButton*> answers_;
   QTimer timer_;
 };

@@ -107,6 +107,7 @@ void DecisionBox::update_timeline() {
   if (!longest) {
     timeline_->setRange(0, 1);
     place_->setText(tr("Recorded states appear here."));
+    Q_EMIT state_told(no_patch);
     return;
   }
   const int last = static_cast<int>(longest->timeline->size()) - 1;
@@ -114,6 +115,7 @@ void DecisionBox::update_timeline() {
   const auto place = static_cast<int>(place_in(*longest->timeline, longest->state));
   if (!timeline_->isSliderDown()) timeline_->setValue(place);
   place_->setText(tr("State %1 of %2: %3").arg(place + 1).arg(last + 1).arg(state_words(*longest->state)));
+  Q_EMIT state_told(longest->id);
 }
 
 void DecisionBox::update_state() {

@@ -29,6 +29,8 @@ class DecisionBox : public QGroupBox {
 
  Q_SIGNALS:
   void notice(const QString& words);
+  /// The patch whose state the timeline tells, or no_patch; again whenever that state is another.
+  void state_told(int patch_id);
 
  private:
   void build();

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace loopmend {
@@ -151,13 +152,32 @@ QString FillBox::target_words(const std::set<int>& loops) const {
   if (!loops.empty())
     return chosen ? tr("%1, selected").arg(labels::sentence(labels::holes(document_, loops)))
                   : tr("All open holes (%1)").arg(loops.size());
+  const auto is_cut = [this](int loop) {
+    return document_.present(loop) && document_.loop(loop).kind == LoopKind::cut && !document_.patch_of(loop);
+  };
+  const std::set<int>& selected = selection_.selected();
+  if (std::any_of(selected.begin(), selected.end(), is_cut)) return tr("A cut is no hole to be filled.");
   if (chosen) return tr("The selection is filled already.");
   return tr("No open hole is left.");
 }
 
 /// One line each, so that the buttons below stay where they are.
 QString FillBox::advice(const std::set<int>& loops) const {
+  const std::set<int>& selected = selection_.selected();
+  const auto all_are = [](const std::set<int>& some, const auto& holds) {
+    return !some.empty() && std::all_of(some.begin(), some.end(), holds);
+  };
+  const auto is = [this](LoopKind kind) {
+    return [this, kind](int loop) { return document_.present(loop) && document_.loop(loop).kind == kind; };
+  };
+  const auto is_in = [this](HoleState state) {
+    return [this, state](int loop) { return document_.state(loop) == state; };
+  };
+  if (all_are(loops, is(LoopKind::crack))) return tr("Stitch joins the sides of a crack.");
+  if (all_are(loops, is_in(HoleState::failed))) return tr("Not fillable as it is: press Trim.");
   if (!loops.empty()) return estimate(loops);
+  if (std::any_of(selected.begin(), selected.end(), is(LoopKind::cut))) return tr("Repair\u2026 removes such edges.");
+  if (all_are(selected, is_in(HoleState::cutting))) return tr("It cuts the surface: Discard, then Trim.");
   for (int loop = 0; loop < document_.loop_count() && selection_.selected().empty(); ++loop)
     if (document_.present(loop) && document_.state(loop) == HoleState::left_out)
       return tr("To fill one that is left out, select it.");

@@ -83,9 +83,7 @@ void paint_sign(QPainter* painter, HoleState state, const QColor& color) {
       painter->setBrush(color);
       painter->drawEllipse(QRectF(-1.6, -1.6, 3.2, 3.2));
       break;
-    case HoleState::doubtful:
-      painter->drawPath(polyline({{0, -4}, {4.5, 3.8}, {-4.5, 3.8}, {0, -4}}));
-      break;
+    case HoleState::doubtful: painter->drawPath(polyline({{0, -4}, {4.5, 3.8}, {-4.5, 3.8}, {0, -4}})); break;
   }
 }
 

@@ -15,15 +15,19 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSplitter>
+#include <QStyle>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTime>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace loopmend {
 namespace {
 
 constexpr std::size_t most_rows = 200;
+constexpr int cell_margin = 8;
 constexpr int refresh_ms = 120;  ///< while a flow runs
 enum Column { hole, angle_rms, angle_max, jump_rms, jump_max, jump_free, column_count };
 
@@ -113,6 +117,10 @@ QWidget* InspectPanel::build_seam() {
   // Of a width of its own: contents would be measured anew at every change of every row.
   seam_->horizontalHeader()->setSectionResizeMode(hole, QHeaderView::Fixed);
   seam_->horizontalHeader()->resizeSection(hole, fontMetrics().horizontalAdvance(QStringLiteral("00000  ")));
+  // Room for two numbers in each column, so that neither is cut off.
+  const int two_numbers = fontMetrics().horizontalAdvance(QStringLiteral("0.0000 \u2192 0.0000")) + cell_margin;
+  seam_->setMinimumWidth((column_count - 1) * two_numbers + seam_->horizontalHeader()->sectionSize(hole) +
+                         style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2 * seam_->frameWidth());
   sentence_ = new QLabel;
   sentence_->setObjectName(QStringLiteral("seamSentence"));
   sentence_->setWordWrap(true);
@@ -177,10 +185,15 @@ std::vector<int> InspectPanel::shown_loops() const {
 
 void InspectPanel::update_curves(int loop) {
   const OpenPatch* patch = loop == no_loop ? nullptr : document_.patch_of(loop);
-  energy_->show_run(patch);
+  const OpenPatch* run = document_.patch(run_);
+  energy_->show_run(run && patch ? run : patch);
   int place = 0;
   if (patch) place = static_cast<int>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
   section_->show_patch(patch, place);
+}
+
+void InspectPanel::follow_run(int patch_id) {
+  if (std::exchange(run_, patch_id) != patch_id) update_seam_soon();
 }
 
 void InspectPanel::update_seam_soon() {

@@ -2,6 +2,8 @@
 // The bottom dock: the seam before and after in numbers and a sentence, how the run went, H across the seam, a log.
 #pragma once
 
+#include "document/patch_state.h"
+
 #include <QTimer>
 #include <QWidget>
 
@@ -25,6 +27,8 @@ class InspectPanel : public QWidget {
 
  public Q_SLOTS:
   void log(const QString& words);
+  /// Draws the energy of this patch's run, while it is one of those that the table shows.
+  void follow_run(int patch_id);
 
  private:
   QWidget* build_seam();
@@ -40,6 +44,7 @@ class InspectPanel : public QWidget {
   const Document& document_;
   const HoleSelection& selection_;
   QTimer soon_;
+  int run_ = no_patch;
   QTableWidget* seam_ = nullptr;
   QLabel* sentence_ = nullptr;
   QPlainTextEdit* log_ = nullptr;

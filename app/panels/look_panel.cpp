@@ -126,10 +126,11 @@ QWidget* LookPanel::build_colors() {
   rule_->addItem(tr("Percentile, all scans alike"), static_cast<int>(ColorRange::Rule::percentile));
   rule_->addItem(tr("Percentile of each scan"), static_cast<int>(ColorRange::Rule::percentile_each));
   rule_->addItem(tr("Own range"), static_cast<int>(ColorRange::Rule::own));
-  explain(rule_, tr("Range"),
-          tr("How far the colours reach. The range is symmetric about 0 and comes from the scans alone, so it stays the "
-             "same while a flow runs. Several scans share the widest range, or each has its own; the legend then shows "
-             "that of the selected hole's scan"));
+  explain(
+      rule_, tr("Range"),
+      tr("How far the colours reach. The range is symmetric about 0 and comes from the scans alone, so it stays the "
+         "same while a flow runs. Several scans share the widest range, or each has its own; the legend then shows "
+         "that of the selected hole's scan"));
   percent_ = new QDoubleSpinBox;
   percent_->setObjectName(QStringLiteral("percentile"));
   percent_->setRange(50, 100);

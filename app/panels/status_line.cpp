@@ -38,15 +38,9 @@ StatusLine::StatusLine(const Document& document, const FillController& controlle
     if (!controller.busy()) count();  // flows add and remove vertices
   });
   connect(&check, &PrintCheck::changed, this, &StatusLine::count);
-  connect(&document, &Document::patch_moved, this, &StatusLine::show_figures);
-  connect(&document, &Document::patches_changed, this, &StatusLine::update_scan);
-  connect(&document, &Document::opened, this, &StatusLine::update_scan);
-  connect(&document, &Document::scans_changed, this, &StatusLine::update_scan);
-}
-
-void StatusLine::update_scan() {
-  figures_->clear();
-  count();
+  connect(&document, &Document::patches_changed, this, &StatusLine::count);
+  connect(&document, &Document::opened, this, &StatusLine::count);
+  connect(&document, &Document::scans_changed, this, &StatusLine::count);
 }
 
 void StatusLine::count() {
@@ -77,9 +71,15 @@ void StatusLine::count() {
                                   : tr("No open boundary loops"));
 }
 
-void StatusLine::say(const QString& words) { figures_->setText(words); }
+void StatusLine::say(const QString& words) {
+  if (words.isEmpty())
+    show_figures(patch_);
+  else
+    figures_->setText(words);
+}
 
 void StatusLine::show_figures(int patch_id) {
+  patch_ = patch_id;
   const OpenPatch* patch = document_.patch(patch_id);
   if (!patch || patch->state->steps == 0) {
     figures_->clear();

@@ -2,6 +2,8 @@
 // The line at the bottom: what runs, and its figures.
 #pragma once
 
+#include "document/patch_state.h"
+
 #include <QWidget>
 
 class QLabel;
@@ -20,16 +22,17 @@ class StatusLine : public QWidget {
              QWidget* parent = nullptr);
 
  public Q_SLOTS:
-  /// Until the next figures.
+  /// Until the next figures; without words, the figures come back.
   void say(const QString& words);
+  /// Of the state that the timeline tells, so that both name the same step.
+  void show_figures(int patch_id);
 
  private:
-  void update_scan();
   void count();
-  void show_figures(int patch_id);
 
   const Document& document_;
   const PrintCheck& check_;
+  int patch_ = no_patch;  ///< whose figures are shown; may be gone
   QLabel *stage_, *figures_, *closed_, *scan_;
 };
 

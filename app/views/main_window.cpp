@@ -220,6 +220,8 @@ void MainWindow::connect_panels() {
           qOverload<const std::set<int>&>(&FillBox::fill_and_smooth));
   connect(patch_, &PatchPanel::updated, this, &MainWindow::update_actions);
   connect(&patch_->decision_box(), &DecisionBox::notice, banner_, &Banner::show_notice);
+  connect(&patch_->decision_box(), &DecisionBox::state_told, status_, &StatusLine::show_figures);
+  connect(&patch_->decision_box(), &DecisionBox::state_told, inspect_, &InspectPanel::follow_run);
   connect(look_, &LookPanel::look_changed, view_, &MeshView::set_look);
   connect(&look_->clipping(), &ClippingBox::clipping_changed, this, [this](const Clipping& clipping) {
     view_->set_clipping(clipping);
@@ -315,11 +317,26 @@ void MainWindow::open_sample() { files_->open_sample(); }
 
 void MainWindow::restore_layout() {
   const WindowLayout layout = load_window_layout();
-  restoreGeometry(layout.geometry);
+  if (restoreGeometry(layout.geometry)) move_onto_screen();
   restoreState(layout.docks);
   Look look = load_look();
   look.map = look_->look().map;
   look_->set_look(look);
+}
+
+/// Qt leaves a window as large as it was, and takes a corner on the screen for enough.
+void MainWindow::move_onto_screen() {
+  if (isMaximized() || isFullScreen()) return;
+  const QRect was = geometry();
+  const QScreen* screen = QGuiApplication::screenAt(was.center());
+  if (!screen) screen = QGuiApplication::primaryScreen();
+  // A window manager's frame, which is not known before the window is shown.
+  const QMargins frame(4, 30, 4, 8);
+  const QRect room = screen->availableGeometry().marginsRemoved(frame);
+  const QSize size = was.size().boundedTo(room.size());
+  const int x = std::clamp(was.x(), room.left(), room.left() + room.width() - size.width());
+  const int y = std::clamp(was.y(), room.top(), room.top() + room.height() - size.height());
+  setGeometry(QRect(QPoint(x, y), size));
 }
 
 void MainWindow::keep_layout() const {

@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   /// A scan that brings its own colours is shown in them.
   void follow_scan_colors();
   void update_title();
+  void move_onto_screen();
   void show_centre();
 
   Document document_;

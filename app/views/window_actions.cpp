@@ -201,8 +201,8 @@ QMenu* WindowActions::make_hole_menu() {
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const char* name : {"fillAction", "initialAction", "runAction", "-", "toolFillPartAction", "-", "trimAction",
-                           "eraseRingAction", "stitchAction", "toolBridgeAction", "partAction", "-", "acceptAction",
-                           "rejectAction", "-", "compare", "copyAction"}) {
+                           "eraseRingAction", "stitchAction", "repairAction", "toolBridgeAction", "partAction", "-",
+                           "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
     if (*name == '-')
       menu->addSeparator();
     else

@@ -1114,6 +1114,26 @@
             <source>≈ %1 triangles, edges %2</source>
             <translation>≈ %1 Dreiecke, Kanten %2</translation>
         </message>
+        <message>
+            <source>A cut is no hole to be filled.</source>
+            <translation>Ein Schnitt ist kein Loch zum Füllen.</translation>
+        </message>
+        <message>
+            <source>Stitch joins the sides of a crack.</source>
+            <translation>Vernähen verbindet einen Riss.</translation>
+        </message>
+        <message>
+            <source>Not fillable as it is: press Trim.</source>
+            <translation>So nicht füllbar: Beschneiden.</translation>
+        </message>
+        <message>
+            <source>Repair… removes such edges.</source>
+            <translation>Reparieren… entfernt solche Kanten.</translation>
+        </message>
+        <message>
+            <source>It cuts the surface: Discard, then Trim.</source>
+            <translation>Schneidet die Fläche: Verwerfen.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillController</name>
@@ -1154,10 +1174,6 @@
             <translation>Loch %1 bleibt offen: %2</translation>
         </message>
         <message>
-            <source>%1 of %2 holes could not be filled. The State column says why.</source>
-            <translation>%1 von %2 Löchern ließen sich nicht füllen. Die Spalte Zustand sagt, warum.</translation>
-        </message>
-        <message>
             <source>%1 step on %2</source>
             <translation>%1, ein Schritt: %2</translation>
         </message>
@@ -1194,10 +1210,6 @@
             <translation>Annehmen: %1</translation>
         </message>
         <message>
-            <source>Reopen %1</source>
-            <translation>Wieder öffnen: %1</translation>
-        </message>
-        <message>
             <source>Go back on %1</source>
             <translation>Zurückgehen: %1</translation>
         </message>
@@ -1216,10 +1228,6 @@
         <message>
             <source> Opened in %1 s.</source>
             <translation> In %1 s geöffnet.</translation>
-        </message>
-        <message>
-            <source>This surface is closed: there is no hole to fill.</source>
-            <translation>Diese Fläche ist geschlossen: es gibt kein Loch zu füllen.</translation>
         </message>
         <message>
             <source>Computing curvature</source>
@@ -1447,6 +1455,18 @@
         <message>
             <source>Erase a ring of faces of %1</source>
             <translation>Einen Ring von Flächen von %1 löschen</translation>
+        </message>
+        <message>
+            <source>%1 of %2 holes could not be filled. The State column says why, and what may help.</source>
+            <translation>%1 von %2 Löchern ließen sich nicht füllen. Die Spalte Zustand sagt, warum und was helfen kann.</translation>
+        </message>
+        <message>
+            <source>%1 is closed: it has no hole to fill.</source>
+            <translation>%1 ist geschlossen: es gibt kein Loch zu füllen.</translation>
+        </message>
+        <message>
+            <source>Open again: %1</source>
+            <translation>Wieder öffnen: %1</translation>
         </message>
     </context>
     <context>
@@ -2801,7 +2821,7 @@
         </message>
         <message>
             <source>Acc&amp;ept</source>
-            <translation>Ü&amp;bernehmen</translation>
+            <translation>Ann&amp;ehmen</translation>
         </message>
     </context>
     <context>
@@ -3434,7 +3454,7 @@
         <name>loopmend::TaskRunner</name>
         <message>
             <source>The system allows no further thread for this work (ulimit -u). Close other programs, or raise that limit.</source>
-            <translation>Das System erlaubt keinen weiteren Thread für diese Arbeit (ulimit -u). Schließen Sie andere Programme, oder heben Sie diese Grenze an.</translation>
+            <translation>Das System erlaubt keinen weiteren Thread für diese Arbeit (ulimit -u). Andere Programme schließen oder diese Grenze erhöhen.</translation>
         </message>
     </context>
     <context>
@@ -4132,14 +4152,6 @@
             <translation>Ein Loch in der Fläche.</translation>
         </message>
         <message>
-            <source>A crack: nothing is missing here, the two sides only are not joined. It is left out unless you select it.</source>
-            <translation>Ein Riss: hier fehlt nichts, die zwei Seiten sind nur nicht verbunden. Er bleibt aus, wenn Sie ihn nicht auswählen.</translation>
-        </message>
-        <message>
-            <source>Not a hole: more than two triangles meet along this edge, so the surface was cut here.</source>
-            <translation>Kein Loch: mehr als zwei Dreiecke treffen sich an dieser Kante, deshalb wurde die Fläche hier getrennt.</translation>
-        </message>
-        <message>
             <source>open</source>
             <translation>offen</translation>
         </message>
@@ -4216,24 +4228,8 @@
             <translation>Durch lineare Glättung geformt, nicht durch den Fluss.</translation>
         </message>
         <message>
-            <source>Filled, but the patch is out of proportion to its hole: look at it.</source>
-            <translation>Gefüllt, aber die Fläche steht in keinem Verhältnis zum Loch: bitte ansehen.</translation>
-        </message>
-        <message>
-            <source>The flow stopped before it converged; this is its last good state.</source>
-            <translation>Der Fluss hielt an, bevor er konvergierte; dies ist sein letzter guter Zustand.</translation>
-        </message>
-        <message>
-            <source>This patch cuts the surface or itself. It is not exported unless you accept it.</source>
-            <translation>Dieser Flicken schneidet die Fläche oder sich selbst. Er wird nur exportiert, wenn Sie ihn annehmen.</translation>
-        </message>
-        <message>
             <source>Accepted: no flow moves it until you open it again.</source>
             <translation>Angenommen: kein Fluss bewegt ihn, bis Sie ihn wieder öffnen.</translation>
-        </message>
-        <message>
-            <source>This hole could not be filled.</source>
-            <translation>Dieses Loch ließ sich nicht füllen.</translation>
         </message>
         <message>
             <source>MMCVF – curvature</source>
@@ -4538,6 +4534,30 @@
         <message>
             <source>not known</source>
             <translation>nicht bekannt</translation>
+        </message>
+        <message>
+            <source>A crack: nothing is missing here, the two sides only are not joined. Stitch joins them.</source>
+            <translation>Ein Riss: hier fehlt nichts, die zwei Seiten sind nur nicht verbunden. Vernähen verbindet sie.</translation>
+        </message>
+        <message>
+            <source>Not a hole: more than two triangles meet along this edge, so the surface was cut here. Repair… in the tab Patch lists such edges and removes them.</source>
+            <translation>Kein Loch: mehr als zwei Dreiecke treffen sich an dieser Kante, deshalb wurde die Fläche hier getrennt. Reparieren… im Reiter Flicken führt solche Kanten auf und entfernt sie.</translation>
+        </message>
+        <message>
+            <source>Filled, but the patch is out of proportion to its hole: look at it, then accept it, or discard it and trim the boundary.</source>
+            <translation>Gefüllt, aber die Fläche steht in keinem Verhältnis zum Loch: bitte ansehen, dann annehmen, oder verwerfen und den Rand beschneiden.</translation>
+        </message>
+        <message>
+            <source>The flow stopped before it converged; this is its last good state. Run goes on from here; Accept keeps it.</source>
+            <translation>Der Fluss hielt an, bevor er konvergierte; dies ist sein letzter guter Zustand. Lauf macht hier weiter; Annehmen behält ihn.</translation>
+        </message>
+        <message>
+            <source>This patch cuts the surface or itself. It is not exported unless you accept it. Discard opens the hole again; then trim its boundary, or erase a ring of faces, and fill anew.</source>
+            <translation>Dieser Flicken schneidet die Fläche oder sich selbst. Er wird nur exportiert, wenn Sie ihn annehmen. Verwerfen öffnet das Loch wieder; dann den Rand beschneiden oder einen Ring von Flächen löschen und neu füllen.</translation>
+        </message>
+        <message>
+            <source>This hole could not be filled. Trim its boundary, erase a ring of faces around it, or bridge it, and fill again.</source>
+            <translation>Dieses Loch ließ sich nicht füllen. Seinen Rand beschneiden, einen Ring von Flächen um es löschen oder es überbrücken, dann wieder füllen.</translation>
         </message>
     </context>
 </TS>

@@ -16,9 +16,11 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QFile>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScreen>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
@@ -60,6 +62,8 @@ class KeepingTest : public QObject {
   void a_session_is_looked_at_as_before();
   void a_session_of_the_first_version_opens();
   void the_layout_is_kept_and_fits_a_small_screen();
+  void a_window_that_was_elsewhere_comes_back_data();
+  void a_window_that_was_elsewhere_comes_back();
   void no_button_moves_under_the_mouse();
   void what_will_not_be_saved_is_told_on_opening();
 
@@ -306,6 +310,40 @@ void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
   QVERIFY(part<QDockWidget>(next, "inspectDock")->isHidden());
   QVERIFY(next.findChild<QAction*>(QStringLiteral("zebra"), Qt::FindDirectChildrenOnly)->isChecked());
   QVERIFY(next.findChild<QAction*>(QStringLiteral("wireframe"), Qt::FindDirectChildrenOnly)->isChecked());
+}
+
+void KeepingTest::a_window_that_was_elsewhere_comes_back_data() {
+  QTest::addColumn<QRect>("was");
+  const QSize screen = QGuiApplication::primaryScreen()->availableSize();
+  QTest::newRow("beside the screen") << QRect(screen.width() + 900, 100, 1200, 700);
+  QTest::newRow("above and left of it") << QRect(-2000, -1500, 1200, 700);
+  QTest::newRow("all but a corner outside") << QRect(screen.width() - 8, screen.height() - 8, 1200, 700);
+  QTest::newRow("title bar outside") << QRect(100, -300, 1200, 700);
+  QTest::newRow("larger than the screen") << QRect(50, 50, 2 * screen.width(), 2 * screen.height());
+}
+
+/// On a screen that is not there now, or was larger: kept as Qt writes it, brought onto the screen that is there.
+void KeepingTest::a_window_that_was_elsewhere_comes_back() {
+  QFETCH(QRect, was);
+  {
+    MainWindow window;
+    window.setGeometry(was);
+    save_window_layout({window.saveGeometry(), window.saveState()});
+  }
+  MainWindow window;
+  window.restore_layout();
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  settle(200);
+  const QRect screen = QGuiApplication::primaryScreen()->availableGeometry(), now = window.frameGeometry();
+  const QString words = QStringLiteral("%1 x %2 at %3, %4 on %5 x %6")
+                            .arg(now.width())
+                            .arg(now.height())
+                            .arg(now.x())
+                            .arg(now.y())
+                            .arg(screen.width())
+                            .arg(screen.height());
+  QVERIFY2(screen.contains(now), qPrintable(words));
 }
 
 /// Whatever is filled, selected, left out or at work.

@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -18,7 +19,9 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStyle>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -34,6 +37,12 @@ namespace {
 
 void trigger(MainWindow& window, const char* action) {
   window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
+
+void add_languages() {
+  QTest::addColumn<QString>("language");
+  QTest::newRow("English") << QStringLiteral("en");
+  QTest::newRow("German") << QStringLiteral("de");
 }
 
 /// Everything that a person can read or hear of an object: each of its properties that holds text.
@@ -79,6 +88,12 @@ class WordsTest : public QObject {
   void shift_end_extends();
   void delete_without_a_selection_does_nothing();
   void a_right_click_on_a_hole_offers_what_applies();
+  void the_seam_table_shows_its_values_whole_data();
+  void the_seam_table_shows_its_values_whole();
+  void accept_and_discard_have_the_same_words_data();
+  void accept_and_discard_have_the_same_words();
+  void numbers_are_written_in_one_locale_data();
+  void numbers_are_written_in_one_locale();
 
  private:
   QTemporaryDir folder_;
@@ -332,6 +347,160 @@ void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
   Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
   QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
   open_menu()->close();
+}
+
+void WordsTest::the_seam_table_shows_its_values_whole_data() { add_languages(); }
+
+/// As the docks lie at first, on a screen of 1280 by 720 too.
+void WordsTest::the_seam_table_shows_its_values_whole() {
+  QFETCH(QString, language);
+  install_language(language);
+  QStringList cut_off;
+  int cells = 0, changed = 0;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    press(window, "fillAndSmooth");
+    wait_idle(window);
+    const auto* table = part<QTableWidget>(window, "seamTable");
+    wait_until([&] { return table->rowCount() == static_cast<int>(window.document().patches().size()); }, 5);
+    for (const QSize& size : {window.size(), QSize(1280, 720)}) {
+      window.resize(size);
+      settle(200);
+      for (int row = 0; row < table->rowCount(); ++row)
+        for (int column = 0; column < table->columnCount(); ++column) {
+          const QModelIndex at = table->model()->index(row, column);
+          const QString text = at.data().toString();
+          const int room = table->visualRect(at).width(),
+                    margin = 2 * (table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+          ++cells;
+          changed += text.contains(QChar(0x2192));
+          if (table->fontMetrics().horizontalAdvance(text) + margin > room)
+            cut_off << QStringLiteral("%1: %2 of %3 px")
+                           .arg(text)
+                           .arg(room)
+                           .arg(table->fontMetrics().horizontalAdvance(text) + margin);
+        }
+    }
+  }
+  install_language(QStringLiteral("en"));
+  QVERIFY(cells > 20 && changed > 10);
+  QVERIFY2(cut_off.isEmpty(), qPrintable(cut_off.join(QLatin1Char('\n'))));
+}
+
+void WordsTest::accept_and_discard_have_the_same_words_data() { add_languages(); }
+
+/// On the buttons of the Patch tab, the tools and the compare window, and in the menus.
+void WordsTest::accept_and_discard_have_the_same_words() {
+  QFETCH(QString, language);
+  install_language(language);
+  QSet<QString> accept, discard, reopen;
+  QString menu_accept, undo_reopen;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    const auto plain = [](QString text) { return text.remove(QLatin1Char('&')); };
+    press(window, "fillAndSmooth");
+    wait_idle(window);
+    accept << plain(part<QPushButton>(window, "accept")->text());
+    discard << plain(part<QPushButton>(window, "reject")->text());
+    for (const char* tool : {"toolRegionAction", "toolPointsAction", "toolBlendAction"}) {
+      trigger(window, tool);
+      settle(60);
+      for (const auto& [name, words] : {std::pair{"trialAccept", &accept}, {"trialDiscard", &discard}})
+        if (const auto* button = part<QPushButton>(window, name); button->isVisible()) *words << plain(button->text());
+    }
+    discard << plain(window.findChild<QAction*>(QStringLiteral("rejectAction"), Qt::FindDirectChildrenOnly)->text());
+    menu_accept = plain(window.findChild<QAction*>(QStringLiteral("acceptAction"), Qt::FindDirectChildrenOnly)->text());
+    trigger(window, "compare");
+    settle(300);
+    for (QWidget* other : QApplication::topLevelWidgets())
+      if (auto* button = other->findChild<QPushButton*>(QStringLiteral("paneAccept0")); button && other != &window) {
+        accept << plain(button->text());
+        other->close();
+      }
+    window.selection().select({first_hole(window.document())});
+    press(window, "accept");
+    accept << plain(window.undo().undo_text()).section(QLatin1Char(' '), 0, 0).remove(QLatin1Char(':'));
+    reopen << plain(part<QPushButton>(window, "accept")->text());
+    press(window, "accept");
+    undo_reopen = window.undo().undo_text();
+    press(window, "reject");
+    discard << plain(window.undo().undo_text()).section(QLatin1Char(' '), 0, 0).remove(QLatin1Char(':'));
+  }
+  install_language(QStringLiteral("en"));
+  const auto listed = [](const QSet<QString>& words) {
+    return QStringList(words.values()).join(QStringLiteral(" | "));
+  };
+  QVERIFY2(accept.size() == 1, qPrintable(listed(accept)));
+  QVERIFY2(discard.size() == 1, qPrintable(listed(discard)));
+  QVERIFY2(menu_accept.startsWith(*accept.begin()), qPrintable(menu_accept));
+  QVERIFY2(menu_accept.contains(*reopen.begin(), Qt::CaseInsensitive), qPrintable(menu_accept));
+  QVERIFY2(undo_reopen.startsWith(*reopen.begin()), qPrintable(undo_reopen));
+}
+
+void WordsTest::numbers_are_written_in_one_locale_data() { add_languages(); }
+
+/// In whatever shows text. File names, versions and command lines are no numbers of the window.
+void WordsTest::numbers_are_written_in_one_locale() {
+  QFETCH(QString, language);
+  const bool german = language == QStringLiteral("de");
+  install_language(language);
+  QStringList wrong;
+  int right = 0;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    // A digit, a mark, and digits that no grouping by thousands explains.
+    const QRegularExpression by_point(QStringLiteral("\\d\\.(\\d{1,2}|\\d{4,})(?![\\d.])")),
+        by_comma(QStringLiteral("\\d,(\\d{1,2}|\\d{4,})(?![\\d,])"));
+    const auto look = [&](const QObject& of) {
+      for (const QObject* object : of.findChildren<QObject*>())
+        for (const QString& text : texts_of(*object)) {
+          if (text.contains(QStringLiteral("loopmend ")) || text.contains(QStringLiteral("://"))) continue;
+          right += text.contains(german ? by_comma : by_point);
+          if (text.contains(german ? by_point : by_comma)) wrong << object->objectName() + QStringLiteral(": ") + text;
+        }
+    };
+    press(window, "fillAndSmooth");
+    wait_idle(window);
+    window.selection().select({first_hole(window.document())});
+    press(window, "step");
+    wait_idle(window);
+    window.view().setFocus();
+    key(window, Qt::Key_P);
+    settle(300);
+    look(window);
+    for (const char* dock : {"sceneDock", "toolsDock", "lookDock"}) {
+      part<QDockWidget>(window, dock)->raise();
+      settle(100);
+      look(window);
+    }
+    for (const char* tool : {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolMeasureAction"}) {
+      trigger(window, tool);
+      settle(60);
+      look(window);
+    }
+    for (const char* action : {"compare", "preferences", "screenshot", "repairAction"}) {
+      trigger(window, action);
+      settle(300);
+      for (QWidget* other : QApplication::topLevelWidgets())
+        if (other != &window && other->isVisible() && !other->inherits("QMenu")) {
+          if (qstrcmp(action, "compare") == 0) {
+            if (auto* run = other->findChild<QPushButton*>(QStringLiteral("compareRun"))) {
+              run->click();
+              settle(2000);
+            }
+          }
+          look(*other);
+          other->close();
+        }
+    }
+  }
+  install_language(QStringLiteral("en"));
+  wrong.removeDuplicates();
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+  QVERIFY2(right > 30, qPrintable(QString::number(right)));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<WordsTest>(); }
