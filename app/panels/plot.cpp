@@ -36,7 +36,6 @@ Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
   plot_->plotLayout()->setRowSpacing(0);
   plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
   plot_->legend->setMargins(QMargins(4, 0, 4, 0));
-  plot_->legend->setWrap(2);  // four words in one row would be cut off
   auto* words = new QCPItemText(plot_);
   words->setObjectName(QStringLiteral("words"));
   words->position->setType(QCPItemPosition::ptAxisRectRatio);
@@ -78,6 +77,7 @@ void Plot::set_name(int graph, const QString& name) {
     plot_->graph(graph)->removeFromLegend();
   else
     plot_->graph(graph)->addToLegend();
+  lay_out_legend();
 }
 
 int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
@@ -85,6 +85,7 @@ int Plot::add_graph(Side side, const QString& name, Line line, int ink) {
   graph->setName(name);
   inks_.append({line, ink, true});
   take_colors();
+  lay_out_legend();
   return plot_->graphCount() - 1;
 }
 
@@ -95,6 +96,23 @@ void Plot::make_band(int low, int high) {
   leave_out_of_fit(low);
   leave_out_of_fit(high);
   take_colors();
+}
+
+/// In two columns: four words in one row would be cut off. Where two columns are too wide for a few words, in one.
+void Plot::lay_out_legend() {
+  if (key_ == Key::dropped) return;
+  constexpr int most_rows = 3;
+  const auto arrange = [this](int columns) {
+    plot_->legend->setWrap(columns);
+    plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);  // only this moves what is there
+  };
+  arrange(2);
+  if (plot_->legend->itemCount() <= most_rows && plot_->legend->minimumOuterSizeHint().width() > width()) arrange(1);
+}
+
+void Plot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  lay_out_legend();
 }
 
 void Plot::drop_legend() {

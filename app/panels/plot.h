@@ -51,10 +51,12 @@ class Plot : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QCPAxis* axis(Side side) const;
   void take_colors();
+  void lay_out_legend();
   void fit();
   void fit_axis(Side side);
 
