@@ -9,6 +9,7 @@
 #include "mesh/vertex_fans.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -94,7 +95,11 @@ std::vector<int> add_surface(const TriangleSoup& soup, FlatView& view, std::vect
     return model.mesh.find_halfedge(VertexHandle(view_of[point(from)]), VertexHandle(view_of[point(to)]));
   };
   std::vector<std::pair<TriMesh::HalfedgeHandle, TriMesh::HalfedgeHandle>> next;  // found while all links are whole
-  for (const BoundaryLink& link : parted.links) next.emplace_back(edge(link.from, link.at), edge(link.at, link.to));
+  for (const BoundaryLink& link : parted.links) {
+    next.emplace_back(edge(link.from, link.at), edge(link.at, link.to));
+    if (!next.back().first.is_valid() || !next.back().second.is_valid())
+      throw std::logic_error("make_surface_model: joined copies lost an edge");
+  }
   for (const auto& [in, out] : next) model.mesh.set_next_halfedge_handle(in, out);
   return view_of;
 }

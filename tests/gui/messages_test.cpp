@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window says of its state: messages are whole and name their file, the status bar and the timeline tell the same step,
-// and whatever cannot be done has a next thing to press.
+// What the window says of its state: messages and figures are whole, messages name their file, the status bar and the timeline
+// tell the same step, and whatever cannot be done has a next thing to press.
 #include "driver.h"
 #include "test_main.h"
 
@@ -19,7 +19,9 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSlider>
+#include <QStyle>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -115,6 +117,8 @@ class MessagesTest : public QObject {
   void whatever_cannot_be_filled_leads_on_data();
   void whatever_cannot_be_filled_leads_on();
   void a_patch_that_cuts_the_surface_leads_on();
+  void the_seam_table_shows_its_values_whole_data();
+  void the_seam_table_shows_its_values_whole();
 
  private:
   QString file(const QString& name, const TriangleSoup& soup) {
@@ -363,6 +367,49 @@ void MessagesTest::a_patch_that_cuts_the_surface_leads_on() {
   }
   QVERIFY(part<QPushButton>(window, "trim")->isEnabled());
   QVERIFY(action(window, "eraseRingAction")->isEnabled());
+}
+
+void MessagesTest::the_seam_table_shows_its_values_whole_data() {
+  QTest::addColumn<QString>("language");
+  QTest::newRow("English") << QStringLiteral("en");
+  QTest::newRow("German") << QStringLiteral("de");
+}
+
+/// As the docks lie at first, on a screen of 1280 by 720 too.
+void MessagesTest::the_seam_table_shows_its_values_whole() {
+  QFETCH(QString, language);
+  install_language(language);
+  QStringList cut_off;
+  int cells = 0, changed = 0;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    press(window, "fillAndSmooth");
+    wait_idle(window);
+    const auto* table = part<QTableWidget>(window, "seamTable");
+    wait_until([&] { return table->rowCount() == static_cast<int>(window.document().patches().size()); }, 5);
+    for (const QSize& size : {window.size(), QSize(1280, 720)}) {
+      window.resize(size);
+      settle(200);
+      for (int row = 0; row < table->rowCount(); ++row)
+        for (int column = 0; column < table->columnCount(); ++column) {
+          const QModelIndex at = table->model()->index(row, column);
+          const QString text = at.data().toString();
+          const int room = table->visualRect(at).width(),
+                    margin = 2 * (table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+          ++cells;
+          changed += text.contains(QChar(0x2192));
+          if (table->fontMetrics().horizontalAdvance(text) + margin > room)
+            cut_off << QStringLiteral("%1: %2 of %3 px")
+                           .arg(text)
+                           .arg(room)
+                           .arg(table->fontMetrics().horizontalAdvance(text) + margin);
+        }
+    }
+  }
+  install_language(QStringLiteral("en"));
+  QVERIFY(cells > 20 && changed > 10);
+  QVERIFY2(cut_off.isEmpty(), qPrintable(cut_off.join(QLatin1Char('\n'))));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<MessagesTest>(); }

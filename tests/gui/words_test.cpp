@@ -19,9 +19,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QStyle>
 #include <QTableView>
-#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -88,8 +86,6 @@ class WordsTest : public QObject {
   void shift_end_extends();
   void delete_without_a_selection_does_nothing();
   void a_right_click_on_a_hole_offers_what_applies();
-  void the_seam_table_shows_its_values_whole_data();
-  void the_seam_table_shows_its_values_whole();
   void accept_and_discard_have_the_same_words_data();
   void accept_and_discard_have_the_same_words();
   void numbers_are_written_in_one_locale_data();
@@ -347,45 +343,6 @@ void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
   Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
   QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
   open_menu()->close();
-}
-
-void WordsTest::the_seam_table_shows_its_values_whole_data() { add_languages(); }
-
-/// As the docks lie at first, on a screen of 1280 by 720 too.
-void WordsTest::the_seam_table_shows_its_values_whole() {
-  QFETCH(QString, language);
-  install_language(language);
-  QStringList cut_off;
-  int cells = 0, changed = 0;
-  {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
-    press(window, "fillAndSmooth");
-    wait_idle(window);
-    const auto* table = part<QTableWidget>(window, "seamTable");
-    wait_until([&] { return table->rowCount() == static_cast<int>(window.document().patches().size()); }, 5);
-    for (const QSize& size : {window.size(), QSize(1280, 720)}) {
-      window.resize(size);
-      settle(200);
-      for (int row = 0; row < table->rowCount(); ++row)
-        for (int column = 0; column < table->columnCount(); ++column) {
-          const QModelIndex at = table->model()->index(row, column);
-          const QString text = at.data().toString();
-          const int room = table->visualRect(at).width(),
-                    margin = 2 * (table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
-          ++cells;
-          changed += text.contains(QChar(0x2192));
-          if (table->fontMetrics().horizontalAdvance(text) + margin > room)
-            cut_off << QStringLiteral("%1: %2 of %3 px")
-                           .arg(text)
-                           .arg(room)
-                           .arg(table->fontMetrics().horizontalAdvance(text) + margin);
-        }
-    }
-  }
-  install_language(QStringLiteral("en"));
-  QVERIFY(cells > 20 && changed > 10);
-  QVERIFY2(cut_off.isEmpty(), qPrintable(cut_off.join(QLatin1Char('\n'))));
 }
 
 void WordsTest::accept_and_discard_have_the_same_words_data() { add_languages(); }
