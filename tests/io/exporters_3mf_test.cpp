@@ -57,13 +57,13 @@ std::string stored(const Entries& entries, Sizes sizes) {
     const auto sum = static_cast<std::uint32_t>(
         ::crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size())));
     const auto size = static_cast<std::uint32_t>(content.size());
-    const auto fields = [&](std::string& to, bool is_known) {
+    const auto fields = [&, name_size = static_cast<std::uint32_t>(name.size())](std::string& to, bool is_known) {
       put(to, 20, 2);                             // version
       put(to, sizes == Sizes::after ? 8 : 0, 2);  // flags
       put(to, 0, 2);                              // stored
       put(to, 0x00210000, 4);                     // time
       for (const std::uint32_t x : {sum, size, size}) put(to, is_known ? x : 0, 4);
-      put(to, static_cast<std::uint32_t>(name.size()), 2);
+      put(to, name_size, 2);
       put(to, 0, 2);
     };
     const auto at = static_cast<std::uint32_t>(bytes.size());
