@@ -70,6 +70,7 @@ class Stepper {
     auto next = with_patch(*state_, evolution_->patch(), origin_);
     const EvolutionOptions& options = evolution_->options();
     next->flow = options.flow;
+    next->method = evolution_->method();
     next->steps = state_->steps + 1;
     next->last_step = record;
     next->energy.final = record.energy;

@@ -4,6 +4,7 @@
 #include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "document/labels.h"
+#include "document/run_curves.h"
 #include "document/timeline.h"
 #include "jobs/state_making.h"
 
@@ -303,11 +304,14 @@ void FillController::on_evolved(const EvolveResult& result, RunEnd how) {
 
 QString FillController::run_words(const OpenPatch& before, const OpenPatch& now) const {
   const PatchState& state = *now.state;
-  QString line = tr("%1, %2: %3 steps, energy %4 \u2192 %5, %6 s.")
+  QString line = tr("%1, %2: %3 steps")
                      .arg(labels::sentence(labels::holes(document_, loops_of(now))), labels::flow_name(state.flow))
-                     .arg(state.steps - before.state->steps)
-                     .arg(labels::number(state.energy.initial), labels::number(state.energy.final))
-                     .arg(labels::seconds(std::llround(1000 * state.seconds.total)));
+                     .arg(state.steps - before.state->steps);
+  const RunCurves run(now);
+  if (run.lowered.size() > 1)
+    line += (run.split ? tr(", J %1 \u2192 %2") : tr(", energy %1 \u2192 %2"))
+                .arg(labels::number(run.lowered.front()), labels::number(run.lowered.back()));
+  line += tr(", %1 s.").arg(labels::seconds(std::llround(1000 * state.seconds.total)));
   if (!state.message.empty()) line += QLatin1Char(' ') + QString::fromStdString(state.message);
   return line;
 }

@@ -60,6 +60,7 @@ void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   next->energy = {initial_energy_, record.energy};
   next->message.clear();
   next->flow = task_.options.flow;
+  next->method = evolution.method();
   next->steps = start.steps + record.step;
   next->last_step = record;
   next->seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();

@@ -3,6 +3,7 @@
 
 #include "analysis/section_profile.h"
 #include "document/labels.h"
+#include "document/run_curves.h"
 #include "document/timeline.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
@@ -12,6 +13,7 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -32,23 +34,6 @@ QString energy_unit(FlowKind flow) {
   }
 }
 
-/// J of a split flow (split/split_energy.h), which it lowers, and its parts; ∫‖∇H‖² of the patch with its relief need not fall.
-struct SplitCurves {
-  QVector<double> step, total, smooth, relief;
-
-  explicit SplitCurves(const OpenPatch* patch) {
-    if (!patch) return;
-    for (const PatchStatePtr& state : *patch->timeline) {
-      const SplitEnergy& J = state->last_step.split;
-      if (state->steps == 0 || !(J.total() > 0)) continue;
-      step << state->steps;
-      total << J.total();
-      smooth << J.smooth;
-      relief << J.relief + J.noise;
-    }
-  }
-};
-
 }  // namespace
 
 EnergyView::EnergyView(QWidget* parent)
@@ -56,6 +41,7 @@ EnergyView::EnergyView(QWidget* parent)
       plot_(new Plot("energyPlot", tr("Energy and residual against the step"))) {
   plot_->set_axis(Plot::Side::left, Plot::Scale::logarithmic);
   plot_->set_axis(Plot::Side::right, Plot::Scale::logarithmic);
+  plot_->count_along();
   plot_->add_graph(Plot::Side::left, tr("Energy"), Plot::Line::solid, blue);
   plot_->add_graph(Plot::Side::right, tr("Residual, edge lengths (right)"), Plot::Line::dotted, orange);
   plot_->add_graph(Plot::Side::left, QString(), Plot::Line::dotted, blue);
@@ -67,50 +53,28 @@ EnergyView::EnergyView(QWidget* parent)
 }
 
 void EnergyView::show_run(const OpenPatch* patch) {
-  QVector<double> step, energy, residual_step, residual;
-  bool positive = true;
-  double low = std::numeric_limits<double>::max(), high = 0;
-  if (patch) {
-    double start = patch->state->energy.initial;
-    for (const PatchStatePtr& state : *patch->timeline)
-      if (state->steps > 0) {
-        start = state->energy.initial;
-        break;
-      }
-    for (const PatchStatePtr& state : *patch->timeline) {
-      const double value = state->steps == 0 ? start : state->energy.final;
-      step << state->steps;
-      energy << value;
-      positive = positive && value > 0;
-      low = std::min(low, value);
-      high = std::max(high, value);
-      if (state->steps == 0 || !(state->last_step.max_move > 0)) continue;
-      residual_step << state->steps;
-      residual << state->last_step.max_move;
-    }
+  const bool has_run = patch && patch->state->steps > 0;
+  plot_->show_words(has_run ? QString() : tr("Run a flow, and its energy is drawn here."));
+  if (!has_run) {
+    for (int graph : {energy_graph, residual_graph, smooth_graph, relief_graph}) plot_->set_data(graph, {}, {});
+    plot_->hide_marker();
+    return plot_->redraw();
   }
+  const RunCurves run(*patch);
+  const auto [low, high] = std::minmax_element(run.lowered.begin(), run.lowered.end());
   constexpr double wide = 20;  // from here on a straight scale shows nothing of the end
-  plot_->set_name(energy_graph, patch ? energy_unit(patch->state->flow) : tr("Energy"));
-  plot_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
-  if (step.size() < 2) {
-    step.clear();
-    energy.clear();
-  }
-  const SplitCurves split(patch);
-  const bool is_split = !split.step.empty();
-  if (is_split) {
-    plot_->set_name(energy_graph, tr("J, which the flow lowers"));
-    plot_->set_axis(Plot::Side::left, Plot::Scale::linear);
-  }
-  plot_->set_name(smooth_graph, is_split ? tr("its smooth part") : QString());
-  plot_->set_name(relief_graph, is_split ? tr("relief and noise") : QString());
-  plot_->set_data(energy_graph, is_split ? split.step : step, is_split ? split.total : energy);
-  plot_->set_data(residual_graph, residual_step, residual);
-  plot_->set_data(smooth_graph, split.step, split.smooth);
-  plot_->set_data(relief_graph, split.step, split.relief);
-  if (patch) plot_->set_marker(patch->state->steps);
-  if (step.size() < 2) plot_->hide_marker();
-  plot_->show_words(step.size() < 2 ? tr("Run a flow, and its energy is drawn here.") : QString());
+  const bool logarithmic = !run.split && !run.step.empty() && *low > 0 && *high > wide * *low;
+  plot_->set_axis(Plot::Side::left, logarithmic ? Plot::Scale::logarithmic : Plot::Scale::linear);
+  plot_->set_name(energy_graph, run.fairing ? QString()
+                                : run.split ? tr("J, which the flow lowers")
+                                            : energy_unit(patch->state->flow));
+  plot_->set_name(smooth_graph, run.split ? tr("its smooth part") : QString());
+  plot_->set_name(relief_graph, run.split ? tr("relief and noise") : QString());
+  plot_->set_data(energy_graph, run.step, run.lowered);
+  plot_->set_data(residual_graph, run.residual_step, run.residual);
+  plot_->set_data(smooth_graph, run.split ? run.step : QVector<double>(), run.smooth);
+  plot_->set_data(relief_graph, run.split ? run.step : QVector<double>(), run.relief);
+  plot_->set_marker(patch->state->steps);
   plot_->redraw();
 }
 

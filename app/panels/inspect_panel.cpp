@@ -148,6 +148,11 @@ QWidget* InspectPanel::build_curves() {
   tabs_->setTabToolTip(1, tr("Mean curvature along a section across the seam"));
   tabs_->setTabToolTip(2, tr("What has happened so far"));
   explain(tabs_, tr("Energy, section, log"), {});
+  curve_hole_ = new QLabel;
+  curve_hole_->setObjectName(QStringLiteral("curveHole"));
+  curve_hole_->setContentsMargins(0, 0, 8, 0);
+  explain(curve_hole_, tr("Whose curves"), tr("The hole whose energy and section are drawn"));
+  tabs_->setCornerWidget(curve_hole_);
   return tabs_;
 }
 
@@ -183,13 +188,19 @@ std::vector<int> InspectPanel::shown_loops() const {
   return loops;
 }
 
+/// Of the patch that a run moves, else of the hole in the table's first row.
 void InspectPanel::update_curves(int loop) {
   const OpenPatch* patch = loop == no_loop ? nullptr : document_.patch_of(loop);
   const OpenPatch* run = document_.patch(run_);
-  energy_->show_run(run && patch ? run : patch);
+  const OpenPatch* followed = run && patch ? run : patch;
   int place = 0;
-  if (patch) place = static_cast<int>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
-  section_->show_patch(patch, place);
+  if (followed && followed == patch)
+    place = static_cast<int>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  energy_->show_run(followed);
+  section_->show_patch(followed, place);
+  const std::set<int> holes =
+      followed ? std::set<int>(followed->loops.begin(), followed->loops.end()) : std::set<int>();
+  curve_hole_->setText(holes.empty() ? QString() : labels::sentence(labels::holes(document_, holes)));
 }
 
 void InspectPanel::follow_run(int patch_id) {
@@ -238,10 +249,14 @@ void InspectPanel::fill_row(int row, int loop) {
       text = before == now ? now : before.chopped(unit.size()) + QStringLiteral(" \u2192 ") + now;
     }
     if (QTableWidgetItem* there = seam_->item(row, column)) {
-      if (there->text() != text) there->setText(text);
+      if (there->text() != text) {
+        there->setText(text);
+        there->setToolTip(text);
+      }
       continue;
     }
     auto* item = new QTableWidgetItem(text);
+    item->setToolTip(text);
     item->setTextAlignment(Qt::AlignVCenter | (column == hole ? Qt::AlignLeft : Qt::AlignRight));
     seam_->setItem(row, column, item);
   }

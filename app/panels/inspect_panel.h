@@ -50,6 +50,7 @@ class InspectPanel : public QWidget {
   QPlainTextEdit* log_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   EnergyView* energy_ = nullptr;
+  QLabel* curve_hole_ = nullptr;
   SectionView* section_ = nullptr;
 };
 

@@ -125,6 +125,14 @@ void Plot::drop_legend() {
 
 void Plot::leave_out_of_fit(int graph) { inks_[graph].counts = false; }
 
+void Plot::count_along() {
+  const QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);
+  whole->setTickStep(1);
+  whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+  plot_->xAxis->setTicker(whole);
+  take_colors();
+}
+
 void Plot::set_axis_name(Side side, const QString& name) { axis(side)->setLabel(name); }
 
 void Plot::set_data(int graph, const QVector<double>& x, const QVector<double>& y) {
@@ -157,11 +165,6 @@ void Plot::show_words(const QString& words) {
   item->setText(words);
   item->setVisible(!words.isEmpty());
   plot_->legend->setVisible(words.isEmpty() && key_ == Key::shown);
-  // Axes without curves are noise.
-  for (QCPAxis* at : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
-    at->setVisible(words.isEmpty() && (at != plot_->yAxis2 || !at->graphs().isEmpty()));
-    at->grid()->setVisible(words.isEmpty() && at != plot_->yAxis2);
-  }
 }
 
 void Plot::fit_axis(Side side) {
@@ -194,7 +197,23 @@ void Plot::fit() {
   fit_axis(Side::right);
 }
 
+/// Axes without curves are noise.
+void Plot::show_axes() {
+  const auto is_drawn = [](const QCPGraph* graph) { return !graph->data()->isEmpty(); };
+  bool any = false;
+  for (QCPAxis* at : {plot_->yAxis, plot_->yAxis2}) {
+    const QList<QCPGraph*> graphs = at->graphs();
+    const bool shown = words_.isEmpty() && std::any_of(graphs.begin(), graphs.end(), is_drawn);
+    at->setVisible(shown);
+    at->grid()->setVisible(shown && at == plot_->yAxis);
+    any = any || shown;
+  }
+  plot_->xAxis->setVisible(any);
+  plot_->xAxis->grid()->setVisible(any);
+}
+
 void Plot::redraw() {
+  show_axes();
   fit();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }

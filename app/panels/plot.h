@@ -28,6 +28,8 @@ class Plot : public QWidget {
   enum class Line { solid, faint, dotted, band };
 
   void set_axis(Side side, Scale scale);
+  /// The lower axis counts: ticks at whole numbers only.
+  void count_along();
   void set_axis_name(Side side, const QString& name);
   /// @param ink  see plot_ink(). @returns the graph's index.
   int add_graph(Side side, const QString& name, Line line, int ink);
@@ -57,6 +59,7 @@ class Plot : public QWidget {
   QCPAxis* axis(Side side) const;
   void take_colors();
   void lay_out_legend();
+  void show_axes();
   void fit();
   void fit_axis(Side side);
 

@@ -3,6 +3,7 @@
 
 #include "document/document.h"
 #include "document/labels.h"
+#include "document/run_curves.h"
 #include "jobs/fill_controller.h"
 #include "jobs/print_check.h"
 
@@ -86,9 +87,12 @@ void StatusLine::show_figures(int patch_id) {
     return;
   }
   const PatchState& state = *patch->state;
-  const double J = state.last_step.split.total();
-  QString text = J > 0 ? tr("step %1 \u00b7 J %2").arg(state.steps).arg(labels::number(J))
-                       : tr("step %1 \u00b7 energy %2").arg(state.steps).arg(labels::number(state.energy.final));
+  QString text = tr("step %1").arg(state.steps);
+  switch (lowered_by_last_step(state)) {
+    case Lowered::J: text += tr(" \u00b7 J %1").arg(labels::number(state.last_step.split.total())); break;
+    case Lowered::energy: text += tr(" \u00b7 energy %1").arg(labels::number(state.energy.final)); break;
+    case Lowered::nothing: break;
+  }
   if (state.last_step.max_move > 0) text += tr(" \u00b7 residual %1").arg(labels::number(state.last_step.max_move));
   if (state.last_step.tau > 0)
     text += tr(" \u00b7 \u03c3 %1 \u00b7 \u03c4 %2")

@@ -1182,10 +1182,6 @@
             <translation>%1: %2</translation>
         </message>
         <message>
-            <source>%1, %2: %3 steps, energy %4 → %5, %6 s.</source>
-            <translation>%1, %2: %3 Schritte, Energie %4 → %5, %6 s.</translation>
-        </message>
-        <message>
             <source>%1 could not be solved together; each was solved by itself.</source>
             <translation>%1 ließen sich nicht gemeinsam lösen; jedes wurde für sich gelöst.</translation>
         </message>
@@ -1467,6 +1463,22 @@
         <message>
             <source>Open again: %1</source>
             <translation>Wieder öffnen: %1</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3 steps</source>
+            <translation>%1, %2: %3 Schritte</translation>
+        </message>
+        <message>
+            <source>, J %1 → %2</source>
+            <translation>, J %1 → %2</translation>
+        </message>
+        <message>
+            <source>, energy %1 → %2</source>
+            <translation>, Energie %1 → %2</translation>
+        </message>
+        <message>
+            <source>, %1 s.</source>
+            <translation>, %1 s.</translation>
         </message>
     </context>
     <context>
@@ -2051,6 +2063,14 @@
         <message>
             <source>No hole is filled yet. Press Fill and smooth, and the seam is measured here.</source>
             <translation>Noch ist kein Loch gefüllt. Nach dem Füllen steht hier die Naht.</translation>
+        </message>
+        <message>
+            <source>Whose curves</source>
+            <translation>Wessen Kurven</translation>
+        </message>
+        <message>
+            <source>The hole whose energy and section are drawn</source>
+            <translation>Das Loch, dessen Energie und Schnitt gezeichnet sind</translation>
         </message>
     </context>
     <context>
@@ -3415,10 +3435,6 @@
             <translation>%1 Dreiecke · %2 Ecken</translation>
         </message>
         <message>
-            <source>step %1 · energy %2</source>
-            <translation>Schritt %1 · Energie %2</translation>
-        </message>
-        <message>
             <source> · residual %1</source>
             <translation> · Rest %1</translation>
         </message>
@@ -3429,10 +3445,6 @@
         <message>
             <source> · %1 s</source>
             <translation> · %1 s</translation>
-        </message>
-        <message>
-            <source>step %1 · J %2</source>
-            <translation>Schritt %1 · J %2</translation>
         </message>
         <message numerus="yes">
             <source>Not watertight: %n open boundary loop(s)</source>
@@ -3448,6 +3460,18 @@
         <message>
             <source>No open boundary loops</source>
             <translation>Keine offenen Randschleifen</translation>
+        </message>
+        <message>
+            <source>step %1</source>
+            <translation>Schritt %1</translation>
+        </message>
+        <message>
+            <source> · J %1</source>
+            <translation> · J %1</translation>
+        </message>
+        <message>
+            <source> · energy %1</source>
+            <translation> · Energie %1</translation>
         </message>
     </context>
     <context>

@@ -5,6 +5,7 @@
 #include "test_main.h"
 
 #include "document/language.h"
+#include "document/run_curves.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
 #include "panels/plot_library.h"
@@ -114,6 +115,8 @@ class MessagesTest : public QObject {
   void a_message_is_seen_whole();
   void messages_name_their_file();
   void status_bar_timeline_and_plot_tell_the_same_step();
+  void the_plot_draws_what_the_steps_lower_data();
+  void the_plot_draws_what_the_steps_lower();
   void whatever_cannot_be_filled_leads_on_data();
   void whatever_cannot_be_filled_leads_on();
   void a_patch_that_cuts_the_surface_leads_on();
@@ -276,6 +279,39 @@ void MessagesTest::status_bar_timeline_and_plot_tell_the_same_step() {
   QVERIFY(wait_idle(window));
   QVERIFY(steps_of_timeline(window) > 0);
   QVERIFY(same(steps_of_timeline(window)));
+}
+
+void MessagesTest::the_plot_draws_what_the_steps_lower_data() {
+  QTest::addColumn<int>("boundary");
+  QTest::addColumn<QString>("legend");
+  QTest::newRow("flow") << 1 << QStringLiteral("|\u2207H|");
+  QTest::newRow("robust fairing lowers no energy") << 2 << QString();
+}
+
+void MessagesTest::the_plot_draws_what_the_steps_lower() {
+  QFETCH(int, boundary);
+  QFETCH(QString, legend);
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const int hole = first_hole(window.document());
+  window.selection().select({hole});
+  part<QComboBox>(window, "boundary")->setCurrentIndex(boundary);
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 120));
+  const RunCurves run(*window.document().patch_of(hole));
+  QCOMPARE(run.fairing, legend.isEmpty());
+  QCOMPARE(run.lowered.empty(), legend.isEmpty());
+  auto* drawn = part<QWidget>(window, "energyPlot")->findChild<QCustomPlot*>();
+  const auto named = [&] {
+    const QCPGraph* graph = drawn->graph(0);
+    return legend.isEmpty() ? graph->name().isEmpty() && graph->data()->isEmpty()
+                            : graph->name().contains(legend) && !graph->data()->isEmpty();
+  };
+  QVERIFY(wait_until(named, 5));
+  QVERIFY(!drawn->graph(1)->data()->isEmpty());
+  QCOMPARE(drawn->yAxis->visible(), !legend.isEmpty());
+  QCOMPARE(part<QLabel>(window, "curveHole")->text(),
+           QStringLiteral("Hole %1").arg(window.document().loop(hole).number));
 }
 
 void MessagesTest::whatever_cannot_be_filled_leads_on_data() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Run and Fill and smooth end at the same surface, on the sample and on every shared scan with a hole of moderate size.
+#include "document/run_curves.h"
 #include "driver.h"
 #include "test_main.h"
 
@@ -33,6 +34,15 @@ std::set<int> chosen_holes(const Document& document) {
   for (int hole : holes)
     if (chosen.size() < holes_of_a_scan) chosen.insert(hole);
   return chosen;
+}
+
+/// @returns the first rise of what the energy plot draws as lowered; empty where there is none.
+QString rise_of(const OpenPatch& patch) {
+  const QVector<double> lowered = RunCurves(patch).lowered;
+  for (int i = 1; i < lowered.size(); ++i)
+    if (lowered[i] > lowered[i - 1])
+      return QStringLiteral("point %1 of the energy plot: %2 after %3").arg(i).arg(lowered[i]).arg(lowered[i - 1]);
+  return {};
 }
 
 }  // namespace
@@ -89,6 +99,8 @@ void SameEndTest::run_ends_where_fill_and_smooth_ends() {
     QVERIFY2(run.patch.positions == once.patch.positions,
              qPrintable(QStringLiteral("hole %1: Run and Fill and smooth end in different surfaces")
                             .arg(document.loop(hole).number)));
+    const QString rise = rise_of(*patch);
+    QVERIFY2(rise.isEmpty(), qPrintable(rise));
     steps += run.steps;
   }
   qInfo("%zu holes, %d steps", whole.size(), steps);
