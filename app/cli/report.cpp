@@ -13,16 +13,16 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// JSON knows no NaN: null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace
 
 Json seam_json(const SeamReport& seam) {
-  return {{"g1_rms_deg", number(seam.g1_rms_deg)},
-          {"g1_max_deg", number(seam.g1_max_deg)},
-          {"h_jump_rms", number(seam.h_jump_rms)},
-          {"h_jump_max", number(seam.h_jump_max)},
-          {"h_jump_rms_times_diameter", number(seam.h_jump_rms_times_diameter)}};
+  return {{"g1_rms_deg", json_number(seam.g1_rms_deg)},
+          {"g1_max_deg", json_number(seam.g1_max_deg)},
+          {"h_jump_rms", json_number(seam.h_jump_rms)},
+          {"h_jump_max", json_number(seam.h_jump_max)},
+          {"h_jump_rms_times_diameter", json_number(seam.h_jump_rms_times_diameter)}};
 }
 
 Json input_json(const std::filesystem::path& path, const ImportReport& import, const ModelRepairs& repairs) {
@@ -58,7 +58,7 @@ Json loop_json(const BoundaryLoop& loop) {
           {"area", loop.area},
           {"turning", loop.turning},
           {"extent", loop.extent},
-          {"depth", number(loop.depth > 0 ? loop.depth : std::nan(""))},
+          {"depth", json_number(loop.depth > 0 ? loop.depth : std::nan(""))},
           {"onward", loop.onward},
           {"coincident_edges", loop.coincident},
           {"kind", to_string(loop.kind)}};
@@ -69,17 +69,17 @@ namespace {
 Json rim_json(const HoleResult& result) {
   const RimSummary rim = result.neighborhood();
   return {{"surroundings", to_string(rim.split.kind())},
-          {"relief", number(rim.relief)},
-          {"relief_per_edge", number(rim.relief_per_edge)},
-          {"noise", number(rim.noise)},
-          {"noise_per_edge", number(rim.noise_per_edge)},
-          {"relief_wavelength", number(2 * std::numbers::pi * rim.split.relief)},
-          {"noise_wavelength", number(2 * std::numbers::pi * rim.split.noise)},
-          {"normal_sigma_deg", number(rim.normal_sigma_deg)},
-          {"h_rms", number(rim.H)},
-          {"h_sigma", number(rim.H_sigma)},
-          {"gradient_h_rms", number(rim.gradient)},
-          {"gradient_h_sigma", number(rim.gradient_sigma)},
+          {"relief", json_number(rim.relief)},
+          {"relief_per_edge", json_number(rim.relief_per_edge)},
+          {"noise", json_number(rim.noise)},
+          {"noise_per_edge", json_number(rim.noise_per_edge)},
+          {"relief_wavelength", json_number(2 * std::numbers::pi * rim.split.relief)},
+          {"noise_wavelength", json_number(2 * std::numbers::pi * rim.split.noise)},
+          {"normal_sigma_deg", json_number(rim.normal_sigma_deg)},
+          {"h_rms", json_number(rim.H)},
+          {"h_sigma", json_number(rim.H_sigma)},
+          {"gradient_h_rms", json_number(rim.gradient)},
+          {"gradient_h_sigma", json_number(rim.gradient_sigma)},
           {"fitted_vertices", rim.fitted}};
 }
 
@@ -96,8 +96,9 @@ Json loop_json(const HoleResult& result) {
   json["made_by"] = patch.made_by;
   if (is_filled(result.status)) {
     const Proportion proportion = result.proportion();
-    json["proportion"] = {
-        {"area", number(proportion.area)}, {"depth", number(proportion.depth)}, {"energy", number(proportion.energy)}};
+    json["proportion"] = {{"area", json_number(proportion.area)},
+                          {"depth", json_number(proportion.depth)},
+                          {"energy", json_number(proportion.energy)}};
   }
   json["free_vertices"] = result.free_vertices;
   json["steps"] = patch.steps;
@@ -107,7 +108,7 @@ Json loop_json(const HoleResult& result) {
                      {"assemble", patch.seconds.assemble},
                      {"solve", patch.seconds.solve},
                      {"total", result.seconds}};
-  json["energy"] = {{"initial", number(patch.energy.initial)}, {"final", number(patch.energy.final)}};
+  json["energy"] = {{"initial", json_number(patch.energy.initial)}, {"final", json_number(patch.energy.final)}};
   json["seam_before"] = seam_json(result.seam_before());
   json["seam_after"] = seam_json(result.seam_after());
   return json;
@@ -133,7 +134,7 @@ Json patch_json(const PatchResult& result) {
           {"free_vertices", result.patch.free_count},
           {"steps", result.steps},
           {"bending", result.bending},
-          {"energy", {{"initial", number(result.energy.initial)}, {"final", number(result.energy.final)}}},
+          {"energy", {{"initial", json_number(result.energy.initial)}, {"final", json_number(result.energy.final)}}},
           {"seconds", {{"assemble", result.seconds.assemble}, {"solve", result.seconds.solve}}},
           {"folds", result.validity.folds},
           {"self_intersections", result.validity.intersections},

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/bridge_topology.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
-
-#include <Eigen/Geometry>
+#include "core/rotation.h"
+#include "filling/delaunay.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
-#include <tuple>
 
 namespace loopmend {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr double pi = std::numbers::pi;
 constexpr double surely = 0.05;        ///< below this cosine a sense is not told from a sense of the other kind
 constexpr double widest_cap = 1.3;     ///< radians: less than a hemisphere
@@ -58,7 +52,7 @@ std::vector<double> chord_fractions(const Points& points) {
 /// plane being laid square to the direction.
 std::vector<double> cap_angles(const BridgeEnd& end, const Vec3& direction, int sense) {
   const Vec3 e1 = direction.unitOrthogonal(), e2 = direction.cross(e1), center = mean_of(end.points);
-  const Eigen::Quaterniond lay = Eigen::Quaterniond::FromTwoVectors(-sense * end.axis, direction);
+  const Eigen::Quaterniond lay = rotation_between(-sense * end.axis, direction);
   std::vector<double> angle = chord_fractions(end.points);
   double cosine = 0, sine = 0;
   for (std::size_t i = 0; i < angle.size(); ++i) {
@@ -109,32 +103,6 @@ std::vector<Cap> caps_of(const std::vector<BridgeEnd>& ends, const Vec3& center)
   return caps;
 }
 
-/// Facets of the convex hull of points on a sphere, outwards. Each point is a corner of it.
-Triangles hull_of(const Points& points) {
-  std::vector<Kernel::Point_3> input;
-  std::map<std::tuple<double, double, double>, int> number;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    input.emplace_back(points[i].x(), points[i].y(), points[i].z());
-    number.emplace(std::tuple(points[i].x(), points[i].y(), points[i].z()), static_cast<int>(i));
-  }
-  CGAL::Surface_mesh<Kernel::Point_3> hull;
-  CGAL::convex_hull_3(input.begin(), input.end(), hull);
-  Triangles triangles;
-  for (const auto face : hull.faces()) {
-    std::vector<int> corners;
-    for (const auto v : hull.vertices_around_face(hull.halfedge(face))) {
-      const auto& p = hull.point(v);
-      corners.push_back(number.at(std::tuple(p.x(), p.y(), p.z())));
-    }
-    if (corners.size() != 3) return {};
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    triangles.push_back({corners[0], corners[1], corners[2]});
-  }
-  // CGAL keeps the border of what it has seen in order of addresses: its facets come in another order in every process.
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
 }  // namespace
 
 int turning_sense(const BridgeEnd& end, const Vec3& center) {
@@ -159,7 +127,7 @@ Triangles bridge_by_hull(const std::vector<BridgeEnd>& ends) {
   }
   Triangles triangles;
   const int sense = turning_sense(ends.front(), meeting_point(ends));
-  for (Triangle t : hull_of(points)) {
+  for (Triangle t : hull_facets(points)) {
     if (owner[t[0]] == owner[t[1]] && owner[t[1]] == owner[t[2]]) continue;
     if (sense < 0) std::swap(t[1], t[2]);
     triangles.push_back(t);

@@ -4,7 +4,7 @@
 #include "core/error.h"
 #include "solvers/linear_solver.h"
 
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCore>
 #include <unsupported/Eigen/AutoDiff>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Spline centripetal_spline(const Points& corners) {
   Spline spline{corners, Points(corners.size()), {}};
   for (int k = 0; k < m; ++k) spline.width.push_back(std::sqrt((corners[(k + 1) % m] - corners[k]).norm()));
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixX3d rhs(m, 3);
+  Eigen::MatrixXd rhs(m, 3);
   for (int k = 0; k < m; ++k) {
     const int before = (k + m - 1) % m, after = (k + 1) % m;
     const double a = 1 / spline.width[before], b = 1 / spline.width[k];
@@ -55,8 +55,10 @@ Spline centripetal_spline(const Points& corners) {
   }
   Sparse A(m, m);
   A.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SparseLU<Sparse> lu(A);  // diagonally dominant
-  const Eigen::MatrixX3d tangents = lu.solve(rhs);
+  // Symmetric and diagonally dominant: only corners that are not finite, or all in one place, have no solution.
+  const auto solver = make_spd_solver();
+  Eigen::MatrixXd tangents = Eigen::MatrixXd::Zero(m, 3);
+  if (solver->factorize(A)) solver->solve(rhs, tangents);
   for (int k = 0; k < m; ++k) spline.tangents[k] = tangents.row(k).transpose();
   return spline;
 }

@@ -28,7 +28,7 @@ struct Weight {
 };
 
 /// Far beyond the rounding of unit normals and areas: what differs by more need not be known exactly to be compared.
-constexpr double clearly = 1e-10;
+constexpr double plainly = 1e-10;
 
 /// What is known of the best triangulation between two points.
 struct Span {
@@ -128,12 +128,12 @@ class Search {
     const double squared = across.x() * across.x() + across.y() * across.y() + across.z() * across.z();
     double cosine = std::min(across.dot(left.normal), across.dot(right.normal));
     if (i == 0 && k == n_ - 1) cosine = std::min(cosine, across.dot(border_[k]));
-    const double least = best.cosine - clearly;
+    const double least = best.cosine - plainly;
     // Most end here, without waiting for the root.
-    if (any && least > 0 && (cosine < 0 || cosine * cosine < (1 - clearly) * least * least * squared)) return;
+    if (any && least > 0 && (cosine < 0 || cosine * cosine < (1 - plainly) * least * least * squared)) return;
     const double length = std::sqrt(squared);
     if (any && cosine < least * length) return;
-    const bool flatter = cosine > (std::min(left.cosine, right.cosine) + clearly) * length;
+    const bool flatter = cosine > (std::min(left.cosine, right.cosine) + plainly) * length;
     if (!flatter) weight.angle = std::max(weight.angle, worst_dihedral(i, m, k));
     if (any && weight.angle > best.weight.angle) return;
     weight.area = left.weight.area + right.weight.area + length / 2;

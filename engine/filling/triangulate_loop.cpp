@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/triangulate_loop.h"
 
+#include "core/rotation.h"
+#include "filling/delaunay.h"
 #include "filling/minimum_weight_triangulation.h"
 #include "mesh/self_intersections.h"
-
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include "mesh/triangulate_polygon.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
 namespace loopmend {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// What the loop looks like from inside. It begins with the loop's second vertex. Empty where an edge is no boundary edge.
 OpenLoop seen_from_inside(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop) {
@@ -61,21 +58,11 @@ OpenLoop seen_from_inside(const Points& points, const Triangles& neighborhood, c
 /// triangles at those edges of the loop that it lacks. CGAL's own search among them starts where cells happen to lie in
 /// memory, and of equally good triangulations keeps the first: on symmetric loops it is not the same from run to run.
 Triangles delaunay_triangles(const Points& points) {
-  using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
-  using Structure = CGAL::Triangulation_data_structure_3<VertexBase, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-  std::vector<std::pair<Kernel::Point_3, int>> numbered;
-  for (const Vec3& p : points) numbered.push_back({{p.x(), p.y(), p.z()}, static_cast<int>(numbered.size())});
-  const CGAL::Delaunay_triangulation_3<Kernel, Structure> delaunay(numbered.begin(), numbered.end());
-  Triangles triangles;
-  if (delaunay.dimension() < 2) return triangles;
+  Triangles triangles = delaunay_faces(points);
+  if (triangles.empty()) return triangles;
   const int n = static_cast<int>(points.size());
   std::vector<char> has_edge(n, 0);  // to the next point of the loop
-  for (const auto& [cell, opposite] : delaunay.finite_facets()) {
-    Triangle t;
-    for (int k = 0, v = 0; v < 4; ++v)
-      if (v != opposite) t[k++] = cell->vertex(v)->info();
-    std::sort(t.begin(), t.end());
-    triangles.push_back(t);
+  for (const Triangle& t : triangles) {
     if (t[1] == t[0] + 1) has_edge[t[0]] = 1;
     if (t[2] == t[1] + 1) has_edge[t[1]] = 1;
     if (t[0] == 0 && t[2] == n - 1) has_edge[n - 1] = 1;
@@ -103,24 +90,16 @@ Triangles least_folded(const OpenLoop& loop, TriangulationMethod method) {
 
 /// Constrained Delaunay in the plane that fits best; empty where the loop's image crosses itself.
 Triangles planar_triangulation(const OpenLoop& loop) {
-  std::vector<Kernel::Point_3> points;
-  for (const Vec3& p : loop.points) points.emplace_back(p.x(), p.y(), p.z());
-  std::vector<CGAL::Triple<int, int, int>> found;
-  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-      points, std::back_inserter(found),
-      CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
-          .threshold_distance(std::numeric_limits<double>::max())
-          .use_delaunay_triangulation(false)
-          .do_not_use_cubic_algorithm(true));
-  Triangles triangles;
-  for (const auto& t : found) triangles.push_back({t.first, t.second, t.third});
-  const int n = static_cast<int>(points.size());
-  const bool along = std::any_of(triangles.begin(), triangles.end(), [n](const Triangle& t) {
-    return (t[0] + 1) % n == t[1] || (t[1] + 1) % n == t[2] || (t[2] + 1) % n == t[0];
-  });
-  if (!along)
-    for (Triangle& t : triangles) std::swap(t[1], t[2]);
-  return triangles;
+  const std::size_t n = loop.points.size();
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < n; ++i)
+    area += (loop.points[i] - loop.points[0]).cross(loop.points[(i + 1) % n] - loop.points[0]);
+  const Eigen::Quaterniond flat = rotation_between(area, Vec3::UnitZ());
+  Points points;
+  for (const Vec3& p : loop.points) points.push_back(flat * p);
+  std::vector<int> polygon(n);
+  std::iota(polygon.begin(), polygon.end(), 0);
+  return triangulate_seen_flat(points, polygon);
 }
 
 constexpr int longest_for_all_triangles = 60;  ///< 34 220 triangles

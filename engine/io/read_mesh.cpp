@@ -8,7 +8,7 @@
 #include "io/gzip.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
-#include "io/triangulate_polygon.h"
+#include "mesh/triangulate_polygon.h"
 #include "mesh/join_touching_fans.h"
 #include "mesh/scan_attributes.h"
 #include "mesh/vertex_survey.h"

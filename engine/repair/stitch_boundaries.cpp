@@ -23,7 +23,7 @@ using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using TreeBox = bg::model::box<TreePoint>;
 using Tree = bg::index::rtree<std::pair<TreePoint, int>, bg::index::quadratic<16>>;
 
-TreePoint place(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+TreePoint tree_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// A boundary edge of the soup, as it runs in its face.
 struct BoundaryEdge {
@@ -90,7 +90,7 @@ class Stitching {
     for (std::size_t v = 0; v < size_.size(); ++v) {
       if (count[v] == 0) continue;
       size_[v] = sum[v] / count[v];
-      entries.emplace_back(place(soup_.points[v]), static_cast<int>(v));
+      entries.emplace_back(tree_point(soup_.points[v]), static_cast<int>(v));
     }
     tree_ = Tree(entries);
   }
@@ -102,7 +102,7 @@ class Stitching {
 
   std::vector<int> near(const Vec3& low, const Vec3& high) const {
     std::vector<int> found;
-    const TreeBox box(place(low), place(high));
+    const TreeBox box(tree_point(low), tree_point(high));
     for (auto it = tree_.qbegin(bg::index::intersects(box)); it != tree_.qend(); ++it) found.push_back(it->second);
     std::sort(found.begin(), found.end());
     return found;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples/paper_inputs.h"
 
+#include "core/rotation.h"
 #include "samples/analytic_surfaces.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -14,7 +13,7 @@ namespace loopmend {
 
 TriangleSoup make_tube(const TubeShape& shape) {
   TriangleSoup tube = make_cylinder(shape.length / shape.radius, shape.around);
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), shape.direction);
+  const Eigen::Quaterniond turn = rotation_between(Vec3::UnitZ(), shape.direction);
   for (Vec3& p : tube.points) p = shape.start + shape.radius * (turn * p);
   return tube;
 }

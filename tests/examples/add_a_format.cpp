@@ -6,7 +6,7 @@
 #include "io/parse_errors.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
-#include "io/triangulate_polygon.h"
+#include "mesh/triangulate_polygon.h"
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/mesh_facts.h"

@@ -252,8 +252,8 @@ INSTANTIATE_TEST_SUITE_P(SurfacesAndMeshes, Convergence,
                                                           bench::MeshKind::irregular)));
 
 TEST_P(Convergence, OfTwoRingFits) {
-  const auto [index, kind] = GetParam();
-  const Case surface = all_surfaces()[index];
+  const Case surface = all_surfaces()[std::get<0>(GetParam())];
+  const bench::MeshKind kind = std::get<1>(GetParam());
   const auto errors = [&](int k) {
     return errors_on(bench::with_mesh(surface.mesh(k), kind, 5).mesh, surface.exact, Stencil::two_ring);
   };

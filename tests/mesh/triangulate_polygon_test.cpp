@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polygons into triangles: inside the polygon, oriented like it, always size - 2 of them.
-#include "io/triangulate_polygon.h"
+#include "mesh/triangulate_polygon.h"
 
 #include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
+#include <array>
 
 #include <chrono>
 #include <cmath>
@@ -134,6 +136,18 @@ TEST(TriangulatePolygon, LargeOutlines) {
     area += part;
   }
   EXPECT_NEAR(area, std::numbers::pi * 1.045, 1e-5);
+}
+
+TEST(TriangulateSeenFlat, AnArrowhead) {
+  const Points points = {{0, 0, 0}, {2, 2, 0.1}, {0, 1, 0}, {-2, 2, 0.1}};
+  EXPECT_EQ(triangulate_seen_flat(points, std::array{0, 1, 2, 3}), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(TriangulateSeenFlat, NoneWhereThePolygonCrossesOrTouchesItself) {
+  const Points crossing = {{0, 0, 0}, {3, 0, 0}, {0, 1, 0}, {3, 2, 0}};
+  EXPECT_TRUE(triangulate_seen_flat(crossing, std::array{0, 1, 2, 3}).empty());
+  const Points touching = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}};
+  EXPECT_TRUE(triangulate_seen_flat(touching, std::array{0, 1, 2, 3, 4, 5}).empty());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One polygon of a file into triangles.
+// A polygon into triangles.
 #pragma once
 
 #include "core/types.h"
@@ -14,5 +14,10 @@ namespace loopmend {
 /// that cross themselves the triangulation of least area (up to 128 corners) or a fan.
 /// @param polygon  at least 3 indices into `points`
 void triangulate_polygon(const Points& points, std::span<const int> polygon, Triangles& triangles);
+
+/// A constrained Delaunay triangulation of the polygon, seen along the axis to which its area vector is nearest.
+/// @return size - 2 triangles over the polygon's vertices, oriented like it, each from its least vertex on, in ascending order;
+/// empty where it crosses itself when seen so, or touches itself.
+Triangles triangulate_seen_flat(const Points& points, std::span<const int> polygon);
 
 }  // namespace loopmend

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/triangulate_polygon.h"
+#include "mesh/triangulate_polygon.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -239,25 +239,22 @@ void append_fan(std::span<const int> polygon, Triangles& triangles) {
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
 }
 
-bool append_delaunay(const Points& points, std::span<const int> polygon, Triangles& triangles) {
-  const Vec3 normal = newell_normal(points, polygon);
-  if (!normal.allFinite() || normal.isZero(0.0)) return false;
-  PolygonDelaunay delaunay(points, polygon, Projection(normal));
-  if (!delaunay.good()) return false;
-  const Triangles inside = delaunay.inside(polygon.size());
-  triangles.insert(triangles.end(), inside.begin(), inside.end());
-  return !inside.empty();
-}
-
 }  // namespace
+
+Triangles triangulate_seen_flat(const Points& points, std::span<const int> polygon) {
+  const Vec3 normal = newell_normal(points, polygon);
+  if (!normal.allFinite() || normal.isZero(0.0)) return {};
+  PolygonDelaunay delaunay(points, polygon, Projection(normal));
+  return delaunay.good() ? delaunay.inside(polygon.size()) : Triangles{};
+}
 
 void triangulate_polygon(const Points& points, std::span<const int> polygon, Triangles& triangles) {
   if (polygon.size() == 3) {
     triangles.push_back({polygon[0], polygon[1], polygon[2]});
   } else if (polygon.size() == 4) {
     triangulate_quad(points, polygon, triangles);
-  } else if (append_delaunay(points, polygon, triangles)) {
-    return;
+  } else if (const Triangles flat = triangulate_seen_flat(points, polygon); !flat.empty()) {
+    triangles.insert(triangles.end(), flat.begin(), flat.end());
   } else if (polygon.size() <= largest_least_area) {
     LeastArea(points, polygon).append_to(triangles);
   } else {
