@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/document.h"
 
+#include "document/engine_words.h"
 #include "mesh/scan_attributes.h"
 
 #include <algorithm>
@@ -76,9 +77,9 @@ HoleState Document::state(int loop) const {
 }
 
 QString Document::message(int loop) const {
-  if (const OpenPatch* patch = patch_of(loop)) return QString::fromStdString(patch->state->message);
+  if (const OpenPatch* patch = patch_of(loop)) return labels::engine_words(patch->state->message);
   const auto it = failures_.find(loop);
-  return it == failures_.end() ? QString() : QString::fromStdString(it->second);
+  return it == failures_.end() ? QString() : labels::engine_words(it->second);
 }
 
 bool Document::fillable(int loop) const {

@@ -140,7 +140,7 @@ QVariant HoleTable::tool_tip(int loop, int column) const {
   if (column != state) return {};
   const QString more = document_.message(loop);
   const QString help = labels::state_help(document_.state(loop));
-  return more.isEmpty() ? help : help + QLatin1Char(' ') + more;
+  return more.isEmpty() ? help : help + QLatin1Char(' ') + labels::sentence(more);
 }
 
 }  // namespace loopmend
