@@ -100,6 +100,10 @@ QString words_of(const QString& text) {
 
 }  // namespace
 
-QString engine_words(const std::string& message) { return words_of(QString::fromStdString(message)); }
+QString engine_words(const std::string& message) {
+  constexpr std::size_t longest = 2000;  // what a damaged session holds is not taken apart
+  const QString text = QString::fromStdString(message);
+  return message.size() > longest ? text : words_of(text);
+}
 
 }  // namespace loopmend::labels

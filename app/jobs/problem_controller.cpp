@@ -140,7 +140,8 @@ void ProblemController::on_posed(std::shared_ptr<const ProblemBase> base, std::s
   picture_.patch = start_shape_;
   picture_.arrival = Arrival::at_once;
   QString words = tr("%1 free vertices.").arg(labels::count(static_cast<std::size_t>(free_vertices())));
-  if (!posed_->remark.empty()) words += QLatin1Char(' ') + labels::sentence(labels::engine_words(posed_->remark)) + QLatin1Char('.');
+  if (!posed_->remark.empty())
+    words += QLatin1Char(' ') + labels::sentence(labels::engine_words(posed_->remark)) + QLatin1Char('.');
   go_to(Stage::posed, words);
   Q_EMIT picture_changed();
 }

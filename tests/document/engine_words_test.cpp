@@ -98,6 +98,9 @@ TEST_F(EngineWords, PathsStayAsTheyAre) {
 
 TEST_F(EngineWords, UnknownMessagesPassUnchanged) {
   install_language(QStringLiteral("de"));
+  std::string endless;
+  for (int k = 0; k < 1'000'000; ++k) endless += "; ";
+  EXPECT_EQ(engine_words(endless).toStdString(), endless);
   for (const std::string message : {"", ".", "(", "something new: 3.5 of it; and (so) on. Really.", "%1", "loop 3 (x"})
     EXPECT_EQ(engine_words(message).toStdString(), message);
 }
