@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/document.h"
 
-#include "document/engine_words.h"
 #include "mesh/scan_attributes.h"
 
 #include <algorithm>
@@ -76,10 +75,10 @@ HoleState Document::state(int loop) const {
   }
 }
 
-QString Document::message(int loop) const {
-  if (const OpenPatch* patch = patch_of(loop)) return labels::engine_words(patch->state->message);
+std::string Document::message(int loop) const {
+  if (const OpenPatch* patch = patch_of(loop)) return patch->state->message;
   const auto it = failures_.find(loop);
-  return it == failures_.end() ? QString() : labels::engine_words(it->second);
+  return it == failures_.end() ? std::string() : it->second;
 }
 
 bool Document::fillable(int loop) const {
