@@ -6,6 +6,7 @@
 #include "compare/flow_view.h"
 #include "compare/legend_strip.h"
 #include "dialogs/picture_dialog.h"
+#include "document/engine_words.h"
 #include "panels/banner.h"
 #include "problems/comparison_table.h"
 
@@ -94,7 +95,7 @@ void CompareWindow::ask_numbers() {
   try {
     banner_->show_notice(save_numbers(path));
   } catch (const std::exception& error) {
-    banner_->show_problem(QString::fromUtf8(error.what()));
+    banner_->show_problem(labels::engine_words(error.what()));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "compare/flow_view.h"
 #include "compare/legend_strip.h"
 #include "compare/picture_clock.h"
+#include "document/engine_words.h"
 #include "document/labels.h"
 #include "panels/banner.h"
 #include "panels/choices.h"
@@ -430,7 +431,7 @@ void CompareWindow::accept(int lane) {
   try {
     banner_->show_notice(task_.accept(*race_.start(), *race_.lane(lane)));
   } catch (const std::exception& error) {
-    banner_->show_problem(QString::fromUtf8(error.what()));
+    banner_->show_problem(labels::engine_words(error.what()));
   }
 }
 

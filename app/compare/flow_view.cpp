@@ -2,6 +2,7 @@
 #include "compare/flow_view.h"
 
 #include "compare/flow_canvas.h"
+#include "document/engine_words.h"
 #include "document/labels.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
@@ -118,7 +119,7 @@ void FlowView::show_lane(const ComparedRun& lane, const QString& accepting) {
     in_full += QLatin1Char('\n') + tr("At the seam: angle %1\u00b0 (rms), jump of H %2 (rms)")
                                        .arg(labels::number(seam.angle), labels::number(seam.jump));
   }
-  if (!lane.message.empty()) in_full += QLatin1Char('\n') + QString::fromStdString(lane.message);
+  if (!lane.message.empty()) in_full += QLatin1Char('\n') + labels::sentence(labels::engine_words(lane.message));
   figures_->setText(words_);
   figures_->setToolTip(in_full);
   can_accept_ =

@@ -75,10 +75,10 @@ HoleState Document::state(int loop) const {
   }
 }
 
-QString Document::message(int loop) const {
-  if (const OpenPatch* patch = patch_of(loop)) return QString::fromStdString(patch->state->message);
+std::string Document::message(int loop) const {
+  if (const OpenPatch* patch = patch_of(loop)) return patch->state->message;
   const auto it = failures_.find(loop);
-  return it == failures_.end() ? QString() : QString::fromStdString(it->second);
+  return it == failures_.end() ? std::string() : it->second;
 }
 
 bool Document::fillable(int loop) const {

@@ -67,8 +67,8 @@ class Document : public QObject {
   const OpenPatch* patch_of(int loop) const;
 
   HoleState state(int loop) const;
-  /// Why it failed, or what the engine has to say; may be empty.
-  QString message(int loop) const;
+  /// Why it failed, or what else the engine has to say, as it says it (document/engine_words.h); may be empty.
+  std::string message(int loop) const;
   /// A hole, or a loop that touches itself; the outer rim when it is included. Others are left out unless selected.
   bool fillable(int loop) const;
   OuterRims outer_rims() const { return outer_rims_; }

@@ -2,6 +2,7 @@
 #include "document/hole_table.h"
 
 #include "document/document.h"
+#include "document/engine_words.h"
 #include "document/labels.h"
 
 #include <QColor>
@@ -138,9 +139,9 @@ QVariant HoleTable::tool_tip(int loop, int column) const {
   if (column == kind) return labels::kind_help(document_.loop(loop).kind);
   if (column == rim) return rim_of(loop) ? labels::rim_help(*rim_of(loop)) : QString();
   if (column != state) return {};
-  const QString more = document_.message(loop);
+  const QString more = labels::engine_words(document_.message(loop));
   const QString help = labels::state_help(document_.state(loop));
-  return more.isEmpty() ? help : help + QLatin1Char(' ') + more;
+  return more.isEmpty() ? help : help + QLatin1Char(' ') + labels::sentence(more);
 }
 
 }  // namespace loopmend

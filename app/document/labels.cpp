@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/labels.h"
 
+#include "document/engine_words.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
@@ -289,7 +291,7 @@ QString not_kept(const std::vector<NotKept>& list) {
   for (const NotKept& entry : list) {
     const auto word =
         std::find_if(std::begin(known), std::end(known), [&](const char* name) { return entry.what == name; });
-    const QString what = word != std::end(known) ? tr(*word) : QString::fromStdString(entry.what);
+    const QString what = word != std::end(known) ? tr(*word) : engine_words(entry.what);
     words << QStringLiteral("%1 (%2)").arg(what, count(entry.count));
   }
   return words.join(QStringLiteral(", "));

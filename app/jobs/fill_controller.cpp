@@ -3,6 +3,7 @@
 
 #include "analysis/curvature_field.h"
 #include "core/error.h"
+#include "document/engine_words.h"
 #include "document/labels.h"
 #include "document/run_curves.h"
 #include "document/timeline.h"
@@ -218,11 +219,10 @@ void FillController::say_fill_outcome(const FillResult& result, const std::set<i
   std::size_t lines = 0;
   for (const auto& [loop, words] : result.remarks)
     if (lines++ < most_lines)
-      Q_EMIT logged(tr("Hole %1: %2").arg(labels::hole_name(document_, loop), QString::fromStdString(words)));
+      Q_EMIT logged(tr("Hole %1: %2").arg(labels::hole_name(document_, loop), labels::engine_words(words)));
   for (const auto& [loop, words] : result.failures)
     if (lines++ < 2 * most_lines)
-      Q_EMIT logged(
-          tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), QString::fromStdString(words)));
+      Q_EMIT logged(tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), labels::engine_words(words)));
   if (!result.failures.empty())
     Q_EMIT failed(tr("%1 of %2 holes could not be filled. The State column says why, and what may help.")
                       .arg(result.failures.size())
@@ -299,7 +299,7 @@ void FillController::on_evolved(const EvolveResult& result, RunEnd how) {
   if (job_ && job_->asked_to_pause()) how = RunEnd::stopped;
   end();
   Q_EMIT flow_ended(how);
-  for (const auto& [id, words] : result.failures) report_failure(QString::fromStdString(words));
+  for (const auto& [id, words] : result.failures) report_failure(labels::engine_words(words));
 }
 
 QString FillController::run_words(const OpenPatch& before, const OpenPatch& now) const {
@@ -312,7 +312,7 @@ QString FillController::run_words(const OpenPatch& before, const OpenPatch& now)
     line += (run.split ? tr(", J %1 \u2192 %2") : tr(", energy %1 \u2192 %2"))
                 .arg(labels::number(run.lowered.front()), labels::number(run.lowered.back()));
   line += tr(", %1 s.").arg(labels::seconds(std::llround(1000 * state.seconds.total)));
-  if (!state.message.empty()) line += QLatin1Char(' ') + QString::fromStdString(state.message);
+  if (!state.message.empty()) line += QLatin1Char(' ') + labels::sentence(labels::engine_words(state.message));
   return line;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The controller's dealings with files: scans, sessions, exports.
+#include "document/engine_words.h"
 #include "document/labels.h"
 #include "document/timeline.h"
 #include "jobs/fill_controller.h"
@@ -46,9 +47,9 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
             on_opened(scan, next);
             Q_EMIT logged(labels::import_summary(*scan) +
                           tr(" Opened in %1 s.").arg(labels::seconds(clock_.elapsed())));
-            for (const std::string& problem : scan->color_problems) Q_EMIT logged(QString::fromStdString(problem));
+            for (const std::string& problem : scan->color_problems) Q_EMIT logged(labels::engine_words(problem));
             if (!scan->color_problems.empty())
-              Q_EMIT notice(scan->name + QStringLiteral(": ") + QString::fromStdString(scan->color_problems.front()));
+              Q_EMIT notice(scan->name + QStringLiteral(": ") + labels::engine_words(scan->color_problems.front()));
             if (scan->loops.empty()) Q_EMIT notice(tr("%1 is closed: it has no hole to fill.").arg(scan->name));
           });
         };
@@ -61,7 +62,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         const auto shape = colored_shape(*scan, job->token());
         job->post([this, scan, shape] { show_color(scan, shape); });
       } catch (const std::exception& error) {  // the other files are opened all the same
-        job->post([report, words = QString::fromUtf8(error.what())] { report(words); });
+        job->post([report, words = labels::engine_words(error.what())] { report(words); });
       }
     }
     job->post([this] { end(); });
@@ -224,7 +225,7 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
       index.push_back(document_.add_scan(scan));
     }
     mode = OpenMode::add;
-    for (const std::string& problem : scan->color_problems) Q_EMIT logged(QString::fromStdString(problem));
+    for (const std::string& problem : scan->color_problems) Q_EMIT logged(labels::engine_words(problem));
   }
   for (OpenPatch& patch : restored.patches) {
     patch.scan = index[static_cast<std::size_t>(patch.scan)];
@@ -311,7 +312,7 @@ void FillController::on_exported(const ExportResult& result, const QString& path
   if (!result.left_open.empty())
     text += tr(" Left open, because the patch cuts the surface or another patch: %1.")
                 .arg(labels::holes(document_, result.left_open));
-  for (const std::string& remark : result.remarks) text += QLatin1Char(' ') + QString::fromStdString(remark);
+  for (const std::string& remark : result.remarks) text += QLatin1Char(' ') + labels::engine_words(remark);
   Q_EMIT logged(text);
   Q_EMIT notice(text);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the controller does to scans themselves: each change makes another scan, which comes in the place of the old one.
 #include "core/error.h"
+#include "document/engine_words.h"
 #include "document/labels.h"
 #include "jobs/fill_controller.h"
 #include "jobs/mend_scan.h"
@@ -79,7 +80,7 @@ void FillController::run_mending(Mending what, std::vector<MendingTask> tasks,
           } catch (const Error& error) {  // one scan does not take the others with it
             MendedScan failed;
             failed.scan = task.scan;
-            failed.words = QString::fromStdString(error.what());
+            failed.words = labels::engine_words(error.what());
             all.push_back(std::move(failed));
           }
         }

@@ -2,6 +2,7 @@
 #include "jobs/problem_controller.h"
 
 #include "analysis/curvature_field.h"
+#include "document/engine_words.h"
 #include "document/labels.h"
 #include "jobs/near_shape.h"
 #include "jobs/problem_base.h"
@@ -33,8 +34,6 @@ std::vector<PatchStatePtr> patches_of(const Document& document, const std::vecto
     if (std::find(scans.begin(), scans.end(), patch.scan) != scans.end()) states.push_back(patch.state);
   return states;
 }
-
-QString text(const std::string& words) { return QString::fromStdString(words); }
 
 }  // namespace
 
@@ -141,7 +140,8 @@ void ProblemController::on_posed(std::shared_ptr<const ProblemBase> base, std::s
   picture_.patch = start_shape_;
   picture_.arrival = Arrival::at_once;
   QString words = tr("%1 free vertices.").arg(labels::count(static_cast<std::size_t>(free_vertices())));
-  if (!posed_->remark.empty()) words += QLatin1Char(' ') + labels::sentence(text(posed_->remark)) + QLatin1Char('.');
+  if (!posed_->remark.empty())
+    words += QLatin1Char(' ') + labels::sentence(labels::engine_words(posed_->remark)) + QLatin1Char('.');
   go_to(Stage::posed, words);
   Q_EMIT picture_changed();
 }
@@ -204,7 +204,7 @@ void ProblemController::on_solved(std::shared_ptr<const Solution> solution, cons
   if (!made) {
     picture_.patch = start_shape_;
     picture_.arrival = Arrival::at_once;
-    fail(text(solution->refusal) + QLatin1Char('.'), Stage::posed);
+    fail(labels::engine_words(solution->refusal) + QLatin1Char('.'), Stage::posed);
     Q_EMIT picture_changed();
     return;
   }
@@ -218,7 +218,7 @@ void ProblemController::on_solved(std::shared_ptr<const Solution> solution, cons
           .arg(solution_->outcome.steps)
           .arg(labels::number(solution_->outcome.energy.initial), labels::number(solution_->outcome.energy.final));
   if (!solution_->outcome.message.empty())
-    words += QLatin1Char(' ') + labels::sentence(text(solution_->outcome.message)) + QLatin1Char('.');
+    words += QLatin1Char(' ') + labels::sentence(labels::engine_words(solution_->outcome.message)) + QLatin1Char('.');
   go_to(Stage::solved, words);
   Q_EMIT picture_changed();
 }

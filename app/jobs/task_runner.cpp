@@ -2,6 +2,7 @@
 #include "jobs/task_runner.h"
 
 #include "core/threads.h"
+#include "document/engine_words.h"
 
 #include <QCoreApplication>
 #include <QMetaObject>
@@ -57,7 +58,7 @@ void TaskRunner::start(const JobPtr& job, std::function<void()> work, Failed fai
       // Among many, a second thread for each only makes the window wait.
       with_thread_budget(yielding == Yielding::as_it_can ? 1 : 0, work);
     } catch (const std::exception& error) {
-      job->post([failed, words = QString::fromUtf8(error.what())] { failed(words); });
+      job->post([failed, words = labels::engine_words(error.what())] { failed(words); });
     }
     done->store(true);
   };

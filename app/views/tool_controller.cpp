@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/tool_controller.h"
 
+#include "document/engine_words.h"
 #include "document/labels.h"
 #include "jobs/problem_base.h"
 #include "problems/facing_loops.h"
@@ -267,7 +268,7 @@ void ToolController::select_facing() {
       loops.insert(document_.first_loop_of(scans[k]) + static_cast<int>(best[k]));
     selection_.select(loops);
   } catch (const std::exception& error) {
-    Q_EMIT failed(labels::sentence(QString::fromUtf8(error.what())));
+    Q_EMIT failed(labels::sentence(labels::engine_words(error.what())));
   }
 }
 

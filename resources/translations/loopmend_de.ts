@@ -822,6 +822,2081 @@
         </message>
     </context>
     <context>
+        <name>loopmend::EngineTemplates</name>
+        <message>
+            <source>there is no such file</source>
+            <translation>diese Datei gibt es nicht</translation>
+        </message>
+        <message>
+            <source>Check the spelling and the folder</source>
+            <translation>Schreibweise und Ordner prüfen</translation>
+        </message>
+        <message>
+            <source>no permission to read this file</source>
+            <translation>keine Berechtigung, diese Datei zu lesen</translation>
+        </message>
+        <message>
+            <source>Change its permissions, or read a copy</source>
+            <translation>Ihre Berechtigungen ändern oder eine Kopie lesen</translation>
+        </message>
+        <message>
+            <source>Check the path and its permissions</source>
+            <translation>Pfad und Berechtigungen prüfen</translation>
+        </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>lässt sich nicht lesen</translation>
+        </message>
+        <message>
+            <source>is a folder, not a file</source>
+            <translation>ist ein Ordner, keine Datei</translation>
+        </message>
+        <message>
+            <source>Choose a file inside it</source>
+            <translation>Eine Datei darin wählen</translation>
+        </message>
+        <message>
+            <source>is not a regular file</source>
+            <translation>ist keine gewöhnliche Datei</translation>
+        </message>
+        <message>
+            <source>Copy its content to a file first</source>
+            <translation>Erst ihren Inhalt in eine Datei kopieren</translation>
+        </message>
+        <message>
+            <source>the file is empty (0 bytes)</source>
+            <translation>die Datei ist leer (0 Bytes)</translation>
+        </message>
+        <message>
+            <source>Export or copy the mesh again</source>
+            <translation>Das Netz noch einmal exportieren oder kopieren</translation>
+        </message>
+        <message>
+            <source>this is a Git LFS pointer, not the mesh itself</source>
+            <translation>dies ist ein Zeiger von Git LFS, nicht das Netz selbst</translation>
+        </message>
+        <message>
+            <source>Run `git lfs pull` in its repository to fetch the mesh</source>
+            <translation>In seinem Repositorium „git lfs pull“ ausführen, um das Netz zu holen</translation>
+        </message>
+        <message>
+            <source>the text is encoded as UTF-16</source>
+            <translation>der Text ist in UTF-16 kodiert</translation>
+        </message>
+        <message>
+            <source>Save it as UTF-8 or plain ASCII</source>
+            <translation>Ihn als UTF-8 oder reines ASCII speichern</translation>
+        </message>
+        <message>
+            <source>does not begin with "solid" as text STL files do, and is not binary</source>
+            <translation>beginnt nicht mit „solid“ wie STL-Dateien in Textform und ist nicht binär</translation>
+        </message>
+        <message>
+            <source>does not begin with "ply" as every PLY file does</source>
+            <translation>beginnt nicht mit „ply“ wie jede PLY-Datei</translation>
+        </message>
+        <message>
+            <source>does not begin with "ply"</source>
+            <translation>beginnt nicht mit „ply“</translation>
+        </message>
+        <message>
+            <source>does not begin with "OFF" as OFF files do</source>
+            <translation>beginnt nicht mit „OFF“ wie OFF-Dateien</translation>
+        </message>
+        <message>
+            <source>does not begin as %1 files do</source>
+            <translation>beginnt nicht wie %1-Dateien</translation>
+        </message>
+        <message>
+            <source>The file is damaged or is something else under this name</source>
+            <translation>Die Datei ist beschädigt oder unter diesem Namen etwas anderes</translation>
+        </message>
+        <message>
+            <source>this is not a mesh format that Loopmend knows</source>
+            <translation>dieses Format kennt Loopmend nicht</translation>
+        </message>
+        <message>
+            <source>It reads PLY, STL, OBJ, OFF, glTF and 3MF files</source>
+            <translation>Es liest Dateien der Formate PLY, STL, OBJ, OFF, glTF und 3MF</translation>
+        </message>
+        <message>
+            <source>the mesh is too large for the memory of this computer</source>
+            <translation>das Netz ist zu groß für den Speicher dieses Rechners</translation>
+        </message>
+        <message>
+            <source>Close other programs, or reduce it</source>
+            <translation>Andere Programme schließen oder das Netz verkleinern</translation>
+        </message>
+        <message>
+            <source>the mesh is too large for this program</source>
+            <translation>das Netz ist zu groß für dieses Programm</translation>
+        </message>
+        <message>
+            <source>Reduce it first</source>
+            <translation>Es zuerst verkleinern</translation>
+        </message>
+        <message>
+            <source>holds no points and no faces</source>
+            <translation>enthält keine Punkte und keine Flächen</translation>
+        </message>
+        <message>
+            <source>holds points but no faces</source>
+            <translation>enthält Punkte, aber keine Flächen</translation>
+        </message>
+        <message>
+            <source>Loopmend needs a surface</source>
+            <translation>Loopmend braucht eine Fläche</translation>
+        </message>
+        <message>
+            <source>export the mesh together with its faces</source>
+            <translation>das Netz mit seinen Flächen exportieren</translation>
+        </message>
+        <message>
+            <source>the compressed file is damaged</source>
+            <translation>die komprimierte Datei ist beschädigt</translation>
+        </message>
+        <message>
+            <source>the compressed file is incomplete</source>
+            <translation>die komprimierte Datei ist unvollständig</translation>
+        </message>
+        <message>
+            <source>something else follows the compressed mesh</source>
+            <translation>nach dem komprimierten Netz folgt noch etwas anderes</translation>
+        </message>
+        <message>
+            <source>Copy or compress it again</source>
+            <translation>Sie noch einmal kopieren oder komprimieren</translation>
+        </message>
+        <message>
+            <source>the unpacked mesh would take more than half of this computer's memory</source>
+            <translation>das entpackte Netz bräuchte mehr als die Hälfte des Speichers dieses Rechners</translation>
+        </message>
+        <message>
+            <source>cannot be written</source>
+            <translation>lässt sich nicht schreiben</translation>
+        </message>
+        <message>
+            <source>cannot be written in this folder</source>
+            <translation>lässt sich in diesem Ordner nicht schreiben</translation>
+        </message>
+        <message>
+            <source>cannot be replaced</source>
+            <translation>lässt sich nicht ersetzen</translation>
+        </message>
+        <message>
+            <source>cannot be made a folder</source>
+            <translation>lässt sich nicht als Ordner anlegen</translation>
+        </message>
+        <message>
+            <source>a file is there</source>
+            <translation>dort ist eine Datei</translation>
+        </message>
+        <message>
+            <source>is not a file name</source>
+            <translation>ist kein Dateiname</translation>
+        </message>
+        <message>
+            <source>Choose a file name</source>
+            <translation>Einen Dateinamen wählen</translation>
+        </message>
+        <message>
+            <source>Choose a file name inside it</source>
+            <translation>Einen Dateinamen darin wählen</translation>
+        </message>
+        <message>
+            <source>Choose another name</source>
+            <translation>Einen anderen Namen wählen</translation>
+        </message>
+        <message>
+            <source>Choose a shorter name</source>
+            <translation>Einen kürzeren Namen wählen</translation>
+        </message>
+        <message>
+            <source>Choose another place</source>
+            <translation>Einen anderen Ort wählen</translation>
+        </message>
+        <message>
+            <source>choose another place</source>
+            <translation>einen anderen Ort wählen</translation>
+        </message>
+        <message>
+            <source>Make room on the disk, or choose another place</source>
+            <translation>Platz auf dem Datenträger schaffen oder einen anderen Ort wählen</translation>
+        </message>
+        <message>
+            <source>Make room for temporary files</source>
+            <translation>Platz für temporäre Dateien schaffen</translation>
+        </message>
+        <message>
+            <source>The file would be larger than is allowed here</source>
+            <translation>Die Datei würde größer, als hier erlaubt ist</translation>
+        </message>
+        <message>
+            <source>Choose a folder in which you may write</source>
+            <translation>Einen Ordner wählen, in den Sie schreiben dürfen</translation>
+        </message>
+        <message>
+            <source>This disk can only be read</source>
+            <translation>Dieser Datenträger lässt sich nur lesen</translation>
+        </message>
+        <message>
+            <source>Create the folder first, or choose another one</source>
+            <translation>Erst den Ordner anlegen oder einen anderen wählen</translation>
+        </message>
+        <message>
+            <source>the file is write-protected</source>
+            <translation>die Datei ist schreibgeschützt</translation>
+        </message>
+        <message>
+            <source>Save under another name</source>
+            <translation>Unter einem anderen Namen speichern</translation>
+        </message>
+        <message>
+            <source>the coordinates are too large for binary STL</source>
+            <translation>die Koordinaten sind zu groß für binäres STL</translation>
+        </message>
+        <message>
+            <source>the coordinates are too large for glTF</source>
+            <translation>die Koordinaten sind zu groß für glTF</translation>
+        </message>
+        <message>
+            <source>Save as PLY, or scale the mesh down</source>
+            <translation>Als PLY speichern oder das Netz verkleinern</translation>
+        </message>
+        <message>
+            <source>the mesh takes more than the 4 GB of a GLB file</source>
+            <translation>das Netz braucht mehr als die 4 GB einer GLB-Datei</translation>
+        </message>
+        <message>
+            <source>Save as PLY</source>
+            <translation>Als PLY speichern</translation>
+        </message>
+        <message>
+            <source>the name has no extension</source>
+            <translation>der Name hat keine Endung</translation>
+        </message>
+        <message>
+            <source>unknown format %1</source>
+            <translation>unbekanntes Format %1</translation>
+        </message>
+        <message>
+            <source>Choose a name that ends in .ply, .stl, .obj, .off, .glb, .gltf or .3mf, compressed .ply.gz and so on</source>
+            <translation>Einen Namen wählen, der auf .ply, .stl, .obj, .off, .glb, .gltf oder .3mf endet, komprimiert .ply.gz und so fort</translation>
+        </message>
+        <message>
+            <source>another file of this name is there already, which the scan's %1 would replace</source>
+            <translation>eine andere Datei dieses Namens ist schon da; %1 des Scans würde sie ersetzen</translation>
+        </message>
+        <message>
+            <source>Choose another folder for the output</source>
+            <translation>Einen anderen Ordner für die Ausgabe wählen</translation>
+        </message>
+        <message>
+            <source>The file %1 is outside the scan's folder and was not copied</source>
+            <translation>Die Datei %1 liegt außerhalb des Ordners des Scans und wurde nicht kopiert</translation>
+        </message>
+        <message>
+            <source>The file %1 cannot be read and was not copied</source>
+            <translation>Die Datei %1 lässt sich nicht lesen und wurde nicht kopiert</translation>
+        </message>
+        <message>
+            <source>The picture %1 is not there, and not in the output</source>
+            <translation>Das Bild %1 fehlt, auch in der Ausgabe</translation>
+        </message>
+        <message>
+            <source>The %1 of the scan cannot be used</source>
+            <translation>%1 des Scans lässt sich nicht verwenden</translation>
+        </message>
+        <message>
+            <source>The scan's material file cannot be used</source>
+            <translation>Die Materialdatei des Scans lässt sich nicht verwenden</translation>
+        </message>
+        <message>
+            <source>A picture of the scan's texture cannot be used</source>
+            <translation>Ein Bild der Textur des Scans lässt sich nicht verwenden</translation>
+        </message>
+        <message>
+            <source>%1 new triangles have no texture</source>
+            <translation>%1 neue Dreiecke haben keine Textur</translation>
+        </message>
+        <message>
+            <source>their patch cannot be laid out in a plane, or the picture would be too large</source>
+            <translation>ihr Flicken lässt sich nicht in die Ebene legen, oder das Bild würde zu groß</translation>
+        </message>
+        <message>
+            <source>the archive cannot be written</source>
+            <translation>das Archiv lässt sich nicht schreiben</translation>
+        </message>
+        <message>
+            <source>libzip failed</source>
+            <translation>libzip hat versagt</translation>
+        </message>
+        <message>
+            <source>the picture is damaged</source>
+            <translation>das Bild ist beschädigt</translation>
+        </message>
+        <message>
+            <source>the picture cannot be read</source>
+            <translation>das Bild lässt sich nicht lesen</translation>
+        </message>
+        <message>
+            <source>the picture cannot be written</source>
+            <translation>das Bild lässt sich nicht schreiben</translation>
+        </message>
+        <message>
+            <source>this is neither PNG nor JPEG</source>
+            <translation>dies ist weder PNG noch JPEG</translation>
+        </message>
+        <message>
+            <source>a picture of %1 by %2 pixels</source>
+            <translation>ein Bild von %1 mal %2 Pixeln</translation>
+        </message>
+        <message>
+            <source>it is larger than 16384 pixels a side</source>
+            <translation>es hat mehr als 16384 Pixel je Seite</translation>
+        </message>
+        <message>
+            <source>Save the picture again as PNG or JPEG</source>
+            <translation>Das Bild noch einmal als PNG oder JPEG speichern</translation>
+        </message>
+        <message>
+            <source>picture %1</source>
+            <translation>Bild %1</translation>
+        </message>
+        <message>
+            <source>this machine could not draw a picture of %1 pixels</source>
+            <translation>dieser Rechner konnte kein Bild von %1 Pixeln zeichnen</translation>
+        </message>
+        <message>
+            <source>Try a smaller size</source>
+            <translation>Eine kleinere Größe versuchen</translation>
+        </message>
+        <message>
+            <source>No such file or directory</source>
+            <translation>Datei oder Ordner nicht gefunden</translation>
+        </message>
+        <message>
+            <source>Permission denied</source>
+            <translation>keine Berechtigung</translation>
+        </message>
+        <message>
+            <source>No space left on device</source>
+            <translation>kein Platz mehr auf dem Datenträger</translation>
+        </message>
+        <message>
+            <source>Read-only file system</source>
+            <translation>schreibgeschützter Datenträger</translation>
+        </message>
+        <message>
+            <source>Input/output error</source>
+            <translation>Ein-/Ausgabefehler</translation>
+        </message>
+        <message>
+            <source>File too large</source>
+            <translation>Datei zu groß</translation>
+        </message>
+        <message>
+            <source>File name too long</source>
+            <translation>Dateiname zu lang</translation>
+        </message>
+        <message>
+            <source>Not a directory</source>
+            <translation>kein Ordner</translation>
+        </message>
+        <message>
+            <source>this is not a session of Loopmend</source>
+            <translation>dies ist keine Sitzung von Loopmend</translation>
+        </message>
+        <message>
+            <source>Choose a file that Loopmend saved</source>
+            <translation>Eine Datei wählen, die Loopmend gespeichert hat</translation>
+        </message>
+        <message>
+            <source>this session is of another version of Loopmend</source>
+            <translation>diese Sitzung ist von einer anderen Version von Loopmend</translation>
+        </message>
+        <message>
+            <source>Open it with the version that saved it</source>
+            <translation>Sie mit der Version öffnen, die sie gespeichert hat</translation>
+        </message>
+        <message>
+            <source>Open the scan itself instead</source>
+            <translation>Stattdessen den Scan selbst öffnen</translation>
+        </message>
+        <message>
+            <source>the session file is damaged</source>
+            <translation>die Sitzungsdatei ist beschädigt</translation>
+        </message>
+        <message>
+            <source>a patch belongs to a hole that does not exist</source>
+            <translation>ein Flicken gehört zu einem Loch, das es nicht gibt</translation>
+        </message>
+        <message>
+            <source>a patch names a vertex that its scan does not have</source>
+            <translation>ein Flicken nennt eine Ecke, die sein Scan nicht hat</translation>
+        </message>
+        <message>
+            <source>a patch belongs to no scan</source>
+            <translation>ein Flicken gehört zu keinem Scan</translation>
+        </message>
+        <message>
+            <source>the loops of a patch are not complete</source>
+            <translation>die Ränder eines Flickens sind nicht vollständig</translation>
+        </message>
+        <message>
+            <source>a unit of length is not known</source>
+            <translation>eine Längeneinheit ist nicht bekannt</translation>
+        </message>
+        <message>
+            <source>there is more in the file than there should be</source>
+            <translation>in der Datei ist mehr, als darin sein sollte</translation>
+        </message>
+        <message>
+            <source>the number of scans is out of range</source>
+            <translation>die Zahl der Scans liegt außerhalb des Erlaubten</translation>
+        </message>
+        <message>
+            <source>the scan in the session cannot be unpacked</source>
+            <translation>der Scan in der Sitzung lässt sich nicht entpacken</translation>
+        </message>
+        <message>
+            <source>this file has changed since the session was saved</source>
+            <translation>diese Datei hat sich seit dem Speichern der Sitzung geändert</translation>
+        </message>
+        <message>
+            <source>Put the old file back to restore the session, or open the new one by itself</source>
+            <translation>Die alte Datei zurücklegen, um die Sitzung zu öffnen, oder die neue für sich öffnen</translation>
+        </message>
+        <message>
+            <source>%1 has its numbers in files beside it</source>
+            <translation>%1 hat seine Zahlen in Dateien daneben</translation>
+        </message>
+        <message>
+            <source>export it as GLB, or save the session without scans</source>
+            <translation>es als GLB exportieren oder die Sitzung ohne Scans speichern</translation>
+        </message>
+        <message>
+            <source>%1 is larger than 1 GB</source>
+            <translation>%1 ist größer als 1 GB</translation>
+        </message>
+        <message>
+            <source>save the session without scans, and keep the file beside it</source>
+            <translation>die Sitzung ohne Scans speichern und die Datei daneben aufheben</translation>
+        </message>
+        <message>
+            <source>line %1</source>
+            <translation>Zeile %1</translation>
+        </message>
+        <message>
+            <source>line %1 of %2</source>
+            <translation>Zeile %1 von %2</translation>
+        </message>
+        <message>
+            <source>byte %1</source>
+            <translation>Byte %1</translation>
+        </message>
+        <message>
+            <source>byte %1 of the text</source>
+            <translation>Byte %1 des Textes</translation>
+        </message>
+        <message>
+            <source>%1 points</source>
+            <translation>%1 Punkte</translation>
+        </message>
+        <message>
+            <source>vertex %1</source>
+            <translation>Ecke %1</translation>
+        </message>
+        <message>
+            <source>vertex %1 of %2</source>
+            <translation>Ecke %1 von %2</translation>
+        </message>
+        <message>
+            <source>face %1</source>
+            <translation>Fläche %1</translation>
+        </message>
+        <message>
+            <source>face %1 of %2</source>
+            <translation>Fläche %1 von %2</translation>
+        </message>
+        <message>
+            <source>facet %1</source>
+            <translation>Facette %1</translation>
+        </message>
+        <message>
+            <source>node %1</source>
+            <translation>Knoten %1</translation>
+        </message>
+        <message>
+            <source>mesh %1</source>
+            <translation>Netz %1</translation>
+        </message>
+        <message>
+            <source>mesh %1, primitive %2</source>
+            <translation>Netz %1, Teil %2</translation>
+        </message>
+        <message>
+            <source>buffer %1</source>
+            <translation>Puffer %1</translation>
+        </message>
+        <message>
+            <source>buffer view %1</source>
+            <translation>Pufferansicht %1</translation>
+        </message>
+        <message>
+            <source>accessor %1</source>
+            <translation>Zugriff %1</translation>
+        </message>
+        <message>
+            <source>accessor %1, sparse</source>
+            <translation>Zugriff %1, dünn besetzt</translation>
+        </message>
+        <message>
+            <source>material %1</source>
+            <translation>Material %1</translation>
+        </message>
+        <message>
+            <source>object %1 of %2</source>
+            <translation>Objekt %1 von %2</translation>
+        </message>
+        <message>
+            <source>entry %1</source>
+            <translation>Eintrag %1</translation>
+        </message>
+        <message>
+            <source>scene %1</source>
+            <translation>Szene %1</translation>
+        </message>
+        <message>
+            <source>It is incomplete</source>
+            <translation>Sie ist unvollständig</translation>
+        </message>
+        <message>
+            <source>The file is incomplete</source>
+            <translation>Die Datei ist unvollständig</translation>
+        </message>
+        <message>
+            <source>It is incomplete or damaged</source>
+            <translation>Sie ist unvollständig oder beschädigt</translation>
+        </message>
+        <message>
+            <source>The file is damaged or incomplete</source>
+            <translation>Die Datei ist beschädigt oder unvollständig</translation>
+        </message>
+        <message>
+            <source>export or copy it again</source>
+            <translation>sie noch einmal exportieren oder kopieren</translation>
+        </message>
+        <message>
+            <source>Export it again</source>
+            <translation>Sie noch einmal exportieren</translation>
+        </message>
+        <message>
+            <source>Copy or download it again</source>
+            <translation>Sie noch einmal kopieren oder herunterladen</translation>
+        </message>
+        <message>
+            <source>the file ends too early</source>
+            <translation>die Datei endet zu früh</translation>
+        </message>
+        <message>
+            <source>the file ends too early, in %1</source>
+            <translation>die Datei endet zu früh, in %1</translation>
+        </message>
+        <message>
+            <source>the header</source>
+            <translation>dem Kopf</translation>
+        </message>
+        <message>
+            <source>there is no "end_header"</source>
+            <translation>„end_header“ fehlt</translation>
+        </message>
+        <message>
+            <source>the header of a binary STL file</source>
+            <translation>dem Kopf einer binären STL-Datei</translation>
+        </message>
+        <message>
+            <source>the header of the GLB file</source>
+            <translation>dem Kopf der GLB-Datei</translation>
+        </message>
+        <message>
+            <source>a GLB file of %1 bytes</source>
+            <translation>einer GLB-Datei von %1 Bytes</translation>
+        </message>
+        <message>
+            <source>announces %1 %2, more than a file of %3 bytes can hold</source>
+            <translation>kündigt %1 %2 an, mehr als eine Datei von %3 Bytes fassen kann</translation>
+        </message>
+        <message>
+            <source>vertices</source>
+            <translation>Ecken</translation>
+        </message>
+        <message>
+            <source>faces</source>
+            <translation>Flächen</translation>
+        </message>
+        <message>
+            <source>elements</source>
+            <translation>Elemente</translation>
+        </message>
+        <message>
+            <source>rows of %1</source>
+            <translation>Zeilen von %1</translation>
+        </message>
+        <message>
+            <source>announces %1 triangles, which take %2 bytes, but the file has %3</source>
+            <translation>kündigt %1 Dreiecke an, die %2 Bytes brauchen, aber die Datei hat %3</translation>
+        </message>
+        <message>
+            <source>announces %1 triangles, but %2 more bytes follow them</source>
+            <translation>kündigt %1 Dreiecke an, aber nach ihnen folgen %2 weitere Bytes</translation>
+        </message>
+        <message>
+            <source>The count and the data do not belong together</source>
+            <translation>Anzahl und Daten gehören nicht zusammen</translation>
+        </message>
+        <message>
+            <source>there is more data than the header announces</source>
+            <translation>es gibt mehr Daten, als der Kopf ankündigt</translation>
+        </message>
+        <message>
+            <source>The header and the data do not belong together</source>
+            <translation>Kopf und Daten gehören nicht zusammen</translation>
+        </message>
+        <message>
+            <source>export the mesh again</source>
+            <translation>das Netz noch einmal exportieren</translation>
+        </message>
+        <message>
+            <source>more than 715827882 triangles</source>
+            <translation>mehr als 715827882 Dreiecke</translation>
+        </message>
+        <message>
+            <source>more than 2147483647 vertices</source>
+            <translation>mehr als 2147483647 Ecken</translation>
+        </message>
+        <message>
+            <source>vertex %1 has a coordinate that is not a finite number</source>
+            <translation>Ecke %1 hat eine Koordinate, die keine endliche Zahl ist</translation>
+        </message>
+        <message>
+            <source>Remove or repair that vertex in the program the file comes from</source>
+            <translation>Diese Ecke in dem Programm, von dem die Datei kommt, entfernen oder berichtigen</translation>
+        </message>
+        <message>
+            <source>face %1 names vertex %2, but there are %3, from 0 on</source>
+            <translation>Fläche %1 nennt Ecke %2, aber es gibt %3, von 0 an</translation>
+        </message>
+        <message>
+            <source>face %1 names vertex %2, but there are %3 before it</source>
+            <translation>Fläche %1 nennt Ecke %2, aber vor ihr gibt es %3</translation>
+        </message>
+        <message>
+            <source>face %1 names vertex %2, but OBJ counts from 1</source>
+            <translation>Fläche %1 nennt Ecke %2, aber OBJ zählt ab 1</translation>
+        </message>
+        <message>
+            <source>vertex %1 does not have 3 coordinates (or 6 with a colour)</source>
+            <translation>Ecke %1 hat nicht 3 Koordinaten (oder 6 mit Farbe)</translation>
+        </message>
+        <message>
+            <source>vertex %1 has a wrong number of values</source>
+            <translation>Ecke %1 hat eine falsche Zahl von Werten</translation>
+        </message>
+        <message>
+            <source>%1 is missing</source>
+            <translation>%1 fehlt</translation>
+        </message>
+        <message>
+            <source>%1 stands where %2 should be</source>
+            <translation>%1 steht, wo %2 stehen sollte</translation>
+        </message>
+        <message>
+            <source>a coordinate</source>
+            <translation>eine Koordinate</translation>
+        </message>
+        <message>
+            <source>a vertex index</source>
+            <translation>eine Eckennummer</translation>
+        </message>
+        <message>
+            <source>a count of elements</source>
+            <translation>eine Anzahl von Elementen</translation>
+        </message>
+        <message>
+            <source>the number of vertices</source>
+            <translation>die Zahl der Ecken</translation>
+        </message>
+        <message>
+            <source>the number of faces</source>
+            <translation>die Zahl der Flächen</translation>
+        </message>
+        <message>
+            <source>a number of a transform</source>
+            <translation>eine Zahl einer Abbildung</translation>
+        </message>
+        <message>
+            <source>"facet" or "endsolid"</source>
+            <translation>„facet“ oder „endsolid“</translation>
+        </message>
+        <message>
+            <source>something else stands where a number should be</source>
+            <translation>etwas anderes steht, wo eine Zahl stehen sollte</translation>
+        </message>
+        <message>
+            <source>Numbers are written with a point, not a comma</source>
+            <translation>Zahlen werden mit Punkt geschrieben, nicht mit Komma</translation>
+        </message>
+        <message>
+            <source>Correct that place, or export the mesh again</source>
+            <translation>Diese Stelle berichtigen oder das Netz noch einmal exportieren</translation>
+        </message>
+        <message>
+            <source>Correct that line, or export the mesh again</source>
+            <translation>Diese Zeile berichtigen oder das Netz noch einmal exportieren</translation>
+        </message>
+        <message>
+            <source>%1 is more than this line should hold</source>
+            <translation>%1 ist mehr, als in dieser Zeile stehen sollte</translation>
+        </message>
+        <message>
+            <source>%1 is not a statement of an OBJ file</source>
+            <translation>%1 ist keine Anweisung einer OBJ-Datei</translation>
+        </message>
+        <message>
+            <source>%1 is not a word of a PLY header</source>
+            <translation>%1 ist kein Wort eines PLY-Kopfs</translation>
+        </message>
+        <message>
+            <source>unknown PLY format %1</source>
+            <translation>unbekanntes PLY-Format %1</translation>
+        </message>
+        <message>
+            <source>unknown PLY version %1</source>
+            <translation>unbekannte PLY-Version %1</translation>
+        </message>
+        <message>
+            <source>unknown PLY type %1</source>
+            <translation>unbekannter PLY-Typ %1</translation>
+        </message>
+        <message>
+            <source>a second format line</source>
+            <translation>eine zweite Formatzeile</translation>
+        </message>
+        <message>
+            <source>a second element %1</source>
+            <translation>ein zweites Element %1</translation>
+        </message>
+        <message>
+            <source>a second property %1</source>
+            <translation>eine zweite Eigenschaft %1</translation>
+        </message>
+        <message>
+            <source>a property before any element</source>
+            <translation>eine Eigenschaft vor jedem Element</translation>
+        </message>
+        <message>
+            <source>a property without a name</source>
+            <translation>eine Eigenschaft ohne Namen</translation>
+        </message>
+        <message>
+            <source>a list counted by a fraction</source>
+            <translation>eine Liste, die mit einem Bruch gezählt wird</translation>
+        </message>
+        <message>
+            <source>the header has no format line</source>
+            <translation>der Kopf hat keine Formatzeile</translation>
+        </message>
+        <message>
+            <source>the header announces no element "vertex"</source>
+            <translation>der Kopf kündigt kein Element „vertex“ an</translation>
+        </message>
+        <message>
+            <source>This PLY file holds something else than a mesh</source>
+            <translation>Diese PLY-Datei enthält etwas anderes als ein Netz</translation>
+        </message>
+        <message>
+            <source>the vertices have no coordinates x, y and z</source>
+            <translation>die Ecken haben keine Koordinaten x, y und z</translation>
+        </message>
+        <message>
+            <source>Export the mesh with vertex positions</source>
+            <translation>Das Netz mit den Orten der Ecken exportieren</translation>
+        </message>
+        <message>
+            <source>the faces' vertex indices are not a list of whole numbers</source>
+            <translation>die Eckennummern der Flächen sind keine Liste ganzer Zahlen</translation>
+        </message>
+        <message>
+            <source>the faces have no list vertex_indices</source>
+            <translation>die Flächen haben keine Liste vertex_indices</translation>
+        </message>
+        <message>
+            <source>Export the mesh with polygon faces</source>
+            <translation>Das Netz mit Vielecken als Flächen exportieren</translation>
+        </message>
+        <message>
+            <source>binary OFF is not supported</source>
+            <translation>binäres OFF wird nicht unterstützt</translation>
+        </message>
+        <message>
+            <source>Save it as text OFF, or as PLY</source>
+            <translation>Es als OFF in Textform oder als PLY speichern</translation>
+        </message>
+        <message>
+            <source>vertices with other than 3 coordinates are not supported</source>
+            <translation>Ecken mit anderen als 3 Koordinaten werden nicht unterstützt</translation>
+        </message>
+        <message>
+            <source>Export the mesh as plain OFF</source>
+            <translation>Das Netz als einfaches OFF exportieren</translation>
+        </message>
+        <message>
+            <source>version %1 of glTF</source>
+            <translation>Version %1 von glTF</translation>
+        </message>
+        <message>
+            <source>version %1 of GLB</source>
+            <translation>Version %1 von GLB</translation>
+        </message>
+        <message>
+            <source>Loopmend reads glTF 2</source>
+            <translation>Loopmend liest glTF 2</translation>
+        </message>
+        <message>
+            <source>Loopmend reads version 2</source>
+            <translation>Loopmend liest Version 2</translation>
+        </message>
+        <message>
+            <source>export it again as such</source>
+            <translation>als solches noch einmal exportieren</translation>
+        </message>
+        <message>
+            <source>the JSON text is nested more than %1 deep</source>
+            <translation>der JSON-Text ist mehr als %1 Ebenen tief</translation>
+        </message>
+        <message>
+            <source>the JSON text of this glTF file is damaged</source>
+            <translation>der JSON-Text dieser glTF-Datei ist beschädigt</translation>
+        </message>
+        <message>
+            <source>the JSON text of this glTF file is no object</source>
+            <translation>der JSON-Text dieser glTF-Datei ist kein Objekt</translation>
+        </message>
+        <message>
+            <source>a number in the JSON text of this glTF file is too large</source>
+            <translation>eine Zahl im JSON-Text dieser glTF-Datei ist zu groß</translation>
+        </message>
+        <message>
+            <source>"asset" is missing, which every glTF file has</source>
+            <translation>„asset“ fehlt, das jede glTF-Datei hat</translation>
+        </message>
+        <message>
+            <source>chunk %1 says %2 bytes, but there are %3</source>
+            <translation>Abschnitt %1 nennt %2 Bytes, aber es gibt %3</translation>
+        </message>
+        <message>
+            <source>the first chunk of the GLB file is no JSON</source>
+            <translation>der erste Abschnitt der GLB-Datei ist kein JSON</translation>
+        </message>
+        <message>
+            <source>the GLB file has no JSON chunk</source>
+            <translation>die GLB-Datei hat keinen JSON-Abschnitt</translation>
+        </message>
+        <message>
+            <source>the mesh is compressed with %1, which Loopmend does not know</source>
+            <translation>das Netz ist mit %1 komprimiert, das Loopmend nicht kennt</translation>
+        </message>
+        <message>
+            <source>needs the extension %1, which Loopmend does not know</source>
+            <translation>braucht die Erweiterung %1, die Loopmend nicht kennt</translation>
+        </message>
+        <message>
+            <source>Export it without mesh compression</source>
+            <translation>Es ohne Komprimierung des Netzes exportieren</translation>
+        </message>
+        <message>
+            <source>Export it without</source>
+            <translation>Es ohne exportieren</translation>
+        </message>
+        <message>
+            <source>Export it without encryption</source>
+            <translation>Es ohne Verschlüsselung exportieren</translation>
+        </message>
+        <message>
+            <source>If the mesh is compressed, export it without compression</source>
+            <translation>Ist das Netz komprimiert, es ohne Komprimierung exportieren</translation>
+        </message>
+        <message>
+            <source>If the mesh is compressed (Draco, meshopt), export it without compression</source>
+            <translation>Ist das Netz komprimiert (Draco, meshopt), es ohne Komprimierung exportieren</translation>
+        </message>
+        <message>
+            <source>Put the buffer beside the file, or export one .glb file</source>
+            <translation>Den Puffer neben die Datei legen oder eine einzelne .glb-Datei exportieren</translation>
+        </message>
+        <message>
+            <source>%1 is no array</source>
+            <translation>%1 ist keine Liste</translation>
+        </message>
+        <message>
+            <source>%1 is no whole number from 0 on</source>
+            <translation>%1 ist keine ganze Zahl ab 0</translation>
+        </message>
+        <message>
+            <source>names element %1 of %2, but there are %3, from 0 on</source>
+            <translation>nennt Element %1 von %2, aber es gibt %3, von 0 an</translation>
+        </message>
+        <message>
+            <source>replaces element %1, but there are %2, from 0 on</source>
+            <translation>ersetzt Element %1, aber es gibt %2, von 0 an</translation>
+        </message>
+        <message>
+            <source>element %1 of %2 is no object</source>
+            <translation>Element %1 von %2 ist kein Objekt</translation>
+        </message>
+        <message>
+            <source>the buffer %1 cannot be read</source>
+            <translation>der Puffer %1 lässt sich nicht lesen</translation>
+        </message>
+        <message>
+            <source>has neither a "uri" nor a binary chunk</source>
+            <translation>hat weder „uri“ noch einen binären Abschnitt</translation>
+        </message>
+        <message>
+            <source>announces %1 bytes, but there are %2</source>
+            <translation>kündigt %1 Bytes an, aber es gibt %2</translation>
+        </message>
+        <message>
+            <source>bytes %1 to %2 of a buffer of %3</source>
+            <translation>die Bytes %1 bis %2 eines Puffers von %3</translation>
+        </message>
+        <message>
+            <source>its elements of %1 bytes stand %2 bytes apart</source>
+            <translation>seine Elemente von %1 Bytes stehen %2 Bytes auseinander</translation>
+        </message>
+        <message>
+            <source>(at byte %1 of %2) elements</source>
+            <translation>(ab Byte %1 von %2) Elemente</translation>
+        </message>
+        <message>
+            <source>has no data</source>
+            <translation>hat keine Daten</translation>
+        </message>
+        <message>
+            <source>there are no data</source>
+            <translation>es gibt keine Daten</translation>
+        </message>
+        <message>
+            <source>is of an unknown type</source>
+            <translation>ist von unbekanntem Typ</translation>
+        </message>
+        <message>
+            <source>its indices are no unsigned numbers</source>
+            <translation>seine Nummern sind keine vorzeichenlosen Zahlen</translation>
+        </message>
+        <message>
+            <source>the data URI is not of base64</source>
+            <translation>die Daten-URI ist nicht in base64</translation>
+        </message>
+        <message>
+            <source>the data URI is damaged</source>
+            <translation>die Daten-URI ist beschädigt</translation>
+        </message>
+        <message>
+            <source>%1 names no file</source>
+            <translation>%1 nennt keine Datei</translation>
+        </message>
+        <message>
+            <source>%1 is not beside the file</source>
+            <translation>%1 liegt nicht neben der Datei</translation>
+        </message>
+        <message>
+            <source>%1 is outside the folder of the file, where nothing is read</source>
+            <translation>%1 liegt außerhalb des Ordners der Datei, wo nichts gelesen wird</translation>
+        </message>
+        <message>
+            <source>names a node that is not there, %1</source>
+            <translation>nennt einen Knoten, den es nicht gibt, %1</translation>
+        </message>
+        <message>
+            <source>the nodes go round in circles</source>
+            <translation>die Knoten laufen im Kreis</translation>
+        </message>
+        <message>
+            <source>is reached twice</source>
+            <translation>ist zweimal zu erreichen</translation>
+        </message>
+        <message>
+            <source>the nodes of glTF are a tree</source>
+            <translation>die Knoten von glTF sind ein Baum</translation>
+        </message>
+        <message>
+            <source>%1 has %2 numbers</source>
+            <translation>%1 hat %2 Zahlen</translation>
+        </message>
+        <message>
+            <source>%1 has %2 numbers each</source>
+            <translation>%1 hat je %2 Zahlen</translation>
+        </message>
+        <message>
+            <source>%1 has %2 elements for %3 positions</source>
+            <translation>%1 hat %2 Elemente für %3 Orte</translation>
+        </message>
+        <message>
+            <source>"rotation" is none</source>
+            <translation>„rotation“ ist keine Drehung</translation>
+        </message>
+        <message>
+            <source>the transforms of its nodes are too large</source>
+            <translation>die Abbildungen seiner Knoten sind zu groß</translation>
+        </message>
+        <message>
+            <source>is no object</source>
+            <translation>ist kein Objekt</translation>
+        </message>
+        <message>
+            <source>%1 is no object</source>
+            <translation>%1 ist kein Objekt</translation>
+        </message>
+        <message>
+            <source>a picture is no object</source>
+            <translation>ein Bild ist kein Objekt</translation>
+        </message>
+        <message>
+            <source>has the unknown mode %1</source>
+            <translation>hat die unbekannte Art %1</translation>
+        </message>
+        <message>
+            <source>has no POSITION</source>
+            <translation>hat keine POSITION</translation>
+        </message>
+        <message>
+            <source>%1 corners, which are not three for each triangle</source>
+            <translation>%1 Ecken, was nicht drei je Dreieck sind</translation>
+        </message>
+        <message>
+            <source>the same triangles are shown again and again, in all more than %1</source>
+            <translation>dieselben Dreiecke sind wieder und wieder da, zusammen mehr als %1</translation>
+        </message>
+        <message>
+            <source>Export it with fewer instances</source>
+            <translation>Es mit weniger Kopien exportieren</translation>
+        </message>
+        <message>
+            <source>the XML is damaged</source>
+            <translation>das XML ist beschädigt</translation>
+        </message>
+        <message>
+            <source>the XML is nested more than %1 deep</source>
+            <translation>das XML ist mehr als %1 Ebenen tief</translation>
+        </message>
+        <message>
+            <source>the XML has a document type, which 3MF forbids</source>
+            <translation>das XML hat einen Dokumenttyp, was 3MF verbietet</translation>
+        </message>
+        <message>
+            <source>an element of the XML has no end</source>
+            <translation>ein Element des XML hat kein Ende</translation>
+        </message>
+        <message>
+            <source>the part holds no model</source>
+            <translation>der Teil enthält kein Modell</translation>
+        </message>
+        <message>
+            <source>a material stands outside "basematerials"</source>
+            <translation>ein Material steht außerhalb von „basematerials“</translation>
+        </message>
+        <message>
+            <source>a colour stands outside "colorgroup"</source>
+            <translation>eine Farbe steht außerhalb von „colorgroup“</translation>
+        </message>
+        <message>
+            <source>%1 is no colour</source>
+            <translation>%1 ist keine Farbe</translation>
+        </message>
+        <message>
+            <source>%1 is no unit of 3MF</source>
+            <translation>%1 ist keine Einheit von 3MF</translation>
+        </message>
+        <message>
+            <source>there are two objects %1</source>
+            <translation>es gibt zwei Objekte %1</translation>
+        </message>
+        <message>
+            <source>a vertex, triangle or component stands outside an object</source>
+            <translation>eine Ecke, ein Dreieck oder ein Bestandteil steht außerhalb eines Objekts</translation>
+        </message>
+        <message>
+            <source>a transform has %1 numbers, not 12</source>
+            <translation>eine Abbildung hat %1 Zahlen, nicht 12</translation>
+        </message>
+        <message>
+            <source>its parts have different units, %1 and %2</source>
+            <translation>seine Teile haben verschiedene Einheiten, %1 und %2</translation>
+        </message>
+        <message>
+            <source>objects are made of one another more than %1 deep</source>
+            <translation>Objekte bestehen mehr als %1 Ebenen tief aus einander</translation>
+        </message>
+        <message>
+            <source>more than %1 objects</source>
+            <translation>mehr als %1 Objekte</translation>
+        </message>
+        <message>
+            <source>names an object that is not there</source>
+            <translation>nennt ein Objekt, das es nicht gibt</translation>
+        </message>
+        <message>
+            <source>the same triangles are there again and again, in all more than %1</source>
+            <translation>dieselben Dreiecke sind wieder und wieder da, zusammen mehr als %1</translation>
+        </message>
+        <message>
+            <source>Export it with fewer copies</source>
+            <translation>Es mit weniger Kopien exportieren</translation>
+        </message>
+        <message>
+            <source>names member %1 of property group %2, which has %3</source>
+            <translation>nennt Mitglied %1 der Eigenschaftsgruppe %2, die %3 hat</translation>
+        </message>
+        <message>
+            <source>this is a ZIP archive without a 3MF model, not a mesh file</source>
+            <translation>dies ist ein ZIP-Archiv ohne 3MF-Modell, keine Netzdatei</translation>
+        </message>
+        <message>
+            <source>Unpack it, and open what is in it</source>
+            <translation>Es entpacken und öffnen, was darin ist</translation>
+        </message>
+        <message>
+            <source>the ZIP archive is damaged or incomplete (%1)</source>
+            <translation>das ZIP-Archiv ist beschädigt oder unvollständig (%1)</translation>
+        </message>
+        <message>
+            <source>a part of the archive is missing</source>
+            <translation>ein Teil des Archivs fehlt</translation>
+        </message>
+        <message>
+            <source>an entry cannot be unpacked</source>
+            <translation>ein Eintrag lässt sich nicht entpacken</translation>
+        </message>
+        <message>
+            <source>an entry is damaged</source>
+            <translation>ein Eintrag ist beschädigt</translation>
+        </message>
+        <message>
+            <source>an entry becomes more than %1 times as large as the file when it is unpacked</source>
+            <translation>ein Eintrag wird beim Entpacken mehr als %1-mal so groß wie die Datei</translation>
+        </message>
+        <message>
+            <source>This is no mesh but a trap</source>
+            <translation>Dies ist kein Netz, sondern eine Falle</translation>
+        </message>
+        <message>
+            <source>do not open it</source>
+            <translation>sie nicht öffnen</translation>
+        </message>
+        <message>
+            <source>primitives of points and lines</source>
+            <translation>Teile aus Punkten und Linien</translation>
+        </message>
+        <message>
+            <source>primitives with morph targets</source>
+            <translation>Teile mit Morph-Zielen</translation>
+        </message>
+        <message>
+            <source>vertex attributes %1</source>
+            <translation>Eckenattribute %1</translation>
+        </message>
+        <message>
+            <source>further colours at one place</source>
+            <translation>weitere Farben an einem Ort</translation>
+        </message>
+        <message>
+            <source>further colours at one vertex</source>
+            <translation>weitere Farben an einer Ecke</translation>
+        </message>
+        <message>
+            <source>transforms of nodes, which are applied</source>
+            <translation>Abbildungen von Knoten, die angewandt sind</translation>
+        </message>
+        <message>
+            <source>transforms of objects, which are applied</source>
+            <translation>Abbildungen von Objekten, die angewandt sind</translation>
+        </message>
+        <message>
+            <source>meshes that the scene does not show</source>
+            <translation>Netze, die die Szene nicht zeigt</translation>
+        </message>
+        <message>
+            <source>pictures of materials</source>
+            <translation>Bilder von Materialien</translation>
+        </message>
+        <message>
+            <source>pictures of materials at further texture coordinates</source>
+            <translation>Bilder von Materialien an weiteren Texturkoordinaten</translation>
+        </message>
+        <message>
+            <source>keyword in lower case</source>
+            <translation>Schlüsselwort in Kleinbuchstaben</translation>
+        </message>
+        <message>
+            <source>strip properties %1</source>
+            <translation>Eigenschaften von Streifen %1</translation>
+        </message>
+        <message>
+            <source>face properties %1</source>
+            <translation>Eigenschaften von Flächen %1</translation>
+        </message>
+        <message>
+            <source>elements %1</source>
+            <translation>Elemente %1</translation>
+        </message>
+        <message>
+            <source>textures of 3MF</source>
+            <translation>Texturen von 3MF</translation>
+        </message>
+        <message>
+            <source>mixed materials</source>
+            <translation>gemischte Materialien</translation>
+        </message>
+        <message>
+            <source>beam lattices</source>
+            <translation>Stabgitter</translation>
+        </message>
+        <message>
+            <source>metadata</source>
+            <translation>Metadaten</translation>
+        </message>
+        <message>
+            <source>unit (%1)</source>
+            <translation>Einheit (%1)</translation>
+        </message>
+        <message>
+            <source>vertices without a place that no face uses, now at the origin</source>
+            <translation>Ecken ohne Ort, die keine Fläche nutzt, jetzt im Ursprung</translation>
+        </message>
+        <message>
+            <source>remarks between the facets</source>
+            <translation>Bemerkungen zwischen den Facetten</translation>
+        </message>
+        <message>
+            <source>words after "endloop" or "endfacet"</source>
+            <translation>Wörter nach „endloop“ oder „endfacet“</translation>
+        </message>
+        <message>
+            <source>count of triangles that is 0</source>
+            <translation>Anzahl der Dreiecke, die 0 ist</translation>
+        </message>
+        <message>
+            <source>taken from the file's size</source>
+            <translation>aus der Größe der Datei bestimmt</translation>
+        </message>
+        <message>
+            <source>bytes after the last triangle, left out</source>
+            <translation>Bytes nach dem letzten Dreieck, weggelassen</translation>
+        </message>
+        <message>
+            <source>no build</source>
+            <translation>kein Bauauftrag</translation>
+        </message>
+        <message>
+            <source>every object is taken</source>
+            <translation>jedes Objekt wird genommen</translation>
+        </message>
+        <message>
+            <source>faces with properties of other kinds</source>
+            <translation>Flächen mit Eigenschaften anderer Art</translation>
+        </message>
+        <message>
+            <source>further parts of the archive</source>
+            <translation>weitere Teile des Archivs</translation>
+        </message>
+        <message>
+            <source>comments that begin with //</source>
+            <translation>Kommentare, die mit // beginnen</translation>
+        </message>
+        <message>
+            <source>unknown statements</source>
+            <translation>unbekannte Anweisungen</translation>
+        </message>
+        <message>
+            <source>texture coordinates that are no numbers</source>
+            <translation>Texturkoordinaten, die keine Zahlen sind</translation>
+        </message>
+        <message>
+            <source>normals that are no numbers</source>
+            <translation>Normalen, die keine Zahlen sind</translation>
+        </message>
+        <message>
+            <source>numbers of texture coordinates that are not there</source>
+            <translation>Nummern von Texturkoordinaten, die es nicht gibt</translation>
+        </message>
+        <message>
+            <source>numbers of normals that are not there</source>
+            <translation>Nummern von Normalen, die es nicht gibt</translation>
+        </message>
+        <message>
+            <source>points in parameter space</source>
+            <translation>Punkte im Parameterraum</translation>
+        </message>
+        <message>
+            <source>free-form curves and surfaces</source>
+            <translation>Freiformkurven und -flächen</translation>
+        </message>
+        <message>
+            <source>faces of fewer than three corners, left out</source>
+            <translation>Flächen mit weniger als drei Ecken, weggelassen</translation>
+        </message>
+        <message>
+            <source>a crack</source>
+            <translation>ein Riss</translation>
+        </message>
+        <message>
+            <source>a face at the same place covers it already</source>
+            <translation>eine Fläche am selben Ort deckt ihn schon ab</translation>
+        </message>
+        <message>
+            <source>its edges lie exactly on other boundary edges, so that nothing is missing between them</source>
+            <translation>seine Kanten liegen genau auf anderen Randkanten, sodass dazwischen nichts fehlt</translation>
+        </message>
+        <message>
+            <source>Stitch in the tab Patch joins them</source>
+            <translation>„Vernähen“ im Reiter Flicken verbindet sie</translation>
+        </message>
+        <message>
+            <source>no hole</source>
+            <translation>kein Loch</translation>
+        </message>
+        <message>
+            <source>it runs where the surface had to be cut, along an edge with more than two faces or because the surface is one-sided</source>
+            <translation>er läuft, wo die Fläche geschnitten werden musste, an einer Kante mit mehr als zwei Flächen oder weil die Fläche einseitig ist</translation>
+        </message>
+        <message>
+            <source>all vertices of the loop are in one place</source>
+            <translation>alle Ecken des Randes liegen an einem Ort</translation>
+        </message>
+        <message>
+            <source>the loop is the boundary of a single triangle</source>
+            <translation>dies ist der Rand eines einzelnen Dreiecks</translation>
+        </message>
+        <message>
+            <source>the patch would need about %1 vertices</source>
+            <translation>der Flicken bräuchte etwa %1 Ecken</translation>
+        </message>
+        <message>
+            <source>the patch would need more than %1 vertices</source>
+            <translation>der Flicken bräuchte mehr als %1 Ecken</translation>
+        </message>
+        <message>
+            <source>%1 million</source>
+            <translation>%1 Millionen</translation>
+        </message>
+        <message>
+            <source>far too many</source>
+            <translation>viel zu viele</translation>
+        </message>
+        <message>
+            <source>a lower Density needs fewer</source>
+            <translation>eine kleinere Dichte braucht weniger</translation>
+        </message>
+        <message>
+            <source>%1 edges of this loop have no length</source>
+            <translation>%1 Kanten dieses Randes haben keine Länge</translation>
+        </message>
+        <message>
+            <source>Repair… in the tab Patch can join their vertices</source>
+            <translation>„Reparieren…“ im Reiter Flicken kann ihre Ecken verbinden</translation>
+        </message>
+        <message>
+            <source>no valid triangulation of this loop was found</source>
+            <translation>für diesen Rand fand sich kein gültiges Dreiecksnetz</translation>
+        </message>
+        <message>
+            <source>No valid triangulation of this loop was found</source>
+            <translation>Für diesen Rand fand sich kein gültiges Dreiecksnetz</translation>
+        </message>
+        <message>
+            <source>the initial patch has %1 left</source>
+            <translation>im ersten Flicken bleiben %1</translation>
+        </message>
+        <message>
+            <source>the bridge has %1 left</source>
+            <translation>in der Brücke bleiben %1</translation>
+        </message>
+        <message>
+            <source>%1 folded edges</source>
+            <translation>%1 gefaltete Kanten</translation>
+        </message>
+        <message>
+            <source>%1 self-intersections</source>
+            <translation>%1 Selbstschnitte</translation>
+        </message>
+        <message>
+            <source>%1 folded edges and %2 self-intersections</source>
+            <translation>%1 gefaltete Kanten und %2 Selbstschnitte</translation>
+        </message>
+        <message>
+            <source>a blend needs at least two loops, not %1</source>
+            <translation>zum Verbinden braucht es mindestens zwei Ränder, nicht %1</translation>
+        </message>
+        <message>
+            <source>loop %1 is no hole but a crack</source>
+            <translation>Rand %1 ist kein Loch, sondern ein Riss</translation>
+        </message>
+        <message>
+            <source>loop %1 is no hole but a cut</source>
+            <translation>Rand %1 ist kein Loch, sondern ein Schnitt</translation>
+        </message>
+        <message>
+            <source>it cannot be joined to others</source>
+            <translation>er lässt sich nicht mit anderen verbinden</translation>
+        </message>
+        <message>
+            <source>all vertices of loop %1 are in one place</source>
+            <translation>alle Ecken von Rand %1 liegen an einem Ort</translation>
+        </message>
+        <message>
+            <source>loop %1 is named twice</source>
+            <translation>Rand %1 ist zweimal genannt</translation>
+        </message>
+        <message>
+            <source>loop %1 touches another loop, or itself, at a vertex</source>
+            <translation>Rand %1 berührt einen anderen oder sich selbst an einer Ecke</translation>
+        </message>
+        <message>
+            <source>every first surface between these loops folds or cuts itself all over</source>
+            <translation>jede erste Fläche zwischen diesen Rändern faltet oder schneidet sich überall</translation>
+        </message>
+        <message>
+            <source>a lower Density may help</source>
+            <translation>eine kleinere Dichte kann helfen</translation>
+        </message>
+        <message>
+            <source>no surface that joins these loops was found</source>
+            <translation>es fand sich keine Fläche, die diese Ränder verbindet</translation>
+        </message>
+        <message>
+            <source>they do not face a common middle, nor each other</source>
+            <translation>sie weisen weder auf eine gemeinsame Mitte noch aufeinander</translation>
+        </message>
+        <message>
+            <source>two of the loops bound one piece of surface, but its inside faces the gap at one of them and its outside at the other</source>
+            <translation>zwei der Ränder gehören zu einem Flächenstück, aber am einen weist seine Innenseite zur Lücke, am anderen seine Außenseite</translation>
+        </message>
+        <message>
+            <source>no two-sided surface joins them</source>
+            <translation>keine zweiseitige Fläche verbindet sie</translation>
+        </message>
+        <message>
+            <source>a loop was lost when its surface was turned round</source>
+            <translation>ein Rand ging verloren, als seine Fläche gewendet wurde</translation>
+        </message>
+        <message>
+            <source>vertex %1 lies on no boundary loop</source>
+            <translation>Ecke %1 liegt auf keinem Rand</translation>
+        </message>
+        <message>
+            <source>the boundary edges that begin at vertices %1 and %2 have a vertex in common</source>
+            <translation>die Randkanten, die an den Ecken %1 und %2 beginnen, haben eine Ecke gemeinsam</translation>
+        </message>
+        <message>
+            <source>a bridge needs two that lie apart</source>
+            <translation>eine Brücke braucht zwei, die getrennt liegen</translation>
+        </message>
+        <message>
+            <source>left open</source>
+            <translation>bleibt offen</translation>
+        </message>
+        <message>
+            <source>left as it is</source>
+            <translation>bleibt, wie es ist</translation>
+        </message>
+        <message>
+            <source>not finished when stopped</source>
+            <translation>beim Anhalten nicht fertig</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>abgebrochen</translation>
+        </message>
+        <message>
+            <source>not enough memory for this hole</source>
+            <translation>zu wenig Speicher für dieses Loch</translation>
+        </message>
+        <message>
+            <source>a smaller Density needs less</source>
+            <translation>eine kleinere Dichte braucht weniger</translation>
+        </message>
+        <message>
+            <source>a smaller Density needs less memory</source>
+            <translation>eine kleinere Dichte braucht weniger Speicher</translation>
+        </message>
+        <message>
+            <source>its edges are too short for its size</source>
+            <translation>seine Kanten sind zu kurz für seine Größe</translation>
+        </message>
+        <message>
+            <source>about %1 new vertices would take %2 MB of memory, and %3 MB are allowed</source>
+            <translation>etwa %1 neue Ecken bräuchten %2 MB Speicher, erlaubt sind %3 MB</translation>
+        </message>
+        <message>
+            <source>the memory for patches must be above 0 MB</source>
+            <translation>der Speicher für Flicken muss über 0 MB liegen</translation>
+        </message>
+        <message>
+            <source>an island</source>
+            <translation>eine Insel</translation>
+        </message>
+        <message>
+            <source>joined to hole %1</source>
+            <translation>mit Loch %1 verbunden</translation>
+        </message>
+        <message>
+            <source>the piece lies within hole %1, whose patch covers it</source>
+            <translation>das Stück liegt in Loch %1, dessen Flicken es bedeckt</translation>
+        </message>
+        <message>
+            <source>the piece of surface within it was not joined</source>
+            <translation>das Flächenstück darin wurde nicht angeschlossen</translation>
+        </message>
+        <message>
+            <source>no bridge was found</source>
+            <translation>es fand sich keine Brücke</translation>
+        </message>
+        <message>
+            <source>every patch that was found would cut the surface or itself, in %1 places</source>
+            <translation>jeder gefundene Flicken würde die Fläche oder sich selbst schneiden, an %1 Stellen</translation>
+        </message>
+        <message>
+            <source>Trim in the tab Patch or a strip across the hole (Bridge in the tab Tools) may help</source>
+            <translation>„Beschneiden“ im Reiter Flicken oder ein Streifen quer über das Loch („Brücke“ im Reiter Werkzeuge) kann helfen</translation>
+        </message>
+        <message>
+            <source>the loops cannot be joined as they lie</source>
+            <translation>so, wie sie liegen, lassen sich die Ränder nicht verbinden</translation>
+        </message>
+        <message>
+            <source>%1 boundary edge intersects the surface, so that no valid patch exists</source>
+            <translation>%1 Randkante schneidet die Fläche, sodass es keinen gültigen Flicken gibt</translation>
+        </message>
+        <message>
+            <source>%1 boundary edges intersect the surface, so that no valid patch exists</source>
+            <translation>%1 Randkanten schneiden die Fläche, sodass es keinen gültigen Flicken gibt</translation>
+        </message>
+        <message>
+            <source>press Trim in the tab Patch</source>
+            <translation>„Beschneiden“ im Reiter Flicken drücken</translation>
+        </message>
+        <message>
+            <source>its patch would cut that of loop %1</source>
+            <translation>sein Flicken würde den von Rand %1 schneiden</translation>
+        </message>
+        <message>
+            <source>Blend in the tab Tools joins the two by one surface</source>
+            <translation>„Verbinden“ im Reiter Werkzeuge verbindet beide durch eine Fläche</translation>
+        </message>
+        <message>
+            <source>no hole could be filled</source>
+            <translation>kein Loch ließ sich füllen</translation>
+        </message>
+        <message>
+            <source>the loops were not joined</source>
+            <translation>die Ränder wurden nicht verbunden</translation>
+        </message>
+        <message>
+            <source>%1 faces were turned round</source>
+            <translation>%1 Flächen wurden gewendet</translation>
+        </message>
+        <message>
+            <source>their inside faced the gap</source>
+            <translation>ihre Innenseite wies zur Lücke</translation>
+        </message>
+        <message>
+            <source>between 0 and 100 rings of a boundary can be trimmed, not %1</source>
+            <translation>zwischen 0 und 100 Ringe eines Randes lassen sich beschneiden, nicht %1</translation>
+        </message>
+        <message>
+            <source>trimming the boundary would leave no triangle</source>
+            <translation>nach dem Beschneiden des Randes bliebe kein Dreieck</translation>
+        </message>
+        <message>
+            <source>the tolerance of stitching must lie between 0 and 0.4, not %1</source>
+            <translation>die Toleranz beim Vernähen muss zwischen 0 und 0,4 liegen, nicht bei %1</translation>
+        </message>
+        <message>
+            <source>the scan around the hole does not tell shape from relief</source>
+            <translation>der Scan um das Loch trennt Form und Relief nicht</translation>
+        </message>
+        <message>
+            <source>the scan around the hole is noisy</source>
+            <translation>der Scan um das Loch ist verrauscht</translation>
+        </message>
+        <message>
+            <source>the scan around the hole has relief</source>
+            <translation>der Scan um das Loch hat Relief</translation>
+        </message>
+        <message>
+            <source>the flow runs on the smooth surface under it</source>
+            <translation>der Fluss läuft auf der glatten Fläche darunter</translation>
+        </message>
+        <message>
+            <source>%1, so that its curvature counts little</source>
+            <translation>%1, sodass seine Krümmung wenig zählt</translation>
+        </message>
+        <message>
+            <source>the Boundary "Exact" runs the flow itself</source>
+            <translation>mit dem Rand „Exakt“ läuft der Fluss selbst</translation>
+        </message>
+        <message>
+            <source>the boundary lies in a plane that the surface runs into without bending, so that it was closed flat</source>
+            <translation>der Rand liegt in einer Ebene, in die die Fläche ohne Biegung ausläuft, sodass er eben geschlossen wurde</translation>
+        </message>
+        <message>
+            <source>robust fairing in place of the flow</source>
+            <translation>robuste Glättung statt des Flusses</translation>
+        </message>
+        <message>
+            <source>linear fairing in place of the flow</source>
+            <translation>lineare Glättung statt des Flusses</translation>
+        </message>
+        <message>
+            <source>the flow on the smooth surface under the scan</source>
+            <translation>der Fluss auf der glatten Fläche unter dem Scan</translation>
+        </message>
+        <message>
+            <source>the flow with bending energy mixed in</source>
+            <translation>der Fluss mit beigemischter Biegeenergie</translation>
+        </message>
+        <message>
+            <source>the initial patch was kept</source>
+            <translation>der erste Flicken wurde behalten</translation>
+        </message>
+        <message>
+            <source>the flow could not start</source>
+            <translation>der Fluss konnte nicht beginnen</translation>
+        </message>
+        <message>
+            <source>the flow would have folded the patch or cut the surface</source>
+            <translation>der Fluss hätte den Flicken gefaltet oder die Fläche geschnitten</translation>
+        </message>
+        <message>
+            <source>the flow itself did not converge</source>
+            <translation>der Fluss selbst ist nicht konvergiert</translation>
+        </message>
+        <message>
+            <source>with bending energy mixed in it did</source>
+            <translation>mit beigemischter Biegeenergie schon</translation>
+        </message>
+        <message>
+            <source>the patch of the flow itself was out of proportion</source>
+            <translation>der Flicken des Flusses selbst stand in keinem Verhältnis zum Loch</translation>
+        </message>
+        <message>
+            <source>with bending energy mixed in it is not</source>
+            <translation>mit beigemischter Biegeenergie nicht</translation>
+        </message>
+        <message>
+            <source>the patch of MMCVF was out of proportion</source>
+            <translation>der Flicken von MMCVF stand in keinem Verhältnis zum Loch</translation>
+        </message>
+        <message>
+            <source>the patch of MMCVF on the smooth surface was out of proportion</source>
+            <translation>der Flicken von MMCVF auf der glatten Fläche stand in keinem Verhältnis zum Loch</translation>
+        </message>
+        <message>
+            <source>the patch of MMCVF with bending energy mixed in was out of proportion</source>
+            <translation>der Flicken von MMCVF mit beigemischter Biegeenergie stand in keinem Verhältnis zum Loch</translation>
+        </message>
+        <message>
+            <source>the patch of robust fairing was out of proportion</source>
+            <translation>der Flicken der robusten Glättung stand in keinem Verhältnis zum Loch</translation>
+        </message>
+        <message>
+            <source>the patch of linear fairing was out of proportion</source>
+            <translation>der Flicken der linearen Glättung stand in keinem Verhältnis zum Loch</translation>
+        </message>
+        <message>
+            <source>the patch is out of proportion</source>
+            <translation>der Flicken steht in keinem Verhältnis zum Loch</translation>
+        </message>
+        <message>
+            <source>its area is %1 times that of the initial patch, and it reaches %2 diameters beyond it</source>
+            <translation>seine Fläche ist das %1-Fache der des ersten Flickens, und er reicht %2 Durchmesser über diesen hinaus</translation>
+        </message>
+        <message>
+            <source>too small to hold a free vertex</source>
+            <translation>zu klein für eine freie Ecke</translation>
+        </message>
+        <message>
+            <source>closed by triangles between its own vertices</source>
+            <translation>mit Dreiecken zwischen den eigenen Ecken geschlossen</translation>
+        </message>
+        <message>
+            <source>one boundary vertex is an outlier</source>
+            <translation>eine Randecke ist ein Ausreißer</translation>
+        </message>
+        <message>
+            <source>%1 boundary vertices are outliers</source>
+            <translation>%1 Randecken sind Ausreißer</translation>
+        </message>
+        <message>
+            <source>the patch meets it, but does not take its curvature from it</source>
+            <translation>der Flicken trifft sie, nimmt seine Krümmung aber nicht von ihr</translation>
+        </message>
+        <message>
+            <source>the patch meets them, but does not take its curvature from them</source>
+            <translation>der Flicken trifft sie, nimmt seine Krümmung aber nicht von ihnen</translation>
+        </message>
+        <message>
+            <source>the patch would have folded or cut the surface at a few places</source>
+            <translation>der Flicken hätte sich gefaltet oder an einigen Stellen die Fläche geschnitten</translation>
+        </message>
+        <message>
+            <source>there, at %1 of its %2 vertices, it goes back towards what it set out from</source>
+            <translation>dort, an %1 seiner %2 Ecken, kehrt er zu seinem Anfang zurück</translation>
+        </message>
+        <message>
+            <source>a crease of %1 degrees is left at a seam</source>
+            <translation>an einer Naht bleibt ein Knick von %1 Grad</translation>
+        </message>
+        <message>
+            <source>the patch turns too sharply there for edges of this length</source>
+            <translation>der Flicken biegt dort zu scharf für Kanten dieser Länge</translation>
+        </message>
+        <message>
+            <source>finer meshes would help</source>
+            <translation>feinere Netze würden helfen</translation>
+        </message>
+        <message>
+            <source>the scan around the hole has no relief to continue</source>
+            <translation>der Scan um das Loch hat kein Relief, das sich fortsetzen ließe</translation>
+        </message>
+        <message>
+            <source>the patch has as much relief as the scan without any added, rms %1 (%2 around the hole)</source>
+            <translation>der Flicken hat schon so viel Relief wie der Scan, quadratisches Mittel %1 (um das Loch %2)</translation>
+        </message>
+        <message>
+            <source>with relief the patch would fold or cut the surface</source>
+            <translation>mit Relief würde der Flicken sich falten oder die Fläche schneiden</translation>
+        </message>
+        <message>
+            <source>it stays smooth</source>
+            <translation>er bleibt glatt</translation>
+        </message>
+        <message>
+            <source>relief continued at random, rms %1 (%2 around the hole)</source>
+            <translation>zufälliges Relief fortgesetzt, quadratisches Mittel %1 (um das Loch %2)</translation>
+        </message>
+        <message>
+            <source>no step of the flow came below its fairings, which were kept</source>
+            <translation>kein Schritt des Flusses kam unter seine Glättungen, die behalten wurden</translation>
+        </message>
+        <message>
+            <source>stopped early</source>
+            <translation>früh beendet</translation>
+        </message>
+        <message>
+            <source>the noise could not be carried into the patch</source>
+            <translation>das Rauschen ließ sich nicht in den Flicken fortführen</translation>
+        </message>
+        <message>
+            <source>only vanishing time steps keep the flow stable here</source>
+            <translation>nur verschwindend kleine Zeitschritte halten den Fluss hier stabil</translation>
+        </message>
+        <message>
+            <source>the flow has not converged, but only ever smaller steps lower the energy</source>
+            <translation>der Fluss ist nicht konvergiert, aber nur immer kleinere Schritte senken die Energie</translation>
+        </message>
+        <message>
+            <source>no further step lowers the energy without folding the patch</source>
+            <translation>kein weiterer Schritt senkt die Energie, ohne den Flicken zu falten</translation>
+        </message>
+        <message>
+            <source>the patch is too degenerate to be faired</source>
+            <translation>der Flicken ist zu entartet, um geglättet zu werden</translation>
+        </message>
+        <message>
+            <source>stopped after %1 steps, before the steady state</source>
+            <translation>nach %1 Schritten angehalten, vor dem stationären Zustand</translation>
+        </message>
+        <message>
+            <source>the surface around the hole has too few vertices to tell its curvature</source>
+            <translation>die Fläche um das Loch hat zu wenige Ecken, um ihre Krümmung zu bestimmen</translation>
+        </message>
+        <message>
+            <source>the patch has no free vertex to evolve</source>
+            <translation>der Flicken hat keine freie Ecke, die sich bewegen könnte</translation>
+        </message>
+        <message>
+            <source>the patch has a vertex that is not finite</source>
+            <translation>der Flicken hat eine Ecke, die nicht endlich ist</translation>
+        </message>
+        <message>
+            <source>a loop has no extent</source>
+            <translation>ein Rand hat keine Ausdehnung</translation>
+        </message>
+        <message>
+            <source>all its vertices are in one place</source>
+            <translation>alle seine Ecken liegen an einem Ort</translation>
+        </message>
+        <message>
+            <source>the density must lie between 0.1 and 10, not %1</source>
+            <translation>die Dichte muss zwischen 0,1 und 10 liegen, nicht bei %1</translation>
+        </message>
+        <message>
+            <source>the time step sigma must lie between 1e-6 and 1e8, not %1</source>
+            <translation>der Zeitschritt σ muss zwischen 1e-6 und 1e8 liegen, nicht bei %1</translation>
+        </message>
+        <message>
+            <source>the share of bending energy must lie between 0 and 1e6, not %1</source>
+            <translation>der Anteil der Biegeenergie muss zwischen 0 und 1e6 liegen, nicht bei %1</translation>
+        </message>
+        <message>
+            <source>the number of steps must be at least 1, not %1</source>
+            <translation>die Zahl der Schritte muss mindestens 1 sein, nicht %1</translation>
+        </message>
+        <message>
+            <source>It cuts the surface or itself in %1 places</source>
+            <translation>Er schneidet die Fläche oder sich selbst an %1 Stellen</translation>
+        </message>
+        <message>
+            <source>the command line leaves such a hole open</source>
+            <translation>die Befehlszeile lässt ein solches Loch offen</translation>
+        </message>
+        <message>
+            <source>Run a flow, or discard it and try another density</source>
+            <translation>Einen Fluss laufen lassen, oder ihn verwerfen und eine andere Dichte versuchen</translation>
+        </message>
+        <message>
+            <source>It folds over itself where the initial patch did not</source>
+            <translation>Er faltet sich, wo der erste Flicken es nicht tat</translation>
+        </message>
+        <message>
+            <source>the command line would keep the initial patch</source>
+            <translation>die Befehlszeile behielte den ersten Flicken</translation>
+        </message>
+        <message>
+            <source>Go back a few steps, or take smaller ones</source>
+            <translation>Ein paar Schritte zurückgehen, oder kleinere tun</translation>
+        </message>
+        <message>
+            <source>the region names vertex %1, but the vertices are 0 to %2</source>
+            <translation>das Gebiet nennt Ecke %1, aber die Ecken sind 0 bis %2</translation>
+        </message>
+        <message>
+            <source>the region takes in a whole piece of the surface</source>
+            <translation>das Gebiet umfasst ein ganzes Stück der Fläche</translation>
+        </message>
+        <message>
+            <source>nothing around it would hold it</source>
+            <translation>nichts ringsum würde es halten</translation>
+        </message>
+        <message>
+            <source>the region has no vertex that could move</source>
+            <translation>das Gebiet hat keine Ecke, die sich bewegen könnte</translation>
+        </message>
+        <message>
+            <source>it is empty, or lies on the surface's boundary</source>
+            <translation>es ist leer oder liegt auf dem Rand der Fläche</translation>
+        </message>
+        <message>
+            <source>%1 vertices of the region lie on the surface's boundary</source>
+            <translation>%1 Ecken des Gebiets liegen auf dem Rand der Fläche</translation>
+        </message>
+        <message>
+            <source>they stay</source>
+            <translation>sie bleiben</translation>
+        </message>
+        <message>
+            <source>the flow would leave %1 in the region</source>
+            <translation>der Fluss ließe %1 im Gebiet zurück</translation>
+        </message>
+        <message>
+            <source>no valid surface was found</source>
+            <translation>es fand sich keine gültige Fläche</translation>
+        </message>
+        <message>
+            <source>the best one has %1</source>
+            <translation>die beste hat %1</translation>
+        </message>
+        <message>
+            <source>all vertices of the polyhedron lie in one plane</source>
+            <translation>alle Ecken des Polyeders liegen in einer Ebene</translation>
+        </message>
+        <message>
+            <source>there is no surface to find between them</source>
+            <translation>zwischen ihnen gibt es keine Fläche zu finden</translation>
+        </message>
+        <message>
+            <source>the number of subdivisions must lie between 1 and 8, not %1</source>
+            <translation>die Zahl der Unterteilungen muss zwischen 1 und 8 liegen, nicht bei %1</translation>
+        </message>
+        <message>
+            <source>the polyhedron has %1 vertices</source>
+            <translation>das Polyeder hat %1 Ecken</translation>
+        </message>
+        <message>
+            <source>too few for a surface, at least 4 are needed</source>
+            <translation>zu wenige für eine Fläche, mindestens 4 sind nötig</translation>
+        </message>
+        <message>
+            <source>the polyhedron is no simple surface</source>
+            <translation>das Polyeder ist keine einfache Fläche</translation>
+        </message>
+        <message>
+            <source>edges with more than two faces, faces that meet at a vertex alone, or faces that are double or without area</source>
+            <translation>Kanten mit mehr als zwei Flächen, Flächen, die sich nur an einer Ecke treffen, oder Flächen, die doppelt oder ohne Inhalt sind</translation>
+        </message>
+        <message>
+            <source>First press Repair… in the tab Patch</source>
+            <translation>Zuerst „Reparieren…“ im Reiter Flicken drücken</translation>
+        </message>
+        <message>
+            <source>the subdivided polyhedron would have more than 4 million triangles</source>
+            <translation>das unterteilte Polyeder hätte mehr als 4 Millionen Dreiecke</translation>
+        </message>
+        <message>
+            <source>fewer subdivisions do</source>
+            <translation>weniger Unterteilungen genügen</translation>
+        </message>
+        <message>
+            <source>the polyhedron has %1 hole, the largest with %2 edges</source>
+            <translation>das Polyeder hat %1 Loch, das größte mit %2 Kanten</translation>
+        </message>
+        <message>
+            <source>the polyhedron has %1 holes, the largest with %2 edges</source>
+            <translation>das Polyeder hat %1 Löcher, das größte mit %2 Kanten</translation>
+        </message>
+        <message>
+            <source>close it, or tick Smooth boundaries</source>
+            <translation>es schließen oder „Glatte Ränder“ ankreuzen</translation>
+        </message>
+        <message>
+            <source>vertex %1 is to be fixed, but the vertices are 0 to %2</source>
+            <translation>Ecke %1 soll fest sein, aber die Ecken sind 0 bis %2</translation>
+        </message>
+        <message>
+            <source>%1 fixed vertices are too few for a surface</source>
+            <translation>%1 feste Ecken sind zu wenige für eine Fläche</translation>
+        </message>
+        <message>
+            <source>at least 4 are needed</source>
+            <translation>mindestens 4 sind nötig</translation>
+        </message>
+        <message>
+            <source>a closed curve needs at least 3 points, not %1</source>
+            <translation>eine geschlossene Kurve braucht mindestens 3 Punkte, nicht %1</translation>
+        </message>
+        <message>
+            <source>two neighbouring points of the curve lie in one place</source>
+            <translation>zwei benachbarte Punkte der Kurve liegen an einem Ort</translation>
+        </message>
+        <message>
+            <source>parts %1 and %2 overlap</source>
+            <translation>die Teile %1 und %2 überschneiden sich</translation>
+        </message>
+        <message>
+            <source>%1 pairs of their triangles cut each other</source>
+            <translation>%1 Paare ihrer Dreiecke schneiden einander</translation>
+        </message>
+        <message>
+            <source>Move them apart</source>
+            <translation>Sie auseinander rücken</translation>
+        </message>
+        <message>
+            <source>the patch is not an oriented manifold</source>
+            <translation>der Flicken ist keine orientierte Mannigfaltigkeit</translation>
+        </message>
+        <message>
+            <source>the patch has an open edge away from its boundary</source>
+            <translation>der Flicken hat eine offene Kante abseits seines Randes</translation>
+        </message>
+        <message>
+            <source>a boundary edge of the patch is not a boundary edge of the surface</source>
+            <translation>eine Randkante des Flickens ist keine Randkante der Fläche</translation>
+        </message>
+        <message>
+            <source>a chord of the patch is an edge of the surface already</source>
+            <translation>eine Sehne des Flickens ist schon eine Kante der Fläche</translation>
+        </message>
+        <message>
+            <source>face %1 names vertex %2, but there are %3</source>
+            <translation>Fläche %1 nennt Ecke %2, aber es gibt %3</translation>
+        </message>
+        <message>
+            <source>face %1 cannot be joined to its neighbours</source>
+            <translation>Fläche %1 lässt sich nicht mit ihren Nachbarn verbinden</translation>
+        </message>
+        <message>
+            <source>no usable face</source>
+            <translation>keine brauchbare Fläche</translation>
+        </message>
+        <message>
+            <source>every face is degenerate</source>
+            <translation>jede Fläche ist entartet</translation>
+        </message>
+        <message>
+            <source>this would leave no triangle of the surface</source>
+            <translation>dann bliebe kein Dreieck der Fläche</translation>
+        </message>
+        <message>
+            <source>loop %1 of %2 is filled already</source>
+            <translation>Rand %1 von %2 ist schon gefüllt</translation>
+        </message>
+        <message>
+            <source>discard its patch, or choose another loop</source>
+            <translation>seinen Flicken verwerfen oder einen anderen Rand wählen</translation>
+        </message>
+        <message>
+            <source>the surface outside the patches was changed</source>
+            <translation>die Fläche außerhalb der Flicken wurde verändert</translation>
+        </message>
+        <message>
+            <source>nothing is handed on</source>
+            <translation>nichts wird weitergegeben</translation>
+        </message>
+        <message>
+            <source>There is not enough memory for this</source>
+            <translation>Dafür reicht der Speicher nicht</translation>
+        </message>
+        <message>
+            <source>a number</source>
+            <translation>eine Zahl</translation>
+        </message>
+        <message>
+            <source>a whole number</source>
+            <translation>eine ganze Zahl</translation>
+        </message>
+        <message>
+            <source>a colour</source>
+            <translation>eine Farbe</translation>
+        </message>
+        <message>
+            <source>a list of %1 items</source>
+            <translation>einer Liste von %1 Einträgen</translation>
+        </message>
+        <message>
+            <source>the number of edges</source>
+            <translation>die Zahl der Kanten</translation>
+        </message>
+        <message>
+            <source>the number of a face's corners</source>
+            <translation>die Zahl der Ecken einer Fläche</translation>
+        </message>
+        <message>
+            <source>"count" or "componentType" is missing</source>
+            <translation>„count“ oder „componentType“ fehlt</translation>
+        </message>
+        <message>
+            <source>"buffer" or "byteLength" is missing</source>
+            <translation>„buffer“ oder „byteLength“ fehlt</translation>
+        </message>
+        <message>
+            <source>"count", "indices" or "values" is missing</source>
+            <translation>„count“, „indices“ oder „values“ fehlt</translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::ExampleController</name>
         <message>
             <source>%1 %2</source>

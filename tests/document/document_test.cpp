@@ -35,7 +35,7 @@ TEST(Document, TellsTheStateOfEveryLoop) {
   EXPECT_EQ(document.state(rim), HoleState::open);
   document.add_failures({{diamond, "no room"}});
   EXPECT_EQ(document.state(diamond), HoleState::failed);
-  EXPECT_EQ(document.message(diamond), QStringLiteral("no room"));
+  EXPECT_EQ(document.message(diamond), "no room");
   document.forget_failures({diamond});
   EXPECT_EQ(document.state(diamond), HoleState::open);
 

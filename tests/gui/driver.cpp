@@ -7,7 +7,9 @@
 #include "samples/sample_scan.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QSignalSpy>
@@ -176,6 +178,27 @@ int count_colors(const QImage& image, int enough) {
       if (static_cast<int>(colors.size()) >= enough) return enough;
     }
   return static_cast<int>(colors.size());
+}
+
+QStringList texts_of(const QObject& object) {
+  QStringList texts;
+  for (const char* property : {"text", "title", "toolTip", "statusTip", "whatsThis", "windowTitle", "accessibleName",
+                               "accessibleDescription", "placeholderText", "prefix", "suffix", "plainText"})
+    if (const QString text = object.property(property).toString(); !text.isEmpty()) texts << text;
+  if (const auto* view = qobject_cast<const QAbstractItemView*>(&object); view && view->model()) {
+    const QAbstractItemModel& model = *view->model();
+    for (int column = 0; column < model.columnCount(); ++column) {
+      for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+        texts << model.headerData(column, Qt::Horizontal, role).toString();
+      for (int row = 0; row < model.rowCount(); ++row)
+        for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+          texts << model.index(row, column).data(role).toString();
+    }
+  }
+  if (const auto* combo = qobject_cast<const QComboBox*>(&object))
+    for (int k = 0; k < combo->count(); ++k)
+      texts << combo->itemText(k) << combo->itemData(k, Qt::ToolTipRole).toString();
+  return texts;
 }
 
 }  // namespace loopmend::testing

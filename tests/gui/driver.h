@@ -48,6 +48,9 @@ int first_hole(const Document& document);
 /// How many holes have no patch.
 int open_holes(const Document& document);
 
+/// Everything that a person can read or hear of an object: each of its properties that holds text.
+QStringList texts_of(const QObject& object);
+
 /// A pixel on the loop's line where nothing hides it, in canvas coordinates; by trying its vertices.
 QPoint visible_point(MainWindow& window, int loop);
 

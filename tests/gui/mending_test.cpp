@@ -239,8 +239,9 @@ void MendingTest::a_patch_out_of_proportion_is_amber() {
   boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::exact)));
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window, 2 * minutes));
-  QVERIFY2(window.document().state(0) == HoleState::doubtful,
-           qPrintable(labels::state(window.document().state(0)) + window.document().message(0)));
+  QVERIFY2(
+      window.document().state(0) == HoleState::doubtful,
+      qPrintable(labels::state(window.document().state(0)) + QString::fromStdString(window.document().message(0))));
   const QString said = QStringLiteral("out of proportion");
   const auto sentence = [&] { return part<QLabel>(window, "seamSentence")->text(); };
   QVERIFY2(wait_until([&] { return sentence().contains(said); }, 5), qPrintable(sentence()));

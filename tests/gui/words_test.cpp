@@ -6,10 +6,8 @@
 #include "dialogs/help_window.h"
 #include "document/language.h"
 
-#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
-#include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
@@ -41,28 +39,6 @@ void add_languages() {
   QTest::addColumn<QString>("language");
   QTest::newRow("English") << QStringLiteral("en");
   QTest::newRow("German") << QStringLiteral("de");
-}
-
-/// Everything that a person can read or hear of an object: each of its properties that holds text.
-QStringList texts_of(const QObject& object) {
-  QStringList texts;
-  for (const char* property : {"text", "title", "toolTip", "statusTip", "whatsThis", "windowTitle", "accessibleName",
-                               "accessibleDescription", "placeholderText", "prefix", "suffix", "plainText"})
-    if (const QString text = object.property(property).toString(); !text.isEmpty()) texts << text;
-  if (const auto* view = qobject_cast<const QAbstractItemView*>(&object); view && view->model()) {
-    const QAbstractItemModel& model = *view->model();
-    for (int column = 0; column < model.columnCount(); ++column) {
-      for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
-        texts << model.headerData(column, Qt::Horizontal, role).toString();
-      for (int row = 0; row < model.rowCount(); ++row)
-        for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
-          texts << model.index(row, column).data(role).toString();
-    }
-  }
-  if (const auto* combo = qobject_cast<const QComboBox*>(&object))
-    for (int k = 0; k < combo->count(); ++k)
-      texts << combo->itemText(k) << combo->itemData(k, Qt::ToolTipRole).toString();
-  return texts;
 }
 
 /// A dialog of this class that is open; it is the one that the window waits for.
