@@ -246,7 +246,7 @@ void ViewTest::a_distance_is_measured() {
     if (const auto at = seen_at(window.view().space(), p - origin)) seen.emplace_back(p, *at);
   QVERIFY(seen.size() > 100);
   const auto& [a, at_a] = seen.front();
-  const auto& [b, at_b] = *std::max_element(seen.begin(), seen.end(), [&](const auto& x, const auto& y) {
+  const auto& [b, at_b] = *std::max_element(seen.begin(), seen.end(), [&a = a](const auto& x, const auto& y) {
     return (x.first - a).norm() < (y.first - a).norm();
   });
   QTest::mouseClick(canvas, Qt::LeftButton, {}, at_a);
