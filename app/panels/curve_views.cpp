@@ -43,7 +43,7 @@ EnergyView::EnergyView(QWidget* parent)
   plot_->set_axis(Plot::Side::right, Plot::Scale::logarithmic);
   plot_->count_along();
   plot_->add_graph(Plot::Side::left, tr("Energy"), Plot::Line::solid, blue);
-  plot_->add_graph(Plot::Side::right, tr("Residual, edge lengths (right)"), Plot::Line::dotted, orange);
+  plot_->add_graph(Plot::Side::right, tr("Residual (right)"), Plot::Line::dotted, orange);
   plot_->add_graph(Plot::Side::left, QString(), Plot::Line::dotted, blue);
   plot_->add_graph(Plot::Side::left, QString(), Plot::Line::solid, grey);
   auto* layout = new QVBoxLayout(this);
@@ -66,9 +66,9 @@ void EnergyView::show_run(const OpenPatch* patch) {
   const bool logarithmic = !run.split && !run.step.empty() && *low > 0 && *high > wide * *low;
   plot_->set_axis(Plot::Side::left, logarithmic ? Plot::Scale::logarithmic : Plot::Scale::linear);
   plot_->set_name(energy_graph, run.fairing ? QString()
-                                : run.split ? tr("J, which the flow lowers")
+                                : run.split ? tr("J, lowered")
                                             : energy_unit(patch->state->flow));
-  plot_->set_name(smooth_graph, run.split ? tr("its smooth part") : QString());
+  plot_->set_name(smooth_graph, run.split ? tr("smooth part") : QString());
   plot_->set_name(relief_graph, run.split ? tr("relief and noise") : QString());
   plot_->set_data(energy_graph, run.step, run.lowered);
   plot_->set_data(residual_graph, run.residual_step, run.residual);

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace loopmend {
 QColor plot_ink(int ink, PlotGround ground) {
@@ -73,10 +74,10 @@ void Plot::set_axis(Side side, Scale scale) {
 
 void Plot::set_name(int graph, const QString& name) {
   plot_->graph(graph)->setName(name);
-  if (name.isEmpty())
-    plot_->graph(graph)->removeFromLegend();
-  else
-    plot_->graph(graph)->addToLegend();
+  // All anew, so that they stand in the order of the graphs.
+  for (int g = 0; g < plot_->graphCount(); ++g) plot_->graph(g)->removeFromLegend();
+  for (int g = 0; g < plot_->graphCount(); ++g)
+    if (!plot_->graph(g)->name().isEmpty()) plot_->graph(g)->addToLegend();
   lay_out_legend();
 }
 
@@ -137,9 +138,8 @@ void Plot::set_axis_name(Side side, const QString& name) { axis(side)->setLabel(
 
 void Plot::set_data(int graph, const QVector<double>& x, const QVector<double>& y) {
   plot_->graph(graph)->setData(x, y, true);
-  plot_->graph(graph)->setScatterStyle(x.size() <= 60 && inks_[graph].line == Line::solid
-                                           ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
-                                           : QCPScatterStyle());
+  const bool as_points = x.size() == 1 || (x.size() <= 60 && inks_[graph].line == Line::solid);
+  plot_->graph(graph)->setScatterStyle(as_points ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4) : QCPScatterStyle());
 }
 
 QVector<double> Plot::values(int graph) const {
@@ -191,8 +191,14 @@ void Plot::fit_axis(Side side) {
 
 void Plot::fit() {
   plot_->xAxis->rescale();
-  const QCPRange range = plot_->xAxis->range();
-  if (range.size() <= 0) plot_->xAxis->setRange(range.lower - 0.5, range.upper + 0.5);
+  bool any = false;
+  QCPRange along;
+  for (int g = 0; g < plot_->graphCount(); ++g) {
+    bool has_values = false;
+    const QCPRange range = plot_->graph(g)->getKeyRange(has_values);
+    if (has_values) along = std::exchange(any, true) ? along.expanded(range) : range;
+  }
+  if (any && along.size() <= 0) plot_->xAxis->setRange(along.lower - 0.5, along.upper + 0.5);
   fit_axis(Side::left);
   fit_axis(Side::right);
 }

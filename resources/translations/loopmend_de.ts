@@ -805,20 +805,20 @@
             <translation>Sobald ein Fluss läuft, steht hier seine Energie.</translation>
         </message>
         <message>
-            <source>Residual, edge lengths (right)</source>
-            <translation>Rest, Kantenlängen (rechts)</translation>
-        </message>
-        <message>
-            <source>J, which the flow lowers</source>
-            <translation>J, das der Fluss senkt</translation>
-        </message>
-        <message>
-            <source>its smooth part</source>
-            <translation>davon die glatte Fläche</translation>
-        </message>
-        <message>
             <source>relief and noise</source>
             <translation>Relief und Rauschen</translation>
+        </message>
+        <message>
+            <source>Residual (right)</source>
+            <translation>Rest (rechts)</translation>
+        </message>
+        <message>
+            <source>J, lowered</source>
+            <translation>J, sinkt</translation>
+        </message>
+        <message>
+            <source>smooth part</source>
+            <translation>glatter Teil</translation>
         </message>
     </context>
     <context>

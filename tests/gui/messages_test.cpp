@@ -284,6 +284,7 @@ void MessagesTest::status_bar_timeline_and_plot_tell_the_same_step() {
 void MessagesTest::the_plot_draws_what_the_steps_lower_data() {
   QTest::addColumn<int>("boundary");
   QTest::addColumn<QString>("legend");
+  QTest::newRow("split flow") << 0 << QStringLiteral("J");
   QTest::newRow("flow") << 1 << QStringLiteral("|\u2207H|");
   QTest::newRow("robust fairing lowers no energy") << 2 << QString();
 }
@@ -310,6 +311,7 @@ void MessagesTest::the_plot_draws_what_the_steps_lower() {
   QVERIFY(wait_until(named, 5));
   QVERIFY(!drawn->graph(1)->data()->isEmpty());
   QCOMPARE(drawn->yAxis->visible(), !legend.isEmpty());
+  QVERIFY(drawn->legend->minimumOuterSizeHint().width() <= drawn->width());
   QCOMPARE(part<QLabel>(window, "curveHole")->text(),
            QStringLiteral("Hole %1").arg(window.document().loop(hole).number));
 }

@@ -114,6 +114,9 @@ void show_story(MainWindow& window, const QString& file) {
   tabs->setCurrentIndex(2);
   shoot(window, "log");
   tabs->setCurrentIndex(0);
+  press(window, "fillAndSmooth");
+  wait_idle(window, 300);
+  shoot_part(window, part<QDockWidget>(window, "inspectDock"), "energy");
 }
 
 void show_looks(MainWindow& window) {
