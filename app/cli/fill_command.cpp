@@ -257,6 +257,27 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
   for (const std::string& remark : written.remarks) std::fprintf(out, "%s\n", remark.c_str());
 }
 
+/// What was done to the scan before it was filled.
+void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const PreparedScan& scan,
+                   const std::vector<BadRimFace>& bad) {
+  if (command.coincident == CoincidentVertices::weld)
+    std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
+                 counted(import.vertices_welded, "vertex was", "vertices were").c_str());
+  if (import.vertices_joined > 0)
+    std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
+                 counted(import.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
+  print_preparation(out, scan.done);
+  if (const std::size_t turned = scan.turned_faces(); turned > 0)
+    std::fprintf(out, "%s turned round to agree with the neighbours.\n",
+                 counted(turned, "face was", "faces were").c_str());
+  if (!scan.trimmed.empty())
+    std::fprintf(out, "%s removed at the boundaries.\n",
+                 counted(scan.trimmed.size(), "bad triangle was", "bad triangles were").c_str());
+  else if (!bad.empty())
+    std::fprintf(out, "%s at the boundaries; --trim-boundary 3 would remove what is bad.\n",
+                 counted(bad.size(), "bad triangle", "bad triangles").c_str());
+}
+
 /// The first reason, where there is one.
 std::string why_open(const std::vector<HoleResult>& results) {
   for (const HoleResult& result : results)
@@ -320,22 +341,7 @@ int run_fill(const FillCommand& command) {
   commit_with_report(outputs, command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
-    if (command.coincident == CoincidentVertices::weld)
-      std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
-                   counted(opened.report.vertices_welded, "vertex was", "vertices were").c_str());
-    if (opened.report.vertices_joined > 0)
-      std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
-                   counted(opened.report.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
-    print_preparation(out, scan.done);
-    if (const std::size_t turned = scan.turned_faces(); turned > 0)
-      std::fprintf(out, "%s turned round to agree with the neighbours.\n",
-                   counted(turned, "face was", "faces were").c_str());
-    if (!scan.trimmed.empty())
-      std::fprintf(out, "%s removed at the boundaries.\n",
-                   counted(scan.trimmed.size(), "bad triangle was", "bad triangles were").c_str());
-    else if (!bad.empty())
-      std::fprintf(out, "%s at the boundaries; --trim-boundary 3 would remove what is bad.\n",
-                   counted(bad.size(), "bad triangle", "bad triangles").c_str());
+    print_changes(out, command, opened.report, scan, bad);
     if (scan.loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
     else

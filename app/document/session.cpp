@@ -354,14 +354,29 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 
 namespace {
 
+bool is_known(qint32 version) {
+  return version == format_version || version == version_without_relief || version == version_without_bridges ||
+         version == version_without_boundary || version == first_version;
+}
+
+SessionPatch session_patch(Reader& in, int scans) {
+  SessionPatch entry;
+  entry.scan = in.number<qint32>();
+  if (entry.scan < 0 || entry.scan >= scans) in.fail("a patch belongs to no scan");
+  entry.loop_numbers = in.array<int>();
+  entry.acceptance = word(in, Acceptance::accepted);
+  entry.state = state(in);
+  if (entry.loop_numbers.size() != entry.state->patch.loops.size()) in.fail("the loops of a patch are not complete");
+  return entry;
+}
+
 Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   constexpr int magic_size = sizeof magic - 1;
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
     throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
   Reader in(bytes.mid(magic_size), path);
   const auto version = in.version = in.number<qint32>();
-  if (version != format_version && version != version_without_relief && version != version_without_bridges &&
-      version != version_without_boundary && version != first_version)
+  if (!is_known(version))
     throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   Session session;
@@ -376,16 +391,7 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
     session.scans.push_back(std::move(entry));
   }
   const int patches = in.count(sizeof(quint64));
-  for (int i = 0; i < patches; ++i) {
-    SessionPatch entry;
-    entry.scan = in.number<qint32>();
-    if (entry.scan < 0 || entry.scan >= scans) in.fail("a patch belongs to no scan");
-    entry.loop_numbers = in.array<int>();
-    entry.acceptance = word(in, Acceptance::accepted);
-    entry.state = state(in);
-    if (entry.loop_numbers.size() != entry.state->patch.loops.size()) in.fail("the loops of a patch are not complete");
-    session.patches.push_back(std::move(entry));
-  }
+  for (int i = 0; i < patches; ++i) session.patches.push_back(session_patch(in, scans));
   if (version != first_version && in.number<qint32>() != 0) session.view = session_view(in);
   if (version > version_without_relief)
     for (SessionScan& scan : session.scans) {

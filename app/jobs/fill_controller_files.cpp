@@ -113,6 +113,49 @@ OpenedScanPtr load_kept(const SessionScan& wanted, const std::optional<Vec3>& or
   return scan;
 }
 
+/// Where each scan of the session lies now. @returns the path of the first that is not found; empty if all are.
+QString find_scans(std::vector<SessionScan>& scans, const SessionFile& file) {
+  for (SessionScan& wanted : scans) {
+    if (const auto moved = file.moved.find(wanted.path); moved != file.moved.end()) wanted.path = moved->second;
+    if (wanted.made || wanted.file || wanted.path.isEmpty() || QFileInfo::exists(wanted.path)) continue;
+    const QString missing = wanted.path;
+    for (const auto& [old_place, place] : file.moved) {  // what lay together was moved together
+      wanted.path = QFileInfo(place).dir().filePath(QFileInfo(missing).fileName());
+      if (QFileInfo::exists(wanted.path)) break;
+    }
+    if (!QFileInfo::exists(wanted.path)) return missing;
+  }
+  return {};
+}
+
+[[noreturn]] void refuse_damaged(const QString& path, const char* what) {
+  throw ReadError(path.toStdString(), what, "", "Open the scan itself instead; the session file is damaged.");
+}
+
+/// With its loops and its surface as they belong to the scan. @param path  of the session, for errors.
+OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, const Vec3& origin, const QString& path) {
+  OpenPatch patch;
+  patch.scan = saved.scan;
+  for (int number : saved.loop_numbers) {
+    const auto found =
+        std::find_if(scan.loops.begin(), scan.loops.end(), [&](const auto& loop) { return loop.number == number; });
+    if (found == scan.loops.end()) refuse_damaged(path, "a patch belongs to a hole that does not exist");
+    patch.loops.push_back(static_cast<int>(found - scan.loops.begin()));
+  }
+  auto state = std::make_shared<PatchState>(*saved.state);
+  const auto vertices = static_cast<int>(scan.model->soup_vertex.size());
+  for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
+    if (const int own = state->patch.view_vertex[static_cast<std::size_t>(v)]; own < 0 || own >= vertices)
+      refuse_damaged(path, "a patch names a vertex that its scan does not have");
+  state->shape =
+      std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), origin, scan.colors));
+  state->rim = rim_knowledge(state->patch);
+  patch.state = state;
+  patch.timeline = start_timeline(patch.state);
+  patch.acceptance = saved.acceptance;
+  return patch;
+}
+
 }  // namespace
 
 /// What a worker read of a session.
@@ -128,17 +171,8 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
   const QString& path = file.path;
   Session session = session_from_file(path);
   Restored restored;
-  for (SessionScan& wanted : session.scans) {
-    if (const auto moved = file.moved.find(wanted.path); moved != file.moved.end()) wanted.path = moved->second;
-    if (wanted.made || wanted.file || wanted.path.isEmpty() || QFileInfo::exists(wanted.path)) continue;
-    restored.missing = wanted.path;
-    for (const auto& [old_place, place] : file.moved) {  // what lay together was moved together
-      wanted.path = QFileInfo(place).dir().filePath(QFileInfo(restored.missing).fileName());
-      if (QFileInfo::exists(wanted.path)) break;
-    }
-    if (!QFileInfo::exists(wanted.path)) return restored;
-    restored.missing.clear();
-  }
+  restored.missing = find_scans(session.scans, file);
+  if (!restored.missing.isEmpty()) return restored;
   restored.view = session.view;
   std::optional<Vec3> origin;
   for (const SessionScan& wanted : session.scans) {
@@ -159,32 +193,8 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
   for (const SessionScan& wanted : session.scans) restored.units.push_back(wanted.unit);
   for (const SessionPatch& saved : session.patches) {
     if (job->token().cancelled()) return {};
-    const auto& loops = restored.scans[static_cast<std::size_t>(saved.scan)]->loops;
-    OpenPatch patch;
-    patch.scan = saved.scan;
-    for (int number : saved.loop_numbers) {
-      const auto found =
-          std::find_if(loops.begin(), loops.end(), [&](const auto& loop) { return loop.number == number; });
-      if (found == loops.end())
-        throw ReadError(path.toStdString(), "a patch belongs to a hole that does not exist", "",
-                        "Open the scan itself instead; the session file is damaged.");
-      patch.loops.push_back(static_cast<int>(found - loops.begin()));
-    }
-    auto state = std::make_shared<PatchState>(*saved.state);
-    const auto vertices =
-        static_cast<int>(restored.scans[static_cast<std::size_t>(saved.scan)]->model->soup_vertex.size());
-    for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
-      if (const int own = state->patch.view_vertex[static_cast<std::size_t>(v)]; own < 0 || own >= vertices)
-        throw ReadError(path.toStdString(), "a patch names a vertex that its scan does not have", "",
-                        "Open the scan itself instead; the session file is damaged.");
-    state->shape =
-        std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), *origin,
-                                                restored.scans[static_cast<std::size_t>(saved.scan)]->colors));
-    state->rim = rim_knowledge(state->patch);
-    patch.state = state;
-    patch.timeline = start_timeline(patch.state);
-    patch.acceptance = saved.acceptance;
-    restored.patches.push_back(std::move(patch));
+    const OpenedScan& scan = *restored.scans[static_cast<std::size_t>(saved.scan)];
+    restored.patches.push_back(restored_patch(saved, scan, *origin, path));
   }
   return restored;
 }

@@ -117,6 +117,15 @@ class Search {
     spans_.keep(i, k, best);
   }
 
+  bool forbidden(int i, int m, int k) const {
+    return present(i, m) || present(m, k) || CGAL::collinear(point(i), point(m), point(k));
+  }
+
+  /// Of equals the first, in whatever order they are looked at.
+  static bool precedes(const Weight& weight, int m, const Span& best) {
+    return weight < best.weight || (weight == best.weight && m < best.apex);
+  }
+
   /// Takes the triangle i, m, k if it is better than the best so far. Most need not be measured exactly.
   void look(int i, int m, int k, Span& best) const {
     const Span &left = spans_.between(i, m), &right = spans_.back(k, m);
@@ -137,9 +146,8 @@ class Search {
     if (!flatter) weight.angle = std::max(weight.angle, worst_dihedral(i, m, k));
     if (any && weight.angle > best.weight.angle) return;
     weight.area = left.weight.area + right.weight.area + length / 2;
-    // Of equals the first, in whatever order they are looked at.
-    if (any && !(weight < best.weight) && !(weight == best.weight && m < best.apex)) return;
-    if (present(i, m) || present(m, k) || CGAL::collinear(point(i), point(m), point(k))) return;
+    if (any && !precedes(weight, m, best)) return;
+    if (forbidden(i, m, k)) return;
     best.apex = m;
     best.weight = weight;
     best.cosine = std::min({left.cosine, right.cosine, cosine / length});

@@ -170,6 +170,32 @@ FileContent load_file(const std::filesystem::path& path) {
   return file;
 }
 
+namespace {
+
+[[noreturn]] void refuse_beginning(const FileContent& file, const std::string& what) {
+  throw ReadError(file.path, what, "byte 0", "The file is damaged or is something else under this name.");
+}
+
+/// Of a file whose first word does not tell it.
+MeshFormat format_by_extension(const FileContent& file, std::string_view text, std::string_view first) {
+  const std::string extension = lower_extension(file.path);
+  if (extension == ".stl" && !is_obj_keyword(first)) {
+    if (looks_binary(text)) return MeshFormat::stl_binary;
+    refuse_beginning(file, "does not begin with \"solid\" as text STL files do, and is not binary");
+  }
+  if (extension == ".off" && !first.empty() && first.find_first_not_of("0123456789") == std::string_view::npos)
+    return MeshFormat::off;  // the keyword is optional in this format
+  if (extension == ".obj" || is_obj_keyword(first)) return MeshFormat::obj;
+  if (extension == ".ply") refuse_beginning(file, "does not begin with \"ply\" as every PLY file does");
+  if (extension == ".3mf") refuse_beginning(file, "does not begin as 3MF files do");
+  if (extension == ".glb" || extension == ".gltf") refuse_beginning(file, "does not begin as glTF files do");
+  if (extension == ".off") refuse_beginning(file, "does not begin with \"OFF\" as OFF files do");
+  throw ReadError(file.path, "this is not a mesh format that Loopmend knows", "",
+                  "It reads PLY, STL, OBJ, OFF, glTF and 3MF files.");
+}
+
+}  // namespace
+
 MeshFormat detect_format(const FileContent& file) {
   if (fits_binary_stl(file.bytes)) return MeshFormat::stl_binary;  // first: its title may hold anything
   refuse_known_strangers(file);
@@ -180,32 +206,7 @@ MeshFormat detect_format(const FileContent& file) {
   if (!first.empty() && first.front() == '{') return MeshFormat::gltf;
   if (first == "ply") return MeshFormat::ply;
   if (looks_like_ascii_stl(text, first)) return MeshFormat::stl_ascii;
-  if (is_off_keyword(first)) return MeshFormat::off;
-
-  const std::string extension = lower_extension(file.path);
-  if (extension == ".stl" && !is_obj_keyword(first)) {
-    if (looks_binary(text)) return MeshFormat::stl_binary;
-    throw ReadError(file.path, "does not begin with \"solid\" as text STL files do, and is not binary", "byte 0",
-                    "The file is damaged or is something else under this name.");
-  }
-  if (extension == ".off" && !first.empty() && first.find_first_not_of("0123456789") == std::string_view::npos) {
-    return MeshFormat::off;  // the keyword is optional in this format
-  }
-  if (extension == ".obj" || is_obj_keyword(first)) return MeshFormat::obj;
-  if (extension == ".ply") {
-    throw ReadError(file.path, "does not begin with \"ply\" as every PLY file does", "byte 0",
-                    "The file is damaged or is something else under this name.");
-  }
-  if (extension == ".glb" || extension == ".gltf" || extension == ".3mf") {
-    throw ReadError(file.path, "does not begin as " + std::string(extension == ".3mf" ? "3MF" : "glTF") + " files do",
-                    "byte 0", "The file is damaged or is something else under this name.");
-  }
-  if (extension == ".off") {
-    throw ReadError(file.path, "does not begin with \"OFF\" as OFF files do", "byte 0",
-                    "The file is damaged or is something else under this name.");
-  }
-  throw ReadError(file.path, "this is not a mesh format that Loopmend knows", "",
-                  "It reads PLY, STL, OBJ, OFF, glTF and 3MF files.");
+  return is_off_keyword(first) ? MeshFormat::off : format_by_extension(file, text, first);
 }
 
 }  // namespace loopmend

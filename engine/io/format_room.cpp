@@ -81,6 +81,14 @@ struct Room {
   bool is_gltf() const { return is(Format::glb) || is(Format::gltf); }
 };
 
+bool is_texture_coordinate(const std::string& name) { return name == "s" || name == "t"; }
+
+/// Its one attribute of faces, in binary.
+bool stl_holds(const Room& room, const ScanAttributes& scan, const AttributeColumn& column) {
+  const auto attribute = find_stl_attribute(scan);
+  return room.encoding == Encoding::binary && attribute && &scan.faces[*attribute] == &column;
+}
+
 /// Colours of vertices are said by themselves.
 bool holds(const Room& room, const TriangleSoup& soup, bool of_faces, const AttributeColumn& column) {
   const ScanAttributes& scan = attributes_of(soup);
@@ -88,12 +96,9 @@ bool holds(const Room& room, const TriangleSoup& soup, bool of_faces, const Attr
   const AttributeRole role = role_of(name);
   if (room.is(Format::ply)) return true;
   if (!of_faces && role == AttributeRole::color && !soup.colors.empty()) return true;
-  if (room.is(Format::stl)) {
-    const auto attribute = find_stl_attribute(scan);
-    return of_faces && room.encoding == Encoding::binary && attribute && &scan.faces[*attribute] == &column;
-  }
+  if (room.is(Format::stl)) return of_faces && stl_holds(room, scan, column);
   if (room.is(Format::off) && of_faces) return scan.format == "OFF" && name == "color";
-  if (room.is(Format::off) && (name == "s" || name == "t")) return true;
+  if (room.is(Format::off) && is_texture_coordinate(name)) return true;
   if (room.is(Format::three_mf))
     return of_faces && role == AttributeRole::color && soup.colors.empty() && has_face_colors(scan);
   const bool holds_normals = room.is(Format::off) || room.is(Format::obj) || room.is_gltf();

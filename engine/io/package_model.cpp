@@ -91,17 +91,11 @@ class ModelReader {
     if (element == "basematerials") {
       materials_ = &model_.materials[whole(attributes, "id")];
     } else if (element == "base") {
-      if (!materials_) fail("a material stands outside \"basematerials\"");
-      const Color color = color_of(attributes.find("displaycolor").value_or("")).value_or(opaque_white);
-      materials_->push_back({printable(attributes.find("name").value_or("")), color});
+      add_material(attributes);
     } else if (element == "colorgroup") {
       colors_ = &model_.colors[whole(attributes, "id")];
     } else if (element == "color") {
-      if (!colors_) fail("a colour stands outside \"colorgroup\"");
-      const std::string_view text = needed(attributes, "color");
-      const std::optional<Color> color = color_of(text);
-      if (!color) fail(in_quotes(text) + " is no colour");
-      colors_->push_back(*color);
+      add_color(attributes);
     } else if (element == "metadata" && !object_) {
       metadata_name_ = printable(attributes.find("name").value_or(""));
       metadata_text_.clear();
@@ -112,6 +106,20 @@ class ModelReader {
     } else if (element == "beamlattice") {
       count_not_kept(model_.not_kept, "beam lattices");
     }
+  }
+
+  void add_material(const XmlAttributes& attributes) {
+    if (!materials_) fail("a material stands outside \"basematerials\"");
+    const Color color = color_of(attributes.find("displaycolor").value_or("")).value_or(opaque_white);
+    materials_->push_back({printable(attributes.find("name").value_or("")), color});
+  }
+
+  void add_color(const XmlAttributes& attributes) {
+    if (!colors_) fail("a colour stands outside \"colorgroup\"");
+    const std::string_view text = needed(attributes, "color");
+    const std::optional<Color> color = color_of(text);
+    if (!color) fail(in_quotes(text) + " is no colour");
+    colors_->push_back(*color);
   }
 
   void end(std::string_view element) {

@@ -39,21 +39,8 @@ class PairTest {
   bool cut(int f, int g) const {
     const Triangle &a = triangles_[f], &b = triangles_[g];
     if (is_collapsed(a) || is_collapsed(b)) return false;
-    std::array<int, 3> in_a{}, in_b{};
-    int shared = 0;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (merged_[a[i]] == merged_[b[j]]) {
-          in_a[shared] = i;
-          in_b[shared] = j;
-          ++shared;
-        }
-    // Neighbours at less than a right angle: the common case, and no need for exact arithmetic.
-    if (shared == 2 && plain_normal(a).dot(plain_normal(b)) > 0) return false;
-    // One triangle on one side of the other's plane, up to what they share and far beyond rounding: common too.
-    if (shared < 2 && (aside(a, b, in_b, shared) || aside(b, a, in_a, shared))) return false;
-    if (shared == 1 && apart_around(a, in_a[0], b, in_b[0])) return false;
-    if (shared == 0 && apart(a, b)) return false;
+    const auto [shared, in_a, in_b] = corners_in_common(a, b);
+    if (plainly_uncut(a, in_a, b, in_b, shared)) return false;
     const Kernel::Triangle_3 s = triangle(a), t = triangle(b);
     if (s.is_degenerate() || t.is_degenerate()) return false;
     if (shared == 3) return true;  // one triangle on top of the other
@@ -67,6 +54,31 @@ class PairTest {
   }
 
  private:
+  struct Common {
+    int count = 0;
+    std::array<int, 3> in_a{}, in_b{};  ///< which corners; of these the first `count`
+  };
+  Common corners_in_common(const Triangle& a, const Triangle& b) const {
+    Common common;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (merged_[a[i]] == merged_[b[j]]) {
+          common.in_a[common.count] = i;
+          common.in_b[common.count] = j;
+          ++common.count;
+        }
+    return common;
+  }
+  /// Without exact arithmetic, which most pairs do not need.
+  bool plainly_uncut(const Triangle& a, const std::array<int, 3>& in_a, const Triangle& b,
+                     const std::array<int, 3>& in_b, int shared) const {
+    // Neighbours at less than a right angle: the common case.
+    if (shared == 2) return plain_normal(a).dot(plain_normal(b)) > 0;
+    if (shared == 3) return false;
+    // One triangle on one side of the other's plane, up to what they share and far beyond rounding: common too.
+    if (aside(a, b, in_b, shared) || aside(b, a, in_a, shared)) return true;
+    return shared == 1 ? apart_around(a, in_a[0], b, in_b[0]) : apart(a, b);
+  }
   /// Two of its corners lie in one place.
   bool is_collapsed(const Triangle& t) const {
     return merged_[t[0]] == merged_[t[1]] || merged_[t[1]] == merged_[t[2]] || merged_[t[2]] == merged_[t[0]];

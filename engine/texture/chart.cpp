@@ -30,15 +30,12 @@ std::pair<int, int> far_points(const Points& points) {
   return {a, farthest(points[a])};
 }
 
-}  // namespace
-
-std::optional<std::vector<Vec2>> flatten(const Points& points, const Triangles& triangles, std::size_t own) {
+/// Entries of Q, 2n by 2n: ½ (u, v) Q (u, v) = ½ ∫ ‖∇u‖² + ‖∇v‖² − the area of the image.
+std::vector<Eigen::Triplet<double>> conformal_energy(const Points& points, const Triangles& triangles) {
   const int n = static_cast<int>(points.size());
-  if (n < 3 || triangles.empty()) return {};
   std::vector<int> faces(triangles.size());
   std::iota(faces.begin(), faces.end(), 0);
   const SparseMatrix C = cotan_stiffness(points, triangles, faces);
-  // ½ (u, v) Q (u, v) = ½ ∫ ‖∇u‖² + ‖∇v‖² − the area of the image.
   std::vector<Eigen::Triplet<double>> entries;
   for (int k = 0; k < C.outerSize(); ++k)
     for (SparseMatrix::InnerIterator it(C, k); it; ++it) {
@@ -53,6 +50,29 @@ std::optional<std::vector<Vec2>> flatten(const Points& points, const Triangles& 
         entries.emplace_back(col, row, sign / 2);
       }
     }
+  return entries;
+}
+
+/// Scales the image of the first `own` triangles to their area in space. @returns false if one of them is turned over.
+bool scale_to_area(const Points& points, const Triangles& triangles, std::size_t own, std::vector<Vec2>& flat) {
+  double plane = 0, space = 0;
+  for (std::size_t f = 0; f < own; ++f) {
+    const Triangle& t = triangles[f];
+    const double area = signed_area(flat, t);
+    if (!(area > 0)) return false;
+    plane += area;
+    space += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm() / 2;
+  }
+  if (!(plane > 0) || !(space > 0)) return false;
+  for (Vec2& p : flat) p *= std::sqrt(space / plane);
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<Vec2>> flatten(const Points& points, const Triangles& triangles, std::size_t own) {
+  const int n = static_cast<int>(points.size());
+  if (n < 3 || triangles.empty()) return {};
   const auto [first, second] = far_points(points);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * n);
   x[second] = (points[second] - points[first]).norm();
@@ -62,7 +82,7 @@ std::optional<std::vector<Vec2>> flatten(const Points& points, const Triangles& 
     if (k % n != first && k % n != second) place[k] = free++;
   std::vector<Eigen::Triplet<double>> inner;
   Eigen::VectorXd b = Eigen::VectorXd::Zero(free);
-  for (const auto& entry : entries) {
+  for (const auto& entry : conformal_energy(points, triangles)) {
     const int row = place[entry.row()], col = place[entry.col()];
     if (row < 0) continue;
     if (col < 0)
@@ -81,16 +101,7 @@ std::optional<std::vector<Vec2>> flatten(const Points& points, const Triangles& 
     const auto value = [&](int unknown) { return place[unknown] < 0 ? x[unknown] : solution(place[unknown], 0); };
     flat[k] = {value(k), value(n + k)};
   }
-  double plane = 0, space = 0;
-  for (std::size_t f = 0; f < own; ++f) {
-    const Triangle& t = triangles[f];
-    const double area = signed_area(flat, t);
-    if (!(area > 0)) return {};
-    plane += area;
-    space += (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm() / 2;
-  }
-  if (!(plane > 0) || !(space > 0)) return {};
-  for (Vec2& p : flat) p *= std::sqrt(space / plane);
+  if (!scale_to_area(points, triangles, own, flat)) return {};
   return flat;
 }
 
