@@ -83,7 +83,7 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
     return pose_holes(model, holes, InitialPatchOptions{density}, cancel).problem.start;
   };
   task.command = holes_words(document_, chosen, density);
-  task.source.surroundings = opened->shape;
+  task.source.neighborhood = opened->shape;
   task.source.origin = document_.origin();
   task.accept_help = tr("Put this patch into the holes, in place of what is there; can be undone");
   task.accept = [this, scan, model = opened->model, density](const ComparedRun& start, const ComparedRun& lane) {

@@ -51,7 +51,7 @@ QStringList head_help() {
           CompareNumbers::tr("The jump of H times the hole's diameter: without a unit"),
           CompareNumbers::tr("Angle between the normals of both sides at the seam, rms, in degrees"),
           CompareNumbers::tr("Edges folded by more than 90\u00b0"),
-          CompareNumbers::tr("Places where the patch cuts itself or its surroundings")};
+          CompareNumbers::tr("Places where the patch cuts itself or its neighborhood")};
 }
 
 /// The engine's words for an end, in the window's language.

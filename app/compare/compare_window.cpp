@@ -164,7 +164,7 @@ QWidget* CompareWindow::build_look_bar() {
   own_range_ = new QCheckBox(tr("C&olours \u00b1"));
   own_range_->setObjectName(QStringLiteral("compareOwnRange"));
   explain(own_range_, tr("Own range of colours"),
-          tr("A colour range of your own, instead of that of the surroundings"));
+          tr("A colour range of your own, instead of that of the neighborhood"));
   half_width_ = new QDoubleSpinBox;
   half_width_->setObjectName(QStringLiteral("compareRange"));
   half_width_->setRange(1e-6, 1e9);
@@ -333,7 +333,7 @@ void CompareWindow::update_all() {
     right_->setCurrentIndex(old_right < 0 ? right_->count() - 1 : std::min(old_right, right_->count() - 1));
   }
   if (there) {
-    for (FlowCanvas* canvas : canvases()) canvas->set_surroundings(race_.surroundings());
+    for (FlowCanvas* canvas : canvases()) canvas->set_neighborhood(race_.neighborhood());
     for (int lane = 0; lane < race_.lanes(); ++lane) {
       panes_[static_cast<std::size_t>(lane)]->show_flow(race_.flow(lane));
       panes_[static_cast<std::size_t>(lane)]->show_lane(*race_.lane(lane), task_.accept_help);
@@ -376,14 +376,14 @@ void CompareWindow::update_use() {
   wait_->setText(words);
 }
 
-/// From the surroundings' curvature, as in the main window; where there are none, from the last view.
+/// From the neighborhood' curvature, as in the main window; where there are none, from the last view.
 void CompareWindow::update_range() {
   half_width_->setEnabled(own_range_->isChecked());
   if (own_range_->isChecked()) {
     range_ = half_width_->value();
   } else if (race_.start()) {
     const bool mean = look_.shading != Shading::gaussian;
-    const SurfaceShape& shape = race_.surroundings() ? *race_.surroundings() : *race_.lane(race_.lanes() - 1)->shape;
+    const SurfaceShape& shape = race_.neighborhood() ? *race_.neighborhood() : *race_.lane(race_.lanes() - 1)->shape;
     const std::vector<float>& values = mean ? shape.H : shape.K;
     if (!values.empty()) range_ = symmetric_range(values, mean ? look_.H.percent : look_.K.percent);
     const QSignalBlocker quiet(half_width_);

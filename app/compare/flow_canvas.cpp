@@ -117,10 +117,10 @@ FlowCanvas::~FlowCanvas() {
 QWidget* FlowCanvas::canvas() const { return impl_->canvas; }
 
 int FlowCanvas::frames() const { return impl_->frames; }
-int FlowCanvas::surroundings_drawn() const { return impl_->scenes.front()->still_drawn(); }
+int FlowCanvas::neighborhood_drawn() const { return impl_->scenes.front()->still_drawn(); }
 bool FlowCanvas::is_moving() const { return impl_->moving; }
 
-void FlowCanvas::set_surroundings(std::shared_ptr<const SurfaceShape> shape) {
+void FlowCanvas::set_neighborhood(std::shared_ptr<const SurfaceShape> shape) {
   for (auto& scene : impl_->scenes) shape ? scene->set_scan(0, shape) : scene->keep_scans({});
   redraw();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of one flow's patch in its surroundings; or of two, left and right of a line that can be drawn.
+// The picture of one flow's patch in its neighborhood; or of two, left and right of a line that can be drawn.
 #pragma once
 
 #include "scene/look.h"
@@ -26,7 +26,7 @@ class FlowCanvas : public QWidget {
   FlowCanvas(const char* name, Sides sides, PictureClock& clock, QWidget* parent = nullptr);
   ~FlowCanvas() override;
 
-  void set_surroundings(std::shared_ptr<const SurfaceShape> shape);
+  void set_neighborhood(std::shared_ptr<const SurfaceShape> shape);
   /// @param side  0, or 1 for what is right of the line.
   void show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
   /// @param half_width  of the colour range, in force instead of the look's own.
@@ -48,10 +48,10 @@ class FlowCanvas : public QWidget {
   /// Drawn anew at another size, device pixels. Null when the graphics cannot.
   QImage picture(const QSize& size, PictureOptions::Ground ground = PictureOptions::Ground::as_seen);
   QWidget* canvas() const;
-  /// For tests and measurements: how many pictures were drawn so far, how many of them kept the surroundings for the
+  /// For tests and measurements: how many pictures were drawn so far, how many of them kept the neighborhood for the
   /// next ones, and whether the patch is between two states.
   int frames() const;
-  int surroundings_drawn() const;
+  int neighborhood_drawn() const;
   bool is_moving() const;
 
  Q_SIGNALS:

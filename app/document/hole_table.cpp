@@ -103,7 +103,7 @@ QVariant HoleTable::text(int loop, int column) const {
     case planarity: return labels::number(l.planarity);
     case kind: return labels::kind(l.kind);
     case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
-    case rim: return rim_of(loop) ? labels::surroundings(rim_of(loop)->split.kind()) : QString();
+    case rim: return rim_of(loop) ? labels::neighborhood(rim_of(loop)->split.kind()) : QString();
     case state: return labels::state(document_.state(loop));
     default: return {};
   }

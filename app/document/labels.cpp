@@ -202,11 +202,11 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
   return sentence;
 }
 
-QString surroundings(Surroundings kind) {
+QString neighborhood(NeighborhoodKind kind) {
   switch (kind) {
-    case Surroundings::smooth: return tr("smooth");
-    case Surroundings::noisy: return tr("noisy");
-    case Surroundings::rough: return tr("rough");
+    case NeighborhoodKind::smooth: return tr("smooth");
+    case NeighborhoodKind::noisy: return tr("noisy");
+    case NeighborhoodKind::rough: return tr("rough");
   }
   return {};
 }

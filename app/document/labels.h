@@ -42,8 +42,8 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
 /// "3", or "3 of bunny.ply" when several scans are open.
 QString hole_name(const Document& document, int loop);
 
-/// "rough": what the surroundings of a hole are.
-QString surroundings(Surroundings kind);
+/// "rough": what the neighborhood of a hole are.
+QString neighborhood(NeighborhoodKind kind);
 /// How far they can be trusted, in sentences: their scatter, and the uncertainty of what the patch takes from them.
 QString rim_help(const RimSummary& rim);
 

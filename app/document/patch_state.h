@@ -47,7 +47,7 @@ struct PatchRecipe {
   std::vector<RunRecipe> runs;
 };
 
-/// What the surroundings know of themselves.
+/// What the neighborhood knows of itself.
 struct RimKnowledge {
   std::vector<RimSummary> loops;             ///< one per loop
   std::vector<float> curvature_uncertainty;  ///< of H, one for each fixed vertex (rim_fits.h)

@@ -74,14 +74,14 @@ void ComparisonController::prepare() {
       [job = job_, source = source_]() -> Prepared {
         const Patch patch = source.start(job->token());
         if (job->token().cancelled()) return {};
-        const auto near = source.surroundings ? near_shape(source.surroundings, patch, source.origin) : nullptr;
+        const auto near = source.neighborhood ? near_shape(source.neighborhood, patch, source.origin) : nullptr;
         auto state = seen(patch, first_edge(patch), source.origin);
         state->energies = patch_energies(patch);
         return {near, state};
       },
       [this](const Prepared& prepared) {
         job_.reset();
-        surroundings_ = prepared.near;
+        neighborhood_ = prepared.near;
         start_ = prepared.start;
         forget_results();
         stage_ = Stage::ready;

@@ -20,8 +20,8 @@ namespace loopmend {
 struct ComparisonSource {
   QString title;                                     ///< "Holes 1 and 3 of bunny.ply"
   std::function<Patch(const CancelToken&)> start;    ///< called on a worker; may throw Error in words
-  std::shared_ptr<const SurfaceShape> surroundings;  ///< without what the patch replaces; null where there are none
-  Vec3 origin = Vec3::Zero();                        ///< of `surroundings`
+  std::shared_ptr<const SurfaceShape> neighborhood;  ///< without what the patch replaces; null where there are none
+  Vec3 origin = Vec3::Zero();                        ///< of `neighborhood`
 };
 
 /// One flow as far as it has come. Immutable.
@@ -64,8 +64,8 @@ class ComparisonController : public QObject {
 
   /// Null before the start is there.
   const ComparedRunPtr& start() const { return start_; }
-  /// Of the surroundings, those near the patch; may be null.
-  const std::shared_ptr<const SurfaceShape>& surroundings() const { return surroundings_; }
+  /// Of the neighborhood, those near the patch; may be null.
+  const std::shared_ptr<const SurfaceShape>& neighborhood() const { return neighborhood_; }
   /// The start until the lane moves.
   const ComparedRunPtr& lane(int lane) const { return newest_[static_cast<std::size_t>(lane)]; }
   const std::vector<ComparisonPoint>& curve(int lane) const { return curves_[static_cast<std::size_t>(lane)]; }
@@ -89,7 +89,7 @@ class ComparisonController : public QObject {
   ComparisonSource source_;
   Stage stage_ = Stage::preparing;
   std::vector<FlowKind> flows_{FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf};
-  std::shared_ptr<const SurfaceShape> surroundings_;
+  std::shared_ptr<const SurfaceShape> neighborhood_;
   ComparedRunPtr start_;
   std::vector<ComparedRunPtr> newest_;
   std::vector<std::vector<ComparisonPoint>> curves_;

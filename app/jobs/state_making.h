@@ -7,7 +7,7 @@
 
 namespace loopmend {
 
-/// How far the surroundings of a patch can be trusted.
+/// How far the neighborhood of a patch can be trusted.
 std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch);
 
 /// The state of an initial patch.

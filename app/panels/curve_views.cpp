@@ -136,7 +136,7 @@ void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
   if (graph_out >= 0) plot_->set_data(graph_out, arc, outside);
 }
 
-/// How far the surroundings know their own H, around its line.
+/// How far the neighborhood knows its own H, around its line.
 void SectionView::draw_band(const PatchState& state) {
   if (!state.rim) return;
   constexpr float none = std::numeric_limits<float>::quiet_NaN();

@@ -205,8 +205,8 @@ void HolesPanel::fit_columns() {
     const int title = letters.horizontalAdvance(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
     int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
     if (column == HoleTable::rim)  // its words come when holes are filled
-      for (const Surroundings kind : {Surroundings::smooth, Surroundings::noisy, Surroundings::rough})
-        content = std::max(content, letters.horizontalAdvance(labels::surroundings(kind)) + margin);
+      for (const NeighborhoodKind kind : {NeighborhoodKind::smooth, NeighborhoodKind::noisy, NeighborhoodKind::rough})
+        content = std::max(content, letters.horizontalAdvance(labels::neighborhood(kind)) + margin);
     table_->setColumnWidth(column,
                            std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
   }

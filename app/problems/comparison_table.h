@@ -34,7 +34,7 @@ std::string comparison_csv(const FlowComparison& comparison);
 std::string csv_of(const std::vector<std::vector<std::string>>& rows);
 /// Markdown, for people: the rows, then why flows stopped early.
 std::string comparison_table(const FlowComparison& comparison);
-/// flow, distance, H, its standard deviation in the surroundings (empty in the patch): 17 digits.
+/// flow, distance, H, its standard deviation in the neighborhood (empty in the patch): 17 digits.
 std::string profile_csv(const FlowComparison& comparison);
 
 }  // namespace loopmend

@@ -107,7 +107,7 @@ Aim aim_at(const SurfaceModel& model, const BoundaryLoop& loop, const Vec3& orig
   aim.focus = loop.center - origin;
   aim.radius = 0.5 * loop.diameter;
   aim.points = lines_of(model, {loop}, origin).front().points;
-  aim.share = 0.6;  // the surroundings are wanted too
+  aim.share = 0.6;  // the neighborhood is wanted too
   return aim;
 }
 

@@ -32,7 +32,7 @@ BlendBox::BlendBox(const Document& document, const HoleSelection& selection, Par
   density_->setValue(1);
   density_->setPrefix(QStringLiteral("\u00d7 "));
   density_->setKeyboardTracking(false);
-  explain(density_, tr("Density"), tr("Edges along a length, relative to the surroundings"));
+  explain(density_, tr("Density"), tr("Edges along a length, relative to the neighborhood"));
   part_->setObjectName(QStringLiteral("blendPart"));
   explain(part_, tr("Part to place"),
           tr("This part gets a handle in the picture: arrows move it, rings turn it, the square scales it"));

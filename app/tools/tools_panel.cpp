@@ -43,7 +43,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Me
     choices_.push_back(button);
     row->addWidget(button, place / columns, place % columns);
   };
-  choice("toolRegion", tr("Region"), tr("Make a region of a surface smooth, its surroundings held (R)"), Tool::region);
+  choice("toolRegion", tr("Region"), tr("Make a region of a surface smooth, its neighborhood held (R)"), Tool::region);
   choice("toolPoints", tr("Points"), tr("A smooth surface through the vertices of a polyhedron (I)"), Tool::points);
   choice("toolBlend", tr("Blend"), tr("Join two or more boundaries by one patch (B)"), Tool::blend);
   choice("toolBridge", tr("Bridge"), tr("Part a hole into two by a strip between two of its vertices (G)"),

@@ -132,7 +132,7 @@ const Spec specs[] = {
     {"compare", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Compare flows\u2026"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Several flows from one start, side by side"), "C", "compare"},
     {"toolRegionAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Region"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Make a region of a surface smooth, its surroundings held"), "R",
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Make a region of a surface smooth, its neighborhood held"), "R",
      nullptr},
     {"toolPointsAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Surface through &points"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "A smooth surface through the vertices of a polyhedron"), "I",

@@ -19,7 +19,7 @@ struct CurvatureField {
 /// Over the vertices of a halfedge mesh.
 CurvatureField curvature_field(const TriMesh& mesh);
 
-/// Over the vertices of a patch and its surroundings.
+/// Over the vertices of a patch and its neighborhood.
 CurvatureField curvature_field(const Patch& patch);
 
 }  // namespace loopmend

@@ -10,9 +10,9 @@
 namespace loopmend {
 
 struct ProfilePoint {
-  double distance;  ///< along the section, mesh units: < 0 in the surroundings, > 0 in the patch, 0 twice at the seam
+  double distance;  ///< along the section, mesh units: < 0 in the neighborhood, > 0 in the patch, 0 twice at the seam
   double H;         ///< mean curvature from one-sided fits, 1/length; NaN where there is none
-  double H_sigma;   ///< its standard deviation in the surroundings, where it is given; else NaN
+  double H_sigma;   ///< its standard deviation in the neighborhood, where it is given; else NaN
 };
 
 /// Follows the plane square to one edge of a loop, from its middle both ways, until the triangles or `reach` end.

@@ -9,7 +9,7 @@
 
 namespace loopmend {
 
-/// At the vertices of a loop, from one-sided fits: inside (the patch) against outside (the surroundings). Mesh units.
+/// At the vertices of a loop, from one-sided fits: inside (the patch) against outside (the neighborhood). Mesh units.
 /// NaN where no vertex of the loop has enough triangles on both sides.
 struct SeamReport {
   double g1_rms_deg = 0;  ///< angle between the one-sided normals

@@ -27,7 +27,7 @@ inline Triangles triangles_around(const Patch& patch) {
   return {patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()};
 }
 
-/// The patch and its surroundings, each by itself.
+/// The patch and its neighborhood, each by itself.
 class SeamSides {
  public:
   explicit SeamSides(const Patch& patch)

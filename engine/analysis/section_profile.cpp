@@ -141,7 +141,7 @@ SectionProfile section_profile(const Patch& patch, int loop, double angle, std::
     if (inside) last_inside = arc;
     profile.arc.push_back(arc);
     profile.value.push_back(here.value);
-    profile.side.push_back(inside ? SectionProfile::Side::patch : SectionProfile::Side::surroundings);
+    profile.side.push_back(inside ? SectionProfile::Side::patch : SectionProfile::Side::neighborhood);
     profile.path.push_back(patch.to_mesh(here.at));
   }
   for (double& s : profile.arc) s -= 0.5 * (first_inside + last_inside);

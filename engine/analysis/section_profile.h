@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plane cut across a patch and its surroundings: how a quantity runs through the seam.
+// A plane cut across a patch and its neighborhood: how a quantity runs through the seam.
 #pragma once
 
 #include "mesh/patch.h"
@@ -11,7 +11,7 @@ namespace loopmend {
 
 /// Samples in the order of the cut. Mesh units.
 struct SectionProfile {
-  enum class Side : char { surroundings, patch };
+  enum class Side : char { neighborhood, patch };
   std::vector<double> arc;    ///< #S, length along the cut; 0 in the middle of the part inside the patch
   std::vector<double> value;  ///< #S, interpolated along the cut edges
   std::vector<Side> side;     ///< #S, a sample on the seam belongs to the patch

@@ -31,8 +31,8 @@ bool is_judged(const EvolutionOptions& options) {
 std::string reason_for(const SplitEstimate& estimate, Method method) {
   const std::string scan = !std::isfinite(estimate.relief_height)
                                ? "the scan around the hole does not tell shape from relief"
-                           : estimate.kind() == Surroundings::noisy ? "the scan around the hole is noisy"
-                                                                    : "the scan around the hole has relief";
+                           : estimate.kind() == NeighborhoodKind::noisy ? "the scan around the hole is noisy"
+                                                                        : "the scan around the hole has relief";
   const std::string how = "; --boundary exact runs the flow itself";
   if (method == Method::split_flow) return scan + ": the flow runs on the smooth surface under it" + how;
   if (method == Method::robust_fairing) return scan + ", so that its curvature counts little" + how;

@@ -29,7 +29,7 @@ enum class EvolutionMode {
 enum class PatchTriangles {
   free,   ///< a patch that grows is remeshed
   kept,   ///< vertices neither come nor go, but to mend folds
-  fixed,  ///< and fairings on rough surroundings leave the edges as they are
+  fixed,  ///< and fairings in a rough neighborhood leave the edges as they are
 };
 
 /// From where MMCVF sets out for the steady state.
@@ -66,7 +66,7 @@ struct EvolutionOptions {
   /// MMCVF to the steady state with `automatic` boundary: relief that it takes literally, in boundary edges.
   double literal_relief = SplitEstimate::exact_construction;
   std::optional<SplitEstimate>
-      split;  ///< of the surroundings, where the caller has it; else it is made where it is wanted
+      split;  ///< of the neighborhood, where the caller has it; else it is made where it is wanted
   /// Of holes, to the steady state: added when the patch is done (pipeline/patch_relief.h). An Evolution by itself has no use for it.
   ReliefChoice relief;
 };
@@ -97,7 +97,7 @@ std::string method_name(Method method, FlowKind flow);
 /// With bending blended in, what falls is the blend; the energy shown is still ∫‖∇H‖² dA alone, and may rise a little.
 /// Near a smooth steady state the fits go over from quadratics to cubics, and the energy is measured anew by these.
 /// Linear fairings, and the coarse start of a large patch, are steps with sigma = tau = 0; the latter's max_move is that of
-/// the middle of the patch. On rough surroundings all steps are such, and the energy shown need not fall.
+/// the middle of the patch. In a rough neighborhood all steps are such, and the energy shown need not fall.
 struct StepRecord {
   int step = 0;            ///< from 1
   double energy = 0;       ///< after the step
@@ -142,7 +142,7 @@ class Evolution {
   double energy() const;          ///< of the present state
   Method method() const;          ///< of the steps that the present options lead to
   double bending() const;         ///< β in force, see EvolutionOptions::bending; 0 for the pure flow
-  /// Of the surroundings of the patch as it was at the last set_options(). Empty but for MMCVF to the steady state.
+  /// Of the neighborhood of the patch as it was at the last set_options(). Empty but for MMCVF to the steady state.
   const std::optional<SplitEstimate>& split() const;
 
  private:

@@ -23,7 +23,7 @@ RobustFairing::RobustFairing(const EvolvingPatch& patch, double radius)
       data_trust_(weighs_boundary_ ? data_trust(patch.state.patch, radius) : Eigen::VectorXd()),
       passes_left_(weighs_boundary_ ? robust_passes : most_passes) {}
 
-/// One fairing. The first on rough surroundings is of second order; from its result the boundary vertices are weighed.
+/// One fairing. The first in a rough neighborhood is of second order; from its result the boundary vertices are weighed.
 void RobustFairing::step(EvolvingPatch& patch, const CancelToken& cancel) {
   Stopwatch watch;
   const bool first = weighs_boundary_ && passes_left_ == robust_passes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A few linear fairings that are the whole way: on rough surroundings, and for less than curvature continuity.
+// A few linear fairings that are the whole way: in a rough neighborhood, and for less than curvature continuity.
 #pragma once
 
 #include "evolution/evolving_patch.h"
@@ -8,14 +8,14 @@ namespace loopmend {
 
 class RobustFairing : public Stepper {
  public:
-  /// @param radius  R of the surroundings, patch frame.
+  /// @param radius  R of the neighborhood, patch frame.
   RobustFairing(const EvolvingPatch& patch, double radius);
   void step(EvolvingPatch& patch, const CancelToken& cancel) override;
 
  private:
-  bool weighs_boundary_;  ///< on rough surroundings; else the order is that of EvolutionOptions::continuity
+  bool weighs_boundary_;  ///< in a rough neighborhood; else the order is that of EvolutionOptions::continuity
   double radius_;
-  Eigen::VectorXd data_trust_;  ///< of the surroundings, on rough ones
+  Eigen::VectorXd data_trust_;  ///< of the neighborhood, on rough ones
   int passes_left_;
 };
 

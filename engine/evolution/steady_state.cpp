@@ -16,7 +16,7 @@ namespace loopmend {
 namespace {
 
 constexpr int most_fairings = 6;
-constexpr double near_move = 1;  ///< in mean edge lengths: smooth surroundings are worth cubic fits from here
+constexpr double near_move = 1;  ///< in mean edge lengths: a smooth neighborhood is worth cubic fits from here
 constexpr double near_convergence_move = 0.05;  ///< in mean edge lengths
 constexpr double first_sigma = 500;             ///< of the first Gauss-Newton step
 constexpr double converged_move =

@@ -9,10 +9,10 @@
 
 namespace loopmend {
 
-/// What the surroundings allow near convergence.
+/// What the neighborhood allows near convergence.
 enum class NearConvergence {
   quadratic_fits,
-  cubic_fits  ///< the surroundings are smooth: H from cubic fits is more accurate by an order
+  cubic_fits  ///< the neighborhood is smooth: H from cubic fits is more accurate by an order
 };
 
 class SteadyState : public Stepper {

@@ -25,13 +25,13 @@ struct BridgeOutcome {
 };
 
 /// Joins the loops by one surface without further rims: a tube between two, a pair of trousers between three, ... The
-/// loops' surroundings must agree in orientation (find_opposed_loops). Reads the model, never changes it.
+/// loops' neighborhood must agree in orientation (find_opposed_loops). Reads the model, never changes it.
 /// @param loops  at least two, none twice; of kind hole or outer_rim.
 /// @throws InvalidArgument for fewer than two loops, a loop given twice or of another kind, a density out of range.
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                            const InitialPatchOptions& options, const CancelToken& cancel);
 
-/// Loops whose surroundings lie the other way round than those of the first loop, so that no two-sided surface joins
+/// Loops whose neighborhood lies the other way round than those of the first loop, so that no two-sided surface joins
 /// them. @returns indices into `loops`, ascending; empty when all agree.
 std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 

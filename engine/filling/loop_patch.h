@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a boundary loop to the initial patch: triangulate, refine to the density of the surroundings, remesh, relax.
+// From a boundary loop to the initial patch: triangulate, refine to the density of the neighborhood, remesh, relax.
 #pragma once
 
 #include "core/cancel.h"
@@ -14,11 +14,11 @@ namespace loopmend {
 
 enum class InitialShape {
   minimal,       ///< relaxed to a minimal surface
-  triangulated,  ///< as the loop's triangulation lies in space, with its creases: nearer to bulging surroundings
+  triangulated,  ///< as the loop's triangulation lies in space, with its creases: nearer to a bulging neighborhood
 };
 
 struct InitialPatchOptions {
-  double density = 1;  ///< edges per length relative to the surroundings, 0.1..10: 2 halves the edge length
+  double density = 1;  ///< edges per length relative to the neighborhood, 0.1..10: 2 halves the edge length
   InitialShape shape = InitialShape::minimal;
   double most_vertices = 2e6;  ///< a loop that needs more is left open, above 0; 2 million take some 13 GB to solve
 };

@@ -13,7 +13,7 @@ double expected_new_vertices(const SurfaceModel& model, const BoundaryLoop& loop
 
 /// Megabytes that solving takes at its peak, from what is expected before there is a patch, and from the free vertices of
 /// one. Measured: 9.4 kB an expected and 19.8 kB a free vertex at most, on 200 to 166 000 free vertices of exact and split
-/// surroundings.
+/// neighborhood.
 double expected_memory_mb(double expected_vertices);
 double memory_mb_of(int free_vertices);
 

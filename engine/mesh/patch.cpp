@@ -15,14 +15,14 @@ namespace {
 using VertexHandle = TriMesh::VertexHandle;
 
 /// The fixed vertices in rings around the loops, and the triangles between them.
-struct Surroundings {
+struct Neighborhood {
   std::vector<int> view_vertex;
   std::vector<int> ring;
   std::unordered_map<int, int> index;  // view vertex → place in the two vectors
 };
 
-Surroundings collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops) {
-  Surroundings s;
+Neighborhood collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops) {
+  Neighborhood s;
   const auto add = [&](int v, int ring) {
     if (!s.index.emplace(v, static_cast<int>(s.view_vertex.size())).second) return;
     s.view_vertex.push_back(v);
@@ -60,7 +60,7 @@ Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
 
   for (std::size_t k = 0; k < loops.size(); ++k)
     patch.free_count += static_cast<int>(fillers[k].points.size() - loops[k].vertices.size());
-  const Surroundings around = collect_rings(model.mesh, loops);
+  const Neighborhood around = collect_rings(model.mesh, loops);
 
   int next_free = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {

@@ -13,7 +13,7 @@ namespace loopmend {
 /// An initial patch for one loop: the loop's vertices first, in loop order, then the new ones.
 struct LoopPatch {
   Points points;        ///< mesh units
-  Triangles triangles;  ///< oriented like the surroundings
+  Triangles triangles;  ///< oriented like the neighborhood
 };
 
 /// How the target length of a patch's edges changes inward from its rim.
@@ -25,11 +25,11 @@ struct Grading {
 
 /// Free vertices come first, then ring 1 (the loops), ring 2, ... All positions are in the patch's own frame
 /// (centre 0, size about 1), so that no tolerance depends on the unit of the scan. Fixed vertices are copies: they are
-/// never written back, so the surroundings cannot move, not by one bit.
+/// never written back, so the neighborhood cannot move, not by one bit.
 struct Patch {
   int free_count = 0;   ///< n, the unknowns
   Points positions;     ///< #V, patch frame: x = (mesh − center) / scale
-  Triangles triangles;  ///< the patch's own `patch_triangles` first, then those of the surroundings
+  Triangles triangles;  ///< the patch's own `patch_triangles` first, then those of the neighborhood
   int patch_triangles = 0;
   std::vector<int> ring;                ///< #V: 0 free, 1 on a loop, 2, 3, ... edges away from the loops
   std::vector<int> view_vertex;         ///< #V: vertex of the model's view; −1 for free vertices

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A region of a surface as a patch: its vertices free, its surroundings fixed (paper §5, Fig. 5.6).
+// A region of a surface as a patch: its vertices free, its neighborhood fixed (paper §5, Fig. 5.6).
 #pragma once
 
 #include "mesh/patch.h"

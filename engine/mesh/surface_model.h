@@ -61,7 +61,7 @@ struct AroundLoops {
 
 /// The same for a large scan of which only the loops and what lies around them matter: it takes a fraction of the time and
 /// memory. Vertices and faces are in the same order as in the whole view; find_boundary_loops and fill_holes give the same
-/// (with the surroundings that pipeline/filling_view.h asks for). What walks over the whole view needs the whole view.
+/// (with the neighborhood that pipeline/filling_view.h asks for). What walks over the whole view needs the whole view.
 SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around);
 
 /// The soup before any triangle was turned round.
@@ -89,7 +89,7 @@ void for_each_soup_triangle(const SurfaceModel& model, const Visit& visit) {
 struct PatchGeometry {
   std::vector<int> rim;  ///< view vertices that the patch shares with the model; patch vertex i < #rim is rim[i]
   Points points;         ///< the patch's own vertices; patch vertex #rim + k is points[k]
-  Triangles triangles;   ///< over patch vertices, oriented like the surroundings
+  Triangles triangles;   ///< over patch vertices, oriented like the neighborhood
 };
 
 /// Room for patches of so many points and triangles together: append_patch then takes no more memory for the model.

@@ -21,8 +21,8 @@ struct PatchProblem {
 
 struct AttemptContext {
   const PatchProblem& problem;
-  /// The surroundings without their outliers, which the patch meets all the same; null: as they are.
-  const CalmSurroundings* calm;
+  /// The neighborhood without their outliers, which the patch meets all the same; null: as they are.
+  const CalmNeighborhood* calm;
   const Evolution::OnStep& on_step;
   const CancelToken& cancel;
 };

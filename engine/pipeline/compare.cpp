@@ -85,7 +85,7 @@ void add_profiles(FlowComparison& comparison) {
   if (comparison.runs.empty() || comparison.runs.front().outcome.patch.loops.empty()) return;
   comparison.profile_edge = widest_jump(comparison.runs);
   comparison.profiles.clear();
-  // The same surroundings for all, whose fixed vertices keep their order.
+  // The same neighborhood for all, whose fixed vertices keep their order.
   const std::vector<float> H_sigma = curvature_uncertainty(comparison.runs.front().outcome.patch);
   for (const ComparedFlow& run : comparison.runs)
     comparison.profiles.push_back(profile_across(run.outcome.patch, comparison.profile_edge, H_sigma));

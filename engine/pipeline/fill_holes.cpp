@@ -323,7 +323,7 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
                                    const FillOptions& options, const OnFillProgress& progress,
                                    const CancelToken& cancel) {
   check(options);
-  if (!holds_surroundings(model, loops))
+  if (!holds_neighborhood(model, loops))
     throw InvalidArgument(
         "the view of the surface ends too near to a loop that is to be filled (pipeline/filling_view.h)");
   return with_thread_budget(options.threads, [&] { return fill(model, loops, options, progress, cancel); });

@@ -63,7 +63,7 @@ bool widen_filling_view(SurfaceModel& model, const std::vector<BoundaryLoop>& al
   return true;
 }
 
-bool holds_surroundings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+bool holds_neighborhood(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   return !model.beyond || (model.beyond->rings >= rings && boxes_to_hold(model, loops).empty());
 }
 

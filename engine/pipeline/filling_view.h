@@ -18,6 +18,6 @@ bool widen_filling_view(SurfaceModel& model, const std::vector<BoundaryLoop>& al
                         const std::vector<BoundaryLoop>& loops);
 
 /// Whether the view holds all that filling the loops looks at; a whole view does.
-bool holds_surroundings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+bool holds_neighborhood(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
 }  // namespace loopmend

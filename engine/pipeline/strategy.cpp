@@ -17,7 +17,7 @@ struct Situation {
   AttemptContext context;
   EvolutionOptions options;              ///< as asked for
   std::optional<SplitEstimate> split;    ///< where the options leave the treatment of the boundary to be judged
-  std::optional<CalmSurroundings> calm;  ///< where single vertices stand off surroundings that are smooth without them
+  std::optional<CalmNeighborhood> calm;  ///< where single vertices stand off a neighborhood that is smooth without them
   std::optional<Patch> triangulation;    ///< the initial patch before it was relaxed
   bool flat_cut = false;                 ///< every loop is one, and the options leave that to be judged
 
@@ -245,7 +245,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   }
   Situation situation{{problem, nullptr, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt};
   if (is_judged(options)) {
-    if (CalmSurroundings calm = without_strays(problem.initial); calm.strays > 0) {
+    if (CalmNeighborhood calm = without_strays(problem.initial); calm.strays > 0) {
       const SplitEstimate without = estimate_split(calm.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {
         situation.split = without;

@@ -81,7 +81,7 @@ void ConstrainedRemesher::update_normals_around(VH v) {
   for (const auto f : mesh_.vf_range(v)) update_normal(f);
 }
 
-/// Normal on the other side of h; on the rim that of the surroundings, or this face's own where there are none.
+/// Normal on the other side of h; on the rim that of the neighborhood, or this face's own where there are none.
 Vec3 ConstrainedRemesher::normal_across(HH h) const {
   const HH other = mesh_.opposite_halfedge_handle(h);
   if (!mesh_.is_boundary(other)) return face_normal(mesh_.face_handle(other));

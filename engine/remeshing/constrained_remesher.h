@@ -11,7 +11,7 @@
 
 namespace loopmend {
 
-/// Normals of the surroundings across the rim: key (a, b) is the rim edge as it runs in the patch.
+/// Normals of the neighborhood across the rim: key (a, b) is the rim edge as it runs in the patch.
 using RimNormals = std::map<std::pair<int, int>, Vec3>;
 
 /// A guarded operation is undone, or not done, when it takes the worst dihedral of the edges it touches beyond 80° and

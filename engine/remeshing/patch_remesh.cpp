@@ -75,7 +75,7 @@ class LockedVertices {
   std::vector<std::pair<std::pair<int, int>, int>> copies_;  ///< (triangle, corner) → locked vertex
 };
 
-/// Mean length of the edges at each rim vertex: of those in the surroundings, or of all where there are none.
+/// Mean length of the edges at each rim vertex: of those in the neighborhood, or of all where there are none.
 std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
   std::vector<double> outside(rim, 0), inside(rim, 0), outside_count(rim, 0), inside_count(rim, 0);
   for (std::size_t f = 0; f < patch.triangles.size(); ++f) {

@@ -11,11 +11,11 @@ namespace loopmend {
 /// @returns false when another round would change next to nothing.
 bool remesh_once(ConstrainedRemesher& mesh);
 
-/// The patch's own triangles, the loops locked, guarded against the surroundings; target sizes from the rim and
+/// The patch's own triangles, the loops locked, guarded against the neighborhood; target sizes from the rim and
 /// Patch::grading.
 ConstrainedRemesher open_for_remeshing(const Patch& patch);
 
-/// The same patch with the interior of `mesh`; fixed vertices and surroundings are those of `patch`.
+/// The same patch with the interior of `mesh`; fixed vertices and neighborhood are those of `patch`.
 Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh);
 
 }  // namespace loopmend

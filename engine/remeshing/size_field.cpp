@@ -20,7 +20,7 @@ using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 constexpr double steepest_fall = 0.4;
 
 /// A rim vertex with tiny edges among ordinary ones, as where a scan has two vertices nearly in one place, would fill its
-/// surroundings with millions of triangles: no size is below this share of the median of those near it.
+/// neighborhood with millions of triangles: no size is below this share of the median of those near it.
 constexpr double least_of_the_median = 0.2;
 constexpr std::size_t near_sizes = 9;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The patch for rough surroundings: linear fairing of blended order that believes each rim vertex as far as it deserves.
+// The patch for rough neighborhood: linear fairing of blended order that believes each rim vertex as far as it deserves.
 #pragma once
 
 #include "core/cancel.h"
@@ -16,7 +16,7 @@ enum class SeamContinuity {
   curvature,  ///< and its curvature: the order blend
 };
 
-/// How well the surroundings know their own curvature, 0..1, one value for each fixed vertex, in their order: 1 everywhere
+/// How well the neighborhood knows its own curvature, 0..1, one value for each fixed vertex, in their order: 1 everywhere
 /// but on ring 1, where it is 1 / (1 + (σ_H R / 2)²) with σ_H of the vertex's RimFit, and on ring 2, which takes the mean of
 /// its neighbours of ring 1: a curvature that is known no better than to that of a ball as wide as the hole counts half.
 Eigen::VectorXd data_trust(const Patch& patch, double radius);
@@ -27,7 +27,7 @@ Eigen::VectorXd data_trust(const Patch& patch, double radius);
 /// @param data  of data_trust.
 Eigen::VectorXd rim_trust(const Patch& patch, double radius, const Eigen::VectorXd& data);
 
-/// αR² of the order blend on rough surroundings. Measured: 0, 10 and 30 differ by 2 %.
+/// αR² of the order blend in a rough neighborhood. Measured: 0, 10 and 30 differ by 2 %.
 inline constexpr double rough_bending = 10;
 
 /// One fairing for the metric of the present shape: minimises ∫ w ‖∇Δr‖² + α ∫ w ‖Δr‖² with α = rough_bending / R² and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normal, H and ∇H of the surroundings along a loop, each with its uncertainty.
+// Normal, H and ∇H of the neighborhood along a loop, each with its uncertainty.
 #pragma once
 
 #include "mesh/patch.h"
@@ -8,9 +8,9 @@
 
 namespace loopmend {
 
-/// At one loop vertex, from the surroundings alone. Patch frame; uncertainties are standard deviations.
+/// At one loop vertex, from the neighborhood alone. Patch frame; uncertainties are standard deviations.
 struct RimFit {
-  bool valid = false;  ///< false where the surroundings do not determine a cubic
+  bool valid = false;  ///< false where the neighborhood does not determine a cubic
   Vec3 normal = Vec3::Zero();
   double normal_sigma = 0;  ///< radians
   double H = 0;             ///< 1/length; −1/R on a sphere with outward normals
@@ -29,13 +29,13 @@ std::vector<float> curvature_uncertainty(const Patch& patch);
 
 /// What a person wants to know of one rim. Mesh units.
 struct RimSummary {
-  SplitEstimate split;                      ///< of the whole problem; patch frame
-  double relief = 0, noise = 0;             ///< SplitEstimate's heights, length
+  SplitEstimate split;                             ///< of the whole problem; patch frame
+  double relief = 0, noise = 0;                    ///< SplitEstimate's heights, length
   double relief_per_edge = 0, noise_per_edge = 0;  ///< the same in mean edge lengths of the loop
-  double normal_sigma_deg = 0;              ///< rms of RimFit::normal_sigma over the loop
-  double H = 0, H_sigma = 0;                ///< rms over the loop, 1/length
-  double gradient = 0, gradient_sigma = 0;  ///< rms over the loop, 1/length²
-  int fitted = 0;                           ///< loop vertices with a valid fit
+  double normal_sigma_deg = 0;                     ///< rms of RimFit::normal_sigma over the loop
+  double H = 0, H_sigma = 0;                       ///< rms over the loop, 1/length
+  double gradient = 0, gradient_sigma = 0;         ///< rms over the loop, 1/length²
+  int fitted = 0;                                  ///< loop vertices with a valid fit
 };
 
 /// One for each loop, in the order of Patch::loops.

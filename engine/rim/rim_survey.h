@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All fits to the surroundings of a patch: they do not depend on what fills the loops, and can be made beside it.
+// All fits to the neighborhood of a patch: they do not depend on what fills the loops, and can be made beside it.
 #pragma once
 
 #include "rim/rim_fits.h"

@@ -2,15 +2,15 @@
 #include "rim/stray_vertices.h"
 
 #include "core/quantile.h"
-#include "mesh/quality.h"
 #include "filling/fairing.h"
+#include "mesh/quality.h"
 #include "operators/operator_set.h"
 #include "operators/polynomial_fit.h"
 
 #include <algorithm>
-#include <numeric>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace loopmend {
@@ -34,7 +34,7 @@ Vec3 median_normal(const Points& normals, const std::vector<int>& vertices) {
   return Vec3(median(coordinates[0]), median(coordinates[1]), median(coordinates[2])).normalized();
 }
 
-/// The surroundings, with some vertices moved onto what their neighbours say.
+/// The neighborhood, with some vertices moved onto what their neighbours say.
 class Surround {
  public:
   Surround(const Patch& patch, const FixedSurface& around)
@@ -122,12 +122,12 @@ StrayDistances stray_distances(const Patch& patch, const FixedSurface& around) {
   return {*std::max_element(distances.begin(), distances.end()), median(distances)};
 }
 
-CalmSurroundings without_strays(const Patch& patch) {
+CalmNeighborhood without_strays(const Patch& patch) {
   return without_strays(patch, stray_distances(patch, FixedSurface(patch)));
 }
 
-CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distances) {
-  CalmSurroundings calm{patch, 0};
+CalmNeighborhood without_strays(const Patch& patch, const StrayDistances& distances) {
+  CalmNeighborhood calm{patch, 0};
   const double edge = mean_edge_length(patch.positions, patch.triangles, patch.patch_triangles);
   if (!(distances.largest > limit_of_strays(edge, distances.median))) return calm;
 
@@ -167,7 +167,8 @@ Patch carried_to(const Patch& original, const Patch& solved, double reach) {
   Patch result = solved;
   Points offset(result.vertex_count(), Vec3::Zero());
   for (int k = 0; k < original.vertex_count() - original.free_count; ++k)
-    offset[result.free_count + k] = original.positions[original.free_count + k] - result.positions[result.free_count + k];
+    offset[result.free_count + k] =
+        original.positions[original.free_count + k] - result.positions[result.free_count + k];
   std::vector<int> own(result.patch_triangles);
   std::iota(own.begin(), own.end(), 0);
   SparseMatrix C = clamped_cotan_stiffness(result.positions, result.triangles, own, robust_clamp);

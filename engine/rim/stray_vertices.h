@@ -7,8 +7,8 @@
 
 namespace loopmend {
 
-/// The surroundings without their stray vertices, and how many there were.
-struct CalmSurroundings {
+/// The neighborhood without their stray vertices, and how many there were.
+struct CalmNeighborhood {
   Patch patch;     ///< stray vertices moved towards the surface round about; all else as it was, bit for bit
   int strays = 0;  ///< 0: the patch is as it was
 };
@@ -17,7 +17,7 @@ struct CalmSurroundings {
 /// out, exceeds both 0.03 mean edges and ten times the median of these distances; from twice that on it is moved onto the
 /// fit. The largest are taken first, since they lead the fits beside them astray. More than two within two edges of one
 /// another are a feature, and stay.
-CalmSurroundings without_strays(const Patch& patch);
+CalmNeighborhood without_strays(const Patch& patch);
 
 /// Distances of the vertices that are looked at from least squares fits, patch frame: these see every stray as well, only
 /// less sharply, at a fifth of the time.
@@ -27,8 +27,8 @@ struct StrayDistances {
 
 StrayDistances stray_distances(const Patch& patch, const FixedSurface& around);
 
-/// The same where these distances are known. @param distances  of this patch's surroundings.
-CalmSurroundings without_strays(const Patch& patch, const StrayDistances& distances);
+/// The same where these distances are known. @param distances  of this patch's neighborhood.
+CalmNeighborhood without_strays(const Patch& patch, const StrayDistances& distances);
 
 /// The free vertices of `solved`, carried along from its fixed vertices to those of `original`, which are met bit for bit: their
 /// offset fades from the loops into the patch, to 1/e within `reach` and faster.

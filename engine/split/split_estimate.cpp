@@ -28,7 +28,7 @@ constexpr int most_vertices = 1000;
 
 double s2_of(double w, double v) { return v > 0 ? std::pow(v, 6) / (w * w) + std::pow(v, 4) : 0; }
 
-/// The surroundings by themselves, renumbered; of large ones the vertices around some stretches of the boundary.
+/// The neighborhood by itself, renumbered; of large ones the vertices around some stretches of the boundary.
 struct Collar {
   Points points;
   Triangles triangles;
@@ -98,7 +98,7 @@ double mean_boundary_edge(const Patch& patch) {
 }
 
 /// −2 log of the restricted likelihood as a function of the two wavelengths, its scale taken out. To first order about the
-/// surroundings as they are: H = H₀ + Bφ for the smooth surface at displacement φ, and φ + r + e = 0.
+/// neighborhood as they are: H = H₀ + Bφ for the smooth surface at displacement φ, and φ + r + e = 0.
 class Likelihood {
  public:
   Likelihood(const SplitSurface& surface, const Points& points, double edge, double radius)
@@ -123,7 +123,7 @@ class Likelihood {
   struct Heights {
     double relief = 0, noise = 0;  ///< rms
   };
-  /// Infinite where the split cannot be made: nothing then says that the surroundings are smooth.
+  /// Infinite where the split cannot be made: nothing then says that the neighborhood is smooth.
   Heights heights(double w, double v) const {
     const Split split = at(w, v, *make_spd_solver());
     if (split.value == unknown) return {unknown, 0};
@@ -268,18 +268,18 @@ class Search {
 
 double SplitEstimate::noise_variance() const { return s2_of(relief * edge, noise * edge); }
 
-const char* to_string(Surroundings surroundings) {
-  switch (surroundings) {
-    case Surroundings::smooth: return "smooth";
-    case Surroundings::noisy: return "noisy";
-    case Surroundings::rough: return "rough";
+const char* to_string(NeighborhoodKind neighborhood) {
+  switch (neighborhood) {
+    case NeighborhoodKind::smooth: return "smooth";
+    case NeighborhoodKind::noisy: return "noisy";
+    case NeighborhoodKind::rough: return "rough";
   }
   return "";
 }
 
-Surroundings SplitEstimate::kind() const {
-  if (is_exact()) return Surroundings::smooth;
-  return noise_height > relief_height ? Surroundings::noisy : Surroundings::rough;
+NeighborhoodKind SplitEstimate::kind() const {
+  if (is_exact()) return NeighborhoodKind::smooth;
+  return noise_height > relief_height ? NeighborhoodKind::noisy : NeighborhoodKind::rough;
 }
 
 bool SplitEstimate::is_exact(double relief_limit) const {

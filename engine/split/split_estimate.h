@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of the surroundings of a patch is smooth shape, how much relief and how much noise: told by the surroundings alone.
+// How much of the neighborhood of a patch is smooth shape, how much relief and how much noise: told by the neighborhood alone.
 #pragma once
 
 #include "core/cancel.h"
@@ -8,19 +8,19 @@
 namespace loopmend {
 
 /// What prevails around a hole.
-enum class Surroundings {
+enum class NeighborhoodKind {
   smooth,  ///< neither relief nor noise that counts
   noisy,   ///< noise more than relief
   rough,   ///< relief more than noise
 };
 
-const char* to_string(Surroundings surroundings);
+const char* to_string(NeighborhoodKind neighborhood);
 
 /// The split minimises λ ∫4‖∇H‖² + ∫((Δ − κ²) r)² + ∫e²/s² over smooth surface + relief r + noise e = scan. Its parameters by
 /// two wavelengths, where the shares are as strong as each other: λ = w², s² = v⁶/w² + v⁴.
 struct SplitEstimate {
   /// Limits of is_exact(). Holes: measured on surfaces that are known, relief up to 4e-6 and noise up to 3e-5, and on 293 holes
-  /// of 15 models, where from 1e-5 on the split form comes a fifth closer. Bridges and regions, whose surroundings are mostly
+  /// of 15 models, where from 1e-5 on the split form comes a fifth closer. Bridges and regions, whose neighborhood is mostly
   /// constructed: coarse tubes have up to 1e-3.
   static constexpr double exact_hole = 1e-5, exact_construction = 1e-3;
 
@@ -33,13 +33,13 @@ struct SplitEstimate {
 
   double lambda() const { return relief * relief * edge * edge; }
   double noise_variance() const;  ///< s²; 0 without noise
-  /// The surroundings are smooth as far as that matters: the flow itself may take them literally.
+  /// The neighborhood is smooth as far as that matters: the flow itself may take them literally.
   /// @param relief  height up to which relief does not matter, in boundary edges
   bool is_exact(double relief = exact_hole) const;
-  Surroundings kind() const;
+  NeighborhoodKind kind() const;
 };
 
-/// By restricted maximum likelihood (Patterson, Thompson 1971): docs/math/irregular_boundaries.md. Of large surroundings, parts.
+/// By restricted maximum likelihood (Patterson, Thompson 1971): docs/math/irregular_boundaries.md. Of large neighborhood, parts.
 /// @param patch  its free vertices and own triangles are not looked at. @returns exact where there is too little to tell, and
 /// something of no use when cancelled; of infinite relief where the split cannot be made.
 SplitEstimate estimate_split(const Patch& patch, const CancelToken& cancel = {});

@@ -14,11 +14,11 @@
 
 namespace loopmend {
 
-/// y + r n + e n = x, along n, at the vertices of the surroundings, which never move; on the patch there is no x, so that y and r are free.
+/// y + r n + e n = x, along n, at the vertices of the neighborhood, which never move; on the patch there is no x, so that y and r are free.
 /// Minimises J over y, displaced along its normals, by Gauss-Newton with line search; r and e are the best for each y.
 class SplitProblem {
  public:
-  /// From the patch as it is. @param patch  with surroundings.
+  /// From the patch as it is. @param patch  with neighborhood.
   SplitProblem(const Patch& patch, const SplitEstimate& estimate, const CancelToken& cancel);
 
   enum class Outcome { moved, at_rest, cancelled };

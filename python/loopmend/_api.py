@@ -344,7 +344,7 @@ def evolve(
     solver: str = "auto",
     progress: Optional[OnStep] = None,
 ) -> PatchResult:
-    """Evolves a region of a mesh with its surroundings fixed, as `loopmend evolve` does.
+    """Evolves a region of a mesh with its neighborhood fixed, as `loopmend evolve` does.
 
     Vertices and faces keep their numbers, and all outside the region are bit-identical. Where the region had to be remeshed
     (`remeshed`), its new vertices come last. A result that is refused is the mesh as it was.

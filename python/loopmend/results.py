@@ -84,7 +84,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Seam:
-    """Do tangent plane and curvature run through the boundary of a hole? One-sided fits, patch against surroundings.
+    """Do tangent plane and curvature run through the boundary of a hole? One-sided fits, patch against neighborhood.
 
     g1_rms_deg, g1_max_deg: angle between the normals, degrees.
     h_jump_rms, h_jump_max: jump of the mean curvature, 1/length.

@@ -203,10 +203,6 @@
             <translation>Dichte</translation>
         </message>
         <message>
-            <source>Edges along a length, relative to the surroundings</source>
-            <translation>Kanten auf eine Länge, im Verhältnis zur Umgebung</translation>
-        </message>
-        <message>
             <source>Part to place</source>
             <translation>Teil zum Platzieren</translation>
         </message>
@@ -253,6 +249,10 @@
         <message>
             <source>A selected hole is filled: discard its patch first.</source>
             <translation>Ein ausgewähltes Loch ist gefüllt: zuerst seinen Flicken verwerfen.</translation>
+        </message>
+        <message>
+            <source>Edges along a length, relative to the neighborhood</source>
+            <translation>Kanten auf eine Länge, im Verhältnis zur Umgebung</translation>
         </message>
     </context>
     <context>
@@ -436,10 +436,6 @@
             <translation>Kanten, die um mehr als 90° gefaltet sind</translation>
         </message>
         <message>
-            <source>Places where the patch cuts itself or its surroundings</source>
-            <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
-        </message>
-        <message>
             <source>step limit</source>
             <translation>Schrittgrenze</translation>
         </message>
@@ -502,6 +498,10 @@
         <message>
             <source>faired</source>
             <translation>geglättet</translation>
+        </message>
+        <message>
+            <source>Places where the patch cuts itself or its neighborhood</source>
+            <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
         </message>
     </context>
     <context>
@@ -615,10 +615,6 @@
             <translation>Eigener Farbbereich</translation>
         </message>
         <message>
-            <source>A colour range of your own, instead of that of the surroundings</source>
-            <translation>Ein eigener Farbbereich anstelle dessen der Umgebung</translation>
-        </message>
-        <message>
             <source>Range</source>
             <translation>Bereich</translation>
         </message>
@@ -705,6 +701,10 @@
         <message>
             <source>Straight to where each flow converges, or in time steps, as in the paper</source>
             <translation>Geradewegs dahin, wo jeder Fluss zur Ruhe kommt, oder in Zeitschritten wie im Aufsatz</translation>
+        </message>
+        <message>
+            <source>A colour range of your own, instead of that of the neighborhood</source>
+            <translation>Ein eigener Farbbereich anstelle dessen der Umgebung</translation>
         </message>
     </context>
     <context>
@@ -5582,10 +5582,6 @@
             <translation>Gebiet</translation>
         </message>
         <message>
-            <source>Make a region of a surface smooth, its surroundings held (R)</source>
-            <translation>Ein Gebiet einer Fläche glätten, die Umgebung gehalten (R)</translation>
-        </message>
-        <message>
             <source>Points</source>
             <translation>Punkte</translation>
         </message>
@@ -5648,6 +5644,10 @@
         <message>
             <source>Fill a part of a hole</source>
             <translation>Einen Teil eines Lochs füllen</translation>
+        </message>
+        <message>
+            <source>Make a region of a surface smooth, its neighborhood held (R)</source>
+            <translation>Ein Gebiet einer Fläche glätten, die Umgebung gehalten (R)</translation>
         </message>
     </context>
     <context>
@@ -6004,10 +6004,6 @@
             <translation>&amp;Gebiet</translation>
         </message>
         <message>
-            <source>Make a region of a surface smooth, its surroundings held</source>
-            <translation>Ein Gebiet einer Fläche glätten, die Umgebung gehalten</translation>
-        </message>
-        <message>
             <source>Surface through &amp;points</source>
             <translation>Fläche durch &amp;Punkte</translation>
         </message>
@@ -6226,6 +6222,10 @@
         <message>
             <source>Widen the selected holes by one ring of faces, where they are ragged; once more for another</source>
             <translation>Die gewählten Löcher um einen Ring von Flächen weiten, wo sie ausgefranst sind; noch einmal für einen weiteren</translation>
+        </message>
+        <message>
+            <source>Make a region of a surface smooth, its neighborhood held</source>
+            <translation>Ein Gebiet einer Fläche glätten, die Umgebung gehalten</translation>
         </message>
     </context>
     <context>

@@ -25,7 +25,7 @@ TEST(SectionProfile, RunsOnceAcrossTheSphereCap) {
     int changes = 0;
     for (std::size_t i = 1; i < profile.side.size(); ++i) changes += profile.side[i] != profile.side[i - 1];
     EXPECT_EQ(changes, 2);
-    EXPECT_EQ(profile.side.front(), SectionProfile::Side::surroundings);
+    EXPECT_EQ(profile.side.front(), SectionProfile::Side::neighborhood);
     // The patch's part is an arc of a great circle of the unit sphere, and lies in the middle.
     double first = 0, last = 0;
     for (std::size_t i = 0; i < profile.arc.size(); ++i) {

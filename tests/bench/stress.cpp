@@ -58,7 +58,7 @@ struct Outcome {
 std::string what_is_invalid(const HoleProblem& problem, const Filling& filling, const PatchFigures& figures) {
   constexpr double farthest = 2.5;      // loop diameters
   constexpr double tiny_energy = 1e-6;  // ∫‖∇H‖² times the diameter squared
-  if (!filling.exterior_unchanged) return "the surroundings were changed";
+  if (!filling.exterior_unchanged) return "the neighborhood was changed";
   if (!(figures.reach < farthest)) return "unbounded: " + number(figures.reach) + " diameters away";
   if (figures.cuts > 0) return number(figures.cuts) + " self-intersections";
   if (figures.folds > 0) return number(figures.folds) + " folded edges";

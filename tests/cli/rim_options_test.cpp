@@ -54,7 +54,7 @@ TEST_F(RimOptions, ReportTellsOfTheRim) {
   EXPECT_EQ(rim["fitted_vertices"], fill(clean, "")["loops"][0]["edges"]);
 }
 
-TEST_F(RimOptions, OnCleanSurroundingsAutoAndExactGiveTheSameBits) {
+TEST_F(RimOptions, OnCleanNeighborhoodAutoAndExactGiveTheSameBits) {
   fill(clean, "--boundary auto");
   const Points automatic = read_mesh(out).soup.points;
   fill(clean, "--boundary exact");
@@ -107,7 +107,8 @@ TEST_F(RimOptions, ASingleVertexOffASmoothRimIsToldAndNotTakenForShape) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   sphere.points[model.soup_vertex[loops.front().vertices[5]]] *= 1.05;
   write_mesh(ragged, sphere);
-  EXPECT_THAT(fill(ragged, "")["loops"][0]["message"].get<std::string>(), testing::HasSubstr("one boundary vertex is an outlier"));
+  EXPECT_THAT(fill(ragged, "")["loops"][0]["message"].get<std::string>(),
+              testing::HasSubstr("one boundary vertex is an outlier"));
   EXPECT_EQ(read_mesh(out).soup.points[model.soup_vertex[loops.front().vertices[5]]],
             sphere.points[model.soup_vertex[loops.front().vertices[5]]]);
 }

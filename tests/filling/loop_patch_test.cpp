@@ -49,7 +49,7 @@ void expect_closes(const SurfaceModel& model, const BoundaryLoop& loop, const Lo
   EXPECT_EQ(find_boundary_loops(filled).size() + 1, find_boundary_loops(model).size());
 }
 
-TEST(LoopPatch, ClosesAHoleInASphereAtTheDensityOfTheSurroundings) {
+TEST(LoopPatch, ClosesAHoleInASphereAtTheDensityOfTheNeighborhood) {
   for (const SurfaceModel& model : {test::open_sphere(4, 0.9), test::rough_open_sphere(4, 0.7)}) {
     const BoundaryLoop loop = find_boundary_loops(model).at(0);
     const LoopPatchOutcome outcome = fill_loop(model, loop, {}, {});
@@ -98,7 +98,7 @@ TEST(LoopPatch, ConcaveAndSlitShapedLoops) {
   }
 }
 
-TEST(LoopPatch, WhereRemeshingWouldCutTheSurroundingsThePatchGetsItsVerticesAllTheSame) {
+TEST(LoopPatch, WhereRemeshingWouldCutTheNeighborhoodThePatchGetsItsVerticesAllTheSame) {
   // A sheet with a narrow ridge along y that leans over like an ear, and a ball cut out of both.
   TriangleSoup sheet =
       make_graph([](double x, double y) { return 1.5 * std::exp(-x * x / 0.0064) * std::exp(-2 * y * y); }, 2, 100);

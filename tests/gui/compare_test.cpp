@@ -251,7 +251,7 @@ void CompareTest::the_command_in_the_clipboard_does_the_same() {
   QVERIFY(in<QLabel>(*window, "bannerText")->text().contains(QStringLiteral("all four flows")));
 }
 
-/// Between two states more than one picture is drawn, none of them by drawing the surroundings again; the last one is
+/// Between two states more than one picture is drawn, none of them by drawing the neighborhood again; the last one is
 /// what a fresh drawing of the last state gives.
 void CompareTest::pictures_move_between_states_and_end_at_them() {
   Shown shown({ball_file(folder_)});
@@ -271,17 +271,17 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
   QVERIFY(canvas.is_moving());
   QVERIFY(wait_until([&] { return !canvas.is_moving(); }, 10));
   settle(200);
-  QVERIFY(canvas.surroundings_drawn() > 0);
+  QVERIFY(canvas.neighborhood_drawn() > 0);
   const QImage after = seen();
   QVERIFY(share_apart(before, after) > 0.01);
   canvas.show_patch(0, start);
   settle(400);
   QVERIFY(share_apart(seen(), before) < 1e-4);
-  const int drawn = canvas.surroundings_drawn();
+  const int drawn = canvas.neighborhood_drawn();
   canvas.show_patch(0, std::make_shared<SurfaceShape>(*other));
   settle(400);
   QVERIFY(share_apart(seen(), after) < 1e-4);
-  QCOMPARE(canvas.surroundings_drawn(), drawn);  // kept, since the camera rests
+  QCOMPARE(canvas.neighborhood_drawn(), drawn);  // kept, since the camera rests
   const CameraPose pose = canvas.pose();
   CameraPose nearer = pose;
   nearer.position = 0.9 * pose.position + 0.1 * pose.focus;

@@ -239,8 +239,8 @@ void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const Su
   const Frames now = frames_of(window);
   for (std::size_t k = 0; k < views; ++k) all += now[k] - before[k];
   std::printf(
-      "drawing alone: %.1f pictures a second in each view, %.1f ms of processor time each, surroundings in %d of %d\n",
-      all / seconds(clock) / views, (process_cpu_ms() - cpu) / all, window.pane(0).canvas().surroundings_drawn(),
+      "drawing alone: %.1f pictures a second in each view, %.1f ms of processor time each, neighborhood in %d of %d\n",
+      all / seconds(clock) / views, (process_cpu_ms() - cpu) / all, window.pane(0).canvas().neighborhood_drawn(),
       now[0]);
 }
 

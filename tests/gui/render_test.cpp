@@ -95,7 +95,7 @@ class RenderTest : public QObject {
     const QImage whole = picture();
     options.loop = 2;
     const QImage loop = picture();
-    // In the corner is ground beside the whole surface, and the loop's surroundings in its own picture.
+    // In the corner is ground beside the whole surface, and the loop's neighborhood in its own picture.
     QVERIFY(loop.pixel(0, 0) != whole.pixel(0, 0));
     options.view = NamedView::top;
     QVERIFY(picture() != loop);

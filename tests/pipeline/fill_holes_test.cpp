@@ -406,7 +406,7 @@ TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
   for (const HoleResult& r : fill_holes(model, loops, {}, nullptr, {})) {
     EXPECT_NE(r.status, PatchStatus::failed) << r.loop.number << ": " << r.message;
     // A rough rim is let go of where it says nothing about the hole: there H may jump a little more.
-    const double room = r.neighborhood().split.kind() == Surroundings::smooth ? 1 : 1.2;
+    const double room = r.neighborhood().split.kind() == NeighborhoodKind::smooth ? 1 : 1.2;
     EXPECT_LE(r.seam_after().h_jump_rms, room * r.seam_before().h_jump_rms) << r.loop.number;
   }
   expect_input_first(open.soup, model.soup);

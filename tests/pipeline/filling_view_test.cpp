@@ -158,14 +158,14 @@ TEST(FillingView, AFlatCutNeedsAWiderView) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(view);
   ASSERT_EQ(loops.size(), 2U);
   const std::size_t faces = view.mesh.n_faces();
-  EXPECT_FALSE(holds_surroundings(view, loops));
+  EXPECT_FALSE(holds_neighborhood(view, loops));
   SurfaceModel unfilled = view;
   EXPECT_THROW(fill_holes(unfilled, loops, {}, nullptr, CancelToken()), InvalidArgument);
   EXPECT_TRUE(widen_filling_view(view, loops, {loops[0]}));
   EXPECT_GT(view.mesh.n_faces(), faces);
   EXPECT_LT(view.mesh.n_faces(), tube.triangles.size());
   const std::vector<BoundaryLoop> again = find_boundary_loops(view);
-  EXPECT_TRUE(holds_surroundings(view, {again[0]}));
+  EXPECT_TRUE(holds_neighborhood(view, {again[0]}));
   EXPECT_FALSE(widen_filling_view(view, again, {again[0]}));
 }
 

@@ -29,7 +29,7 @@ SurfaceModel rough_open_sphere(double relief, double noise) {
   return make_surface_model(soup);
 }
 
-/// What becomes of one initial patch when its surroundings change: the triangles stay, the free vertices are carried along. The
+/// What becomes of one initial patch when its neighborhood changes: the triangles stay, the free vertices are carried along. The
 /// initial patch that belongs to each rim would have triangles of its own, which change one by one as the rim does; on a rough
 /// rim another triangulation alone moves the patch by up to 5 % of an edge, whatever the kinds do.
 struct Family {
@@ -195,7 +195,7 @@ TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
   EXPECT_EQ(solved(site, initial, {other}).patch.positions, solved(site, initial, {}).patch.positions);
 }
 
-TEST(RoughStart, SmoothSurroundingsGiveTheSameBitsWithAndWithoutLoops) {
+TEST(RoughStart, SmoothNeighborhoodGiveTheSameBitsWithAndWithoutLoops) {
   const Gutter gutter(0);
   const Patch initial = gutter.start(InitialShape::minimal);
   ASSERT_TRUE(estimate_split(initial).is_exact());

@@ -54,7 +54,7 @@ TEST(RimBlend, EvenRimIsTrusted) {
   EXPECT_GT(trust_of(patch).minCoeff(), 0.999);
 }
 
-/// One half of the surroundings is left as it is: there the curvature is known, and on the other it is not.
+/// One half of the neighborhood is left as it is: there the curvature is known, and on the other it is not.
 TEST(RimBlend, ScatteredDataAreTrustedLessVertexByVertex) {
   TriangleSoup soup = make_icosphere(5);
   Random random(4);
@@ -137,7 +137,7 @@ TEST(RimBlend, ASpikeDoesNotBendThePatch) {
   EXPECT_LT(robust, 0.3 * largest_distance_to_unit_sphere(literal.patch()));
 }
 
-TEST(RimBlend, CleanSurroundingsGiveTheSameBitsWithAndWithoutTheJudgement) {
+TEST(RimBlend, CleanNeighborhoodGiveTheSameBitsWithAndWithoutTheJudgement) {
   const Patch start = test::start_of(test::open_sphere(4, 0.6));
   EvolutionOptions exact;
   exact.boundary = BoundaryTrust::exact;
@@ -146,7 +146,7 @@ TEST(RimBlend, CleanSurroundingsGiveTheSameBitsWithAndWithoutTheJudgement) {
   EXPECT_TRUE(automatic.split()->is_exact());
 }
 
-TEST(RimBlend, OnRoughSurroundingsThePatchBulgesLikeTheSphere) {
+TEST(RimBlend, OnRoughNeighborhoodThePatchBulgesLikeTheSphere) {
   const Patch start = rough_start();
   const Evolution evolution = evolved(start, {});
   EXPECT_FALSE(evolution.split()->is_exact());

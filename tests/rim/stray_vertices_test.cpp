@@ -93,11 +93,11 @@ Filled fill(const Known& known, const Spikes& spikes, BoundaryTrust trust) {
   return filled;
 }
 
-TEST(StrayVertices, CleanSurroundingsAreLeftBitForBit) {
+TEST(StrayVertices, CleanNeighborhoodAreLeftBitForBit) {
   for (const SurfaceModel& model : {test::open_sphere(3, 0.2), test::open_sphere(4, 0.8),
                                     test::rough_open_sphere(4, 0.8), make_surface_model(torus().open)}) {
     const Patch patch = test::start_of(model);
-    const CalmSurroundings calm = without_strays(patch);
+    const CalmNeighborhood calm = without_strays(patch);
     EXPECT_EQ(calm.strays, 0);
     EXPECT_EQ(calm.patch.positions, patch.positions);
   }
@@ -111,7 +111,7 @@ TEST(StrayVertices, ASpikeIsFoundAndNothingElse) {
         const Spikes spikes = add_spikes(known, ring, 2, height);
         const SurfaceModel model = make_surface_model(known.open);
         const Patch patch = test::start_of(model);
-        const CalmSurroundings calm = without_strays(patch);
+        const CalmNeighborhood calm = without_strays(patch);
         EXPECT_EQ(calm.strays, 2) << known.name << ", ring " << ring << ", " << height;
         for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
           const bool spike =

@@ -23,7 +23,7 @@ Patch start_with(const std::function<double(std::size_t)>& height) {
 TEST(SplitEstimate, ASphereIsExact) {
   const SplitEstimate estimate = estimate_split(start_with([](std::size_t) { return 0; }));
   EXPECT_TRUE(estimate.is_exact());
-  EXPECT_EQ(estimate.kind(), Surroundings::smooth);
+  EXPECT_EQ(estimate.kind(), NeighborhoodKind::smooth);
   EXPECT_GT(estimate.relief, 0) << "estimated, not given up";
   EXPECT_NEAR(estimate.radius, std::sqrt(1 - 0.85 * 0.85) / Patch(start_with([](std::size_t) { return 0; })).scale,
               0.05);
@@ -36,7 +36,7 @@ TEST(SplitEstimate, FindsWhiteNoiseAndAboutItsHeight) {
     const double sigma = share * 0.038;
     const SplitEstimate estimate = estimate_split(start_with([&](std::size_t) { return sigma * random.bell(); }));
     EXPECT_FALSE(estimate.is_exact());
-    EXPECT_EQ(estimate.kind(), Surroundings::noisy);
+    EXPECT_EQ(estimate.kind(), NeighborhoodKind::noisy);
     EXPECT_GT(estimate.noise_height / estimate.edge, 0.5 * share);
     EXPECT_LT(estimate.noise_height / estimate.edge, 1.1 * share);
     EXPECT_LT(estimate.relief_height, 0.5 * estimate.noise_height);
@@ -74,7 +74,7 @@ TEST(SplitEstimate, APlaneIsExact) {
   }
 }
 
-/// What encloses no loop has no surroundings to tell anything.
+/// What encloses no loop has no neighborhood to tell anything.
 TEST(SplitEstimate, WithoutLoopsNothingIsEstimated) {
   Patch patch;
   patch.positions = make_icosphere(1).points;

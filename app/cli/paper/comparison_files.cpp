@@ -30,7 +30,7 @@ std::string format(const char* pattern, double value) {
 
 LinePlot profile_plot(const FlowComparison& comparison, const std::string& title) {
   LinePlot plot{
-      title, "distance from the seam (surroundings left, patch right)", "mean curvature H, one-sided", {}, {}};
+      title, "distance from the seam (neighborhood left, patch right)", "mean curvature H, one-sided", {}, {}};
   double low = 1e300, high = -1e300;
   for (std::size_t k = 0; k < comparison.profiles.size(); ++k) {
     PlotLine line{upper_name(comparison.runs[k].outcome.flow), {}};

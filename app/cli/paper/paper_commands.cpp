@@ -52,7 +52,7 @@ void add_interpolate(CLI::App& app, InterpolateCommand& command) {
 }
 
 void add_evolve(CLI::App& app, EvolveCommand& command) {
-  CLI::App* evolve = app.add_subcommand("evolve", "Evolve a region of a mesh with its surroundings fixed");
+  CLI::App* evolve = app.add_subcommand("evolve", "Evolve a region of a mesh with its neighborhood fixed");
   evolve->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   evolve->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   evolve->add_option("--region", command.region, "File of the region's vertex numbers, 0-based")->type_name("FILE");

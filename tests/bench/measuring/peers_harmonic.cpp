@@ -16,7 +16,7 @@ namespace loopmend::bench {
 
 namespace {
 
-/// The filling's triangles and the surroundings out to some rings, renumbered: free vertices first.
+/// The filling's triangles and the neighborhood out to some rings, renumbered: free vertices first.
 struct Neighborhood {
   Points points;
   Triangles triangles;

@@ -47,7 +47,7 @@ KnownSurface known_sheet(unsigned seed, int cells);
 /// The surface's mesh made irregular; the vertices stay on the surface.
 KnownSurface with_mesh(KnownSurface surface, MeshKind kind, unsigned seed);
 
-/// Keeps what lies within `radius` of `center`: only the surroundings of a hole matter to its filling.
+/// Keeps what lies within `radius` of `center`: only the neighborhood of a hole matter to its filling.
 KnownSurface cropped(KnownSurface surface, const Vec3& center, double radius);
 
 }  // namespace loopmend::bench

@@ -63,7 +63,7 @@ class RimTrimmer {
     }
     return rim_sides >= 2 || touching;
   }
-  /// @returns the triangles whose surroundings changed.
+  /// @returns the triangles whose neighborhood changed.
   std::vector<int> drop_hanging(const std::vector<int>& candidates) {
     std::vector<int> dropped, changed;
     for (int f : candidates)
