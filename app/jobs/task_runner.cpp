@@ -5,7 +5,7 @@
 #include "document/engine_words.h"
 
 #include <QCoreApplication>
-#include <QMetaObject>
+#include <QEvent>
 
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -17,13 +17,39 @@
 
 namespace loopmend {
 
+namespace {
+
+const auto letter_arrived = static_cast<QEvent::Type>(QEvent::registerEventType());
+
+}  // namespace
+
+void Mailbox::post(std::function<void()> letter) {
+  {
+    const std::lock_guard lock(mutex_);
+    letters_.push_back(std::move(letter));
+  }
+  QCoreApplication::postEvent(this, new QEvent(letter_arrived));
+}
+
+bool Mailbox::event(QEvent* event) {
+  if (event->type() != letter_arrived) return QObject::event(event);
+  std::function<void()> letter;
+  {
+    const std::lock_guard lock(mutex_);
+    letter = std::move(letters_.front());
+    letters_.pop_front();
+  }
+  if (receiver_) letter();
+  return true;
+}
+
+// The last to hold a job may be its worker.
+Job::Job(QObject* window_side) : mailbox_(new Mailbox(window_side), [](Mailbox* mailbox) { mailbox->deleteLater(); }) {}
+
 void Job::post(std::function<void()> act) const {
-  QMetaObject::invokeMethod(
-      window_side_,
-      [act = std::move(act), token = token_] {
-        if (!token.cancelled()) act();
-      },
-      Qt::QueuedConnection);
+  mailbox_->post([act = std::move(act), token = token_] {
+    if (!token.cancelled()) act();
+  });
 }
 
 void Job::linger(std::chrono::milliseconds time) const {

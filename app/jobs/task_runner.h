@@ -6,10 +6,12 @@
 #include "core/cancel.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 
 #include <atomic>
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <list>
 #include <memory>
@@ -18,10 +20,27 @@
 
 namespace loopmend {
 
+/// Runs on the window's thread, in their order, what other threads put into it. Events of Qt alone would do, but the thread
+/// sanitizer cannot see that Qt's queue hands them over.
+class Mailbox : public QObject {
+ public:
+  /// @param receiver  where it is no more, letters are thrown away
+  explicit Mailbox(QObject* receiver) : receiver_(receiver) {}
+  /// From any thread.
+  void post(std::function<void()> letter);
+  bool event(QEvent* event) override;
+
+ private:
+  const QPointer<QObject> receiver_;
+  std::mutex mutex_;
+  std::deque<std::function<void()>> letters_;
+};
+
 /// One job: its way to cancel, and its way to speak to the window.
 class Job {
  public:
-  explicit Job(QObject* window_side) : window_side_(window_side) {}
+  /// On the window's thread.
+  explicit Job(QObject* window_side);
 
   const CancelToken& token() const { return token_; }
   /// Asked to stop after the present step, keeping everything.
@@ -41,7 +60,7 @@ class Job {
   void post(std::function<void()> act) const;
 
  private:
-  QObject* window_side_;
+  std::shared_ptr<Mailbox> mailbox_;
   CancelToken token_, pause_;
 };
 using JobPtr = std::shared_ptr<Job>;

@@ -206,7 +206,8 @@ MeshFormat detect_format(const FileContent& file) {
   if (!first.empty() && first.front() == '{') return MeshFormat::gltf;
   if (first == "ply") return MeshFormat::ply;
   if (looks_like_ascii_stl(text, first)) return MeshFormat::stl_ascii;
-  return is_off_keyword(first) ? MeshFormat::off : format_by_extension(file, text, first);
+  if (is_off_keyword(first)) return MeshFormat::off;
+  return format_by_extension(file, text, first);
 }
 
 }  // namespace loopmend
