@@ -122,23 +122,21 @@ def test_what_the_callback_raises_stops_the_work():
 def test_other_threads_run_meanwhile():
     """Python code of this thread's siblings goes on: the GIL is released."""
     scan = loopmend.sample()
-    longest, last, ended = [0.0], [time.monotonic()], threading.Event()
+    ticks, ended = [0], threading.Event()
 
     def tick():
         while not ended.is_set():
-            now = time.monotonic()
-            longest[0] = max(longest[0], now - last[0])
-            last[0] = now
+            ticks[0] += 1
             time.sleep(0.001)
 
     ticking = threading.Thread(target=tick)
     ticking.start()
-    start = time.monotonic()
+    before = ticks[0]
     loopmend.fill(scan.vertices, scan.faces)
-    took = time.monotonic() - start
+    meanwhile = ticks[0] - before
     ended.set()
     ticking.join()
-    assert longest[0] < max(0.5 * took, 0.05)
+    assert meanwhile > 10  # hundreds on an idle machine, none or one where the GIL is held
 
 
 def test_fills_on_several_threads_give_the_same_bits(sphere, two_holes):
