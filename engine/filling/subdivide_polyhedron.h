@@ -26,7 +26,7 @@ struct RimPlace {
   int step = 0;  ///< from the rim's first corner, in edges of the subdivision
 };
 
-/// A patch without neighborhood. Fixed vertices are of ring 1: those interpolated, in input order, then those on rims.
+/// A patch without a neighborhood. Fixed vertices are of ring 1: those interpolated, in input order, then those on rims.
 struct PolyhedronPatch {
   Patch patch;
   Points fixed;  ///< places of the fixed vertices in mesh units; those interpolated bit for bit as given

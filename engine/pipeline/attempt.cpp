@@ -14,10 +14,10 @@ double energy_of(const Patch& patch, FlowKind flow) {
   return shown_energy(flow, make_state(patch, {flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
 }
 
-std::string message_on_outliers(int strays) {
-  return strays == 1
+std::string message_on_outliers(int outliers) {
+  return outliers == 1
              ? "one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it"
-             : std::to_string(strays) +
+             : std::to_string(outliers) +
                    " boundary vertices are outliers: the patch meets them, but does not take its curvature from them";
 }
 
@@ -90,7 +90,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   result.status = status;
   result.method = evolution.method();
   result.message =
-      evolution.message().empty() && context.calm ? message_on_outliers(context.calm->strays) : evolution.message();
+      evolution.message().empty() && context.calm ? message_on_outliers(context.calm->outliers) : evolution.message();
   return true;
 }
 

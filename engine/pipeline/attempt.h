@@ -4,7 +4,7 @@
 
 #include "pipeline/patch_result.h"
 #include "pipeline/validate.h"
-#include "rim/stray_vertices.h"
+#include "rim/outlier_vertices.h"
 
 #include <optional>
 #include <vector>
@@ -21,7 +21,7 @@ struct PatchProblem {
 
 struct AttemptContext {
   const PatchProblem& problem;
-  /// The neighborhood without their outliers, which the patch meets all the same; null: as they are.
+  /// The neighborhood without its outliers, which the patch meets all the same; null: as it is.
   const CalmNeighborhood* calm;
   const Evolution::OnStep& on_step;
   const CancelToken& cancel;

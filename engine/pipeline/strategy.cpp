@@ -245,7 +245,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   }
   Situation situation{{problem, nullptr, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt};
   if (is_judged(options)) {
-    if (CalmNeighborhood calm = without_strays(problem.initial); calm.strays > 0) {
+    if (CalmNeighborhood calm = remove_outliers(problem.initial); calm.outliers > 0) {
       const SplitEstimate without = estimate_split(calm.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {
         situation.split = without;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rim/stray_vertices.h"
+#include "rim/outlier_vertices.h"
 
 #include "core/quantile.h"
 #include "filling/fairing.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr int fit_rings = 3, feature_rings = 2;
 constexpr int looked_at_rings = 4;  ///< as far as the fits at the loop reach
 constexpr int most_rounds = 4;
-constexpr int most_in_one_place = 2;      ///< strays; more of them are a feature
+constexpr int most_in_one_place = 2;      ///< outliers; more of them are a feature
 constexpr double least_distance = 0.03;   ///< mean edges: below, fits of coarse meshes err by as much
 constexpr double many_times_median = 10;  ///< on clean surfaces the largest distance is below that
 
@@ -69,9 +69,7 @@ class Surround {
   std::vector<int> near_;
 };
 
-double limit_of_strays(double edge, double median) {
-  return std::max(least_distance * edge, many_times_median * median);
-}
+double outlier_limit(double edge, double median) { return std::max(least_distance * edge, many_times_median * median); }
 
 std::vector<int> looked_at(const Patch& patch) {
   std::vector<int> vertices;
@@ -83,7 +81,7 @@ std::vector<int> looked_at(const Patch& patch) {
 /// Distances from what the neighbours say, of the vertices that are looked at; 0 of the others.
 struct Distances {
   std::vector<double> all;  ///< #V
-  double limit = 0;         ///< from which a vertex is stray
+  double limit = 0;         ///< from which a vertex is an outlier
 
   Distances(Surround& surround, const std::vector<int>& vertices, double edge) : all(surround.points.size(), 0.0) {
     std::vector<double> sorted;
@@ -91,13 +89,13 @@ struct Distances {
       all[i] = surround.way_to_neighbours(i, Outliers::weighted_down).norm();
       sorted.push_back(all[i]);
     }
-    limit = limit_of_strays(edge, median(std::move(sorted)));
+    limit = outlier_limit(edge, median(std::move(sorted)));
   }
 
   bool beyond(int i) const { return all[i] > limit; }
 };
 
-/// Those beyond the limit by more than all that are near them: a large spike makes its neighbours look stray too.
+/// Those beyond the limit by more than all that are near them: a large spike makes its neighbours look like outliers too.
 std::vector<int> foremost(Surround& surround, const std::vector<int>& vertices, const Distances& distances) {
   std::vector<int> result;
   for (int i : vertices) {
@@ -113,7 +111,7 @@ std::vector<int> foremost(Surround& surround, const std::vector<int>& vertices, 
 
 }  // namespace
 
-StrayDistances stray_distances(const Patch& patch, const FixedSurface& around) {
+OutlierDistances outlier_distances(const Patch& patch, const FixedSurface& around) {
   const std::vector<int> vertices = looked_at(patch);
   if (vertices.empty()) return {};
   Surround surround(patch, around);
@@ -122,14 +120,14 @@ StrayDistances stray_distances(const Patch& patch, const FixedSurface& around) {
   return {*std::max_element(distances.begin(), distances.end()), median(distances)};
 }
 
-CalmNeighborhood without_strays(const Patch& patch) {
-  return without_strays(patch, stray_distances(patch, FixedSurface(patch)));
+CalmNeighborhood remove_outliers(const Patch& patch) {
+  return remove_outliers(patch, outlier_distances(patch, FixedSurface(patch)));
 }
 
-CalmNeighborhood without_strays(const Patch& patch, const StrayDistances& distances) {
+CalmNeighborhood remove_outliers(const Patch& patch, const OutlierDistances& distances) {
   CalmNeighborhood calm{patch, 0};
   const double edge = mean_edge_length(patch.positions, patch.triangles, patch.patch_triangles);
-  if (!(distances.largest > limit_of_strays(edge, distances.median))) return calm;
+  if (!(distances.largest > outlier_limit(edge, distances.median))) return calm;
 
   const std::vector<int> vertices = looked_at(patch);
   const auto any_beyond = [&](const Distances& d) {
@@ -137,19 +135,19 @@ CalmNeighborhood without_strays(const Patch& patch, const StrayDistances& distan
   };
   const FixedSurface around(patch);
   Surround surround(patch, around);
-  std::set<int> strays;
+  std::set<int> outliers;
   Distances left(surround, vertices, edge);
   for (int round = 0; round < most_rounds && any_beyond(left); ++round) {
     for (int i : foremost(surround, vertices, left)) {
       surround.points[i] += surround.way_to_neighbours(i, Outliers::weighted_down);
-      strays.insert(i);
+      outliers.insert(i);
     }
     surround.take_normals();
     left = Distances(surround, vertices, edge);
   }
-  for (int i : strays) {
+  for (int i : outliers) {
     const std::vector<int>& near = surround.near(i, feature_rings);
-    const auto counts = [&](int j) { return strays.count(j) > 0 || left.beyond(j); };
+    const auto counts = [&](int j) { return outliers.count(j) > 0 || left.beyond(j); };
     if (left.beyond(i) || 1 + std::count_if(near.begin(), near.end(), counts) > most_in_one_place) continue;
     // What is left of the way once its neighbours are calm, from where the vertex is.
     surround.points[i] = patch.positions[i];
@@ -158,7 +156,7 @@ CalmNeighborhood without_strays(const Patch& patch, const StrayDistances& distan
     const double share = std::clamp(way.norm() / left.limit - 1, 0.0, 1.0);
     if (!(share > 0)) continue;
     calm.patch.positions[i] += share * way;
-    ++calm.strays;
+    ++calm.outliers;
   }
   return calm;
 }

@@ -21,7 +21,7 @@ HoleProblem finished(const std::string& name, const KnownSurface& regular, MeshK
                      [project = surface.project](const Vec3& p) { return (p - project(p)).norm(); });
 }
 
-/// A disc about `center`, with neighborhood of 30 rings.
+/// A disc about `center`, with a neighborhood of 30 rings.
 HoleProblem disc_hole(const std::string& name, const KnownSurface& surface, MeshKind kind, const Vec3& center,
                       double radius, double edge) {
   return finished(name, cropped(surface, center, radius + 30 * edge), kind,

@@ -8,7 +8,7 @@
 namespace loopmend::bench {
 
 struct RingedCap {
-  HoleProblem problem;  ///< the neighborhood with their one hole; distances are from the sphere
+  HoleProblem problem;  ///< the neighborhood with its one hole; distances are from the sphere
   LoopPatch filler;  ///< fits the hole; its free vertices lie on a bump over the sphere, zero with its slope at the rim
 };
 

@@ -54,7 +54,7 @@ TEST_F(RimOptions, ReportTellsOfTheRim) {
   EXPECT_EQ(rim["fitted_vertices"], fill(clean, "")["loops"][0]["edges"]);
 }
 
-TEST_F(RimOptions, OnCleanNeighborhoodAutoAndExactGiveTheSameBits) {
+TEST_F(RimOptions, InACleanNeighborhoodAutoAndExactGiveTheSameBits) {
   fill(clean, "--boundary auto");
   const Points automatic = read_mesh(out).soup.points;
   fill(clean, "--boundary exact");

@@ -29,7 +29,7 @@ TEST(EvolvingPatch, RefusesWhatRisesFoldsLosesFitsOrLeavesTheRoom) {
   EXPECT_TRUE(refused([&](EvolutionState& next) { next.patch.positions[0] = 1.01 * patch.room.max(); }));
 }
 
-TEST(EvolvingPatch, StopsWhereTheNeighborhoodTellNoCurvature) {
+TEST(EvolvingPatch, StopsWhereTheNeighborhoodTellsNoCurvature) {
   EvolvingPatch patch(test::exact_sphere_patch(4, 0.8));
   EXPECT_TRUE(patch.require_fits());
   EXPECT_EQ(patch.status, PatchStatus::ready);

@@ -141,6 +141,12 @@ Shown::Shown(const QStringList& paths) {
 
 Shown::~Shown() { window.autosave().finish(); }
 
+QString scan_file(const QTemporaryDir& folder, const QString& name, const TriangleSoup& soup) {
+  const QString path = folder.filePath(name);
+  write_mesh(path.toStdString(), soup);
+  return path;
+}
+
 QString sample_file(const QTemporaryDir& folder) {
   const QString path = folder.filePath(QStringLiteral("sample.ply"));
   if (!QFile::exists(path)) write_mesh(path.toStdString(), make_sample_scan());

@@ -41,6 +41,8 @@ class Shown {
   bool exposed = false, ready = false;
 };
 
+/// A scan as a file in this folder. @returns its path.
+QString scan_file(const QTemporaryDir& folder, const QString& name, const TriangleSoup& soup);
 /// The embedded sample as a file in this folder.
 QString sample_file(const QTemporaryDir& folder);
 /// The first loop that is a hole.

@@ -4,7 +4,6 @@
 #include "test_main.h"
 
 #include "document/language.h"
-#include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "support/english_words.h"
 
@@ -81,11 +80,7 @@ class GermanTest : public QObject {
   void a_file_that_cannot_be_read_is_told_in_german();
 
  private:
-  QString file(const QString& name, const TriangleSoup& soup) {
-    const QString path = folder_.filePath(name);
-    write_mesh(path.toStdString(), soup);
-    return path;
-  }
+  QString file(const QString& name, const TriangleSoup& soup) { return scan_file(folder_, name, soup); }
   QTemporaryDir folder_;
 };
 

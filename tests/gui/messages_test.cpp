@@ -6,7 +6,6 @@
 
 #include "document/language.h"
 #include "document/run_curves.h"
-#include "io/write_mesh.h"
 #include "panels/banner.h"
 #include "panels/plot_library.h"
 #include "samples/analytic_surfaces.h"
@@ -124,11 +123,7 @@ class MessagesTest : public QObject {
   void the_seam_table_shows_its_values_whole();
 
  private:
-  QString file(const QString& name, const TriangleSoup& soup) {
-    const QString path = folder_.filePath(name);
-    write_mesh(path.toStdString(), soup);
-    return path;
-  }
+  QString file(const QString& name, const TriangleSoup& soup) { return scan_file(folder_, name, soup); }
   QTemporaryDir folder_;
 };
 

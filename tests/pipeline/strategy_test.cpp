@@ -195,7 +195,7 @@ TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
   EXPECT_EQ(solved(site, initial, {other}).patch.positions, solved(site, initial, {}).patch.positions);
 }
 
-TEST(RoughStart, SmoothNeighborhoodGiveTheSameBitsWithAndWithoutLoops) {
+TEST(RoughStart, ASmoothNeighborhoodGivesTheSameBitsWithAndWithoutLoops) {
   const Gutter gutter(0);
   const Patch initial = gutter.start(InitialShape::minimal);
   ASSERT_TRUE(estimate_split(initial).is_exact());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rim/stray_vertices.h"
+#include "rim/outlier_vertices.h"
 
 #include "mesh/quality.h"
 #include "support/patches.h"
@@ -93,17 +93,17 @@ Filled fill(const Known& known, const Spikes& spikes, BoundaryTrust trust) {
   return filled;
 }
 
-TEST(StrayVertices, CleanNeighborhoodAreLeftBitForBit) {
+TEST(OutlierVertices, ACleanNeighborhoodIsLeftBitForBit) {
   for (const SurfaceModel& model : {test::open_sphere(3, 0.2), test::open_sphere(4, 0.8),
                                     test::rough_open_sphere(4, 0.8), make_surface_model(torus().open)}) {
     const Patch patch = test::start_of(model);
-    const CalmNeighborhood calm = without_strays(patch);
-    EXPECT_EQ(calm.strays, 0);
+    const CalmNeighborhood calm = remove_outliers(patch);
+    EXPECT_EQ(calm.outliers, 0);
     EXPECT_EQ(calm.patch.positions, patch.positions);
   }
 }
 
-TEST(StrayVertices, ASpikeIsFoundAndNothingElse) {
+TEST(OutlierVertices, ASpikeIsFoundAndNothingElse) {
   for (const auto& make : {sphere, torus})
     for (int ring : {1, 2})
       for (double height : {0.3, 1.0, 3.0, -0.3, -1.0}) {
@@ -111,8 +111,8 @@ TEST(StrayVertices, ASpikeIsFoundAndNothingElse) {
         const Spikes spikes = add_spikes(known, ring, 2, height);
         const SurfaceModel model = make_surface_model(known.open);
         const Patch patch = test::start_of(model);
-        const CalmNeighborhood calm = without_strays(patch);
-        EXPECT_EQ(calm.strays, 2) << known.name << ", ring " << ring << ", " << height;
+        const CalmNeighborhood calm = remove_outliers(patch);
+        EXPECT_EQ(calm.outliers, 2) << known.name << ", ring " << ring << ", " << height;
         for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
           const bool spike =
               std::count(spikes.vertices.begin(), spikes.vertices.end(), model.soup_vertex[patch.view_vertex[i]]) > 0;
@@ -126,13 +126,13 @@ TEST(StrayVertices, ASpikeIsFoundAndNothingElse) {
       }
 }
 
-TEST(StrayVertices, SmallSpikesCountInPartWithoutAJump) {
+TEST(OutlierVertices, SmallSpikesCountInPartWithoutAJump) {
   double before = 0, most = 0;
   for (double height = 0.015; height < 0.09; height += 0.005) {
     Known known = sphere();
     const int spike = add_spikes(known, 2, 1, height).vertices.front();
     const SurfaceModel model = make_surface_model(known.open);
-    const Patch patch = test::start_of(model), calm = without_strays(patch).patch;
+    const Patch patch = test::start_of(model), calm = remove_outliers(patch).patch;
     const auto at = std::find_if(patch.view_vertex.begin() + patch.free_count, patch.view_vertex.end(),
                                  [&](int v) { return model.soup_vertex[v] == spike; });
     ASSERT_NE(at, patch.view_vertex.end());
@@ -147,17 +147,17 @@ TEST(StrayVertices, SmallSpikesCountInPartWithoutAJump) {
   EXPECT_GT(most, 0.02);  // measured: 0.030
 }
 
-TEST(StrayVertices, ThreeInOnePlaceAreAFeature) {
+TEST(OutlierVertices, ThreeInOnePlaceAreAFeature) {
   Known known = sphere();
   const SurfaceModel model = make_surface_model(known.open);
   const Patch patch = test::start_of(model);
   std::vector<int> ring;
   for (int v : patch.loops[0]) ring.push_back(model.soup_vertex[patch.view_vertex[v]]);
   for (int k : {5, 6, 7}) known.open.points[ring[k]] *= 1.04;
-  EXPECT_EQ(without_strays(test::start_of(make_surface_model(known.open))).strays, 0);
+  EXPECT_EQ(remove_outliers(test::start_of(make_surface_model(known.open))).outliers, 0);
 }
 
-TEST(StrayVertices, APatchBesideASpikeIsThatOfTheSmoothSurface) {
+TEST(OutlierVertices, APatchBesideASpikeIsThatOfTheSmoothSurface) {
   for (const auto& make : {sphere, torus})
     for (int ring : {1, 2})
       for (double height : {0.3, 1.0, 3.0}) {
@@ -171,7 +171,7 @@ TEST(StrayVertices, APatchBesideASpikeIsThatOfTheSmoothSurface) {
       }
 }
 
-TEST(StrayVertices, AreMetLiterallyWhereThatIsAsked) {
+TEST(OutlierVertices, AreMetLiterallyWhereThatIsAsked) {
   Known known = sphere();
   const Spikes spikes = add_spikes(known, 1, 1, 0.3);
   EXPECT_GT(fill(known, spikes, BoundaryTrust::exact).rms, 50 * fill(known, spikes, BoundaryTrust::automatic).rms);

@@ -137,7 +137,7 @@ TEST(RimBlend, ASpikeDoesNotBendThePatch) {
   EXPECT_LT(robust, 0.3 * largest_distance_to_unit_sphere(literal.patch()));
 }
 
-TEST(RimBlend, CleanNeighborhoodGiveTheSameBitsWithAndWithoutTheJudgement) {
+TEST(RimBlend, ACleanNeighborhoodGivesTheSameBitsWithAndWithoutTheJudgement) {
   const Patch start = test::start_of(test::open_sphere(4, 0.6));
   EvolutionOptions exact;
   exact.boundary = BoundaryTrust::exact;
@@ -146,7 +146,7 @@ TEST(RimBlend, CleanNeighborhoodGiveTheSameBitsWithAndWithoutTheJudgement) {
   EXPECT_TRUE(automatic.split()->is_exact());
 }
 
-TEST(RimBlend, OnRoughNeighborhoodThePatchBulgesLikeTheSphere) {
+TEST(RimBlend, InARoughNeighborhoodThePatchBulgesLikeTheSphere) {
   const Patch start = rough_start();
   const Evolution evolution = evolved(start, {});
   EXPECT_FALSE(evolution.split()->is_exact());

@@ -141,7 +141,7 @@ TEST(SplitFlow, GoesOverToTheFlowItself) {
   EXPECT_LT(rms_off_the_sphere(exact.patch()), 1e-7);
 }
 
-TEST(SplitFlow, TheNeighborhoodStandAndTheBitsDoNotDependOnThreads) {
+TEST(SplitFlow, TheNeighborhoodStandsAndTheBitsDoNotDependOnThreads) {
   const Patch start = relief_start();
   const auto run = [&] { return evolved(start, BoundaryTrust::automatic); };
   const Evolution all = run(), one = with_thread_budget(1, run);
