@@ -41,9 +41,9 @@ void add_colors(OpenedScan& scan, const CancelToken& cancel) {
   ScanColors colors = scan_colors(*scan.model, cancel);
   scan.color_problems = std::move(colors.problems);
   if (colors.at_vertices.empty()) return;
-  auto shape = std::make_shared<SurfaceShape>(*scan.shape);
-  scan.colored = colored_parts(colors, *shape);
-  scan.shape = std::move(shape);
+  SurfaceShape shape = *scan.shape;
+  scan.colored = colored_parts(colors, shape);
+  scan.shape = std::make_shared<SurfaceShape>(with_reduced(std::move(shape)));
   scan.colors = std::make_shared<const std::vector<Color>>(std::move(colors.at_vertices));
 }
 
@@ -61,7 +61,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   scan->name = path.isEmpty() ? tr("Sample") : QFileInfo(path).fileName();
   scan->import = imported.report;
   scan->origin = origin.value_or(scene_origin(imported.soup));
-  scan->shape = std::make_shared<SurfaceShape>(shape_of(imported.soup, scan->origin));
+  scan->shape = std::make_shared<SurfaceShape>(with_reduced(shape_of(imported.soup, scan->origin)));
   say(stages.picture, scan->shape);
   if (cancel.cancelled()) return nullptr;
 
@@ -73,7 +73,8 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   scan->pieces = scan_pieces(scan->model->mesh);
   if (cancel.cancelled()) return nullptr;
   if (!view_is_file(*scan->model))
-    scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, CurvatureField{}, scan->origin));
+    scan->shape =
+        std::make_shared<SurfaceShape>(with_reduced(shape_of(scan->model->mesh, CurvatureField{}, scan->origin)));
   if (cancel.cancelled()) return nullptr;
   add_colors(*scan, cancel);
   if (cancel.cancelled()) return nullptr;
@@ -93,7 +94,8 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
   scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(surface)));
   scan->loops = find_boundary_loops(*scan->model);
   scan->pieces = scan_pieces(scan->model->mesh);
-  scan->shape = std::make_shared<SurfaceShape>(shape_of(scan->model->mesh, curvature_field(scan->model->mesh), origin));
+  scan->shape = std::make_shared<SurfaceShape>(
+      with_reduced(shape_of(scan->model->mesh, curvature_field(scan->model->mesh), origin)));
   add_colors(*scan, {});
   return scan;
 }
@@ -101,9 +103,9 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
 std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel) {
   const CurvatureField field = curvature_field(scan.model->mesh);
   if (cancel.cancelled()) return nullptr;
-  auto shape = std::make_shared<SurfaceShape>(shape_of(scan.model->mesh, field, scan.origin));
-  shape->colors = scan.shape->colors;
-  return shape;
+  SurfaceShape shape = shape_of(scan.model->mesh, field, scan.origin);
+  shape.colors = scan.shape->colors;
+  return std::make_shared<SurfaceShape>(with_reduced(std::move(shape)));
 }
 
 }  // namespace loopmend

@@ -31,32 +31,10 @@ std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const Surfa
 }
 
 std::shared_ptr<const SurfaceShape> without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out) {
-  auto rest = std::make_shared<SurfaceShape>();
-  rest->picture = shape.picture;
-  std::vector<int> number(shape.points.size() / 3, -1);
-  const auto keep = [&](int v) {
-    int& n = number[static_cast<std::size_t>(v)];
-    if (n >= 0) return n;
-    n = static_cast<int>(rest->points.size() / 3);
-    const auto at = 3 * static_cast<std::size_t>(v);
-    for (std::size_t k = 0; k < 3; ++k) {
-      rest->points.push_back(shape.points[at + k]);
-      rest->normals.push_back(shape.normals[at + k]);
-    }
-    if (!shape.colors.empty())
-      for (std::size_t k = 0; k < 3; ++k) rest->colors.push_back(shape.colors[at + k]);
-    if (!shape.texture.empty())
-      for (std::size_t k = 0; k < 2; ++k) rest->texture.push_back(shape.texture[2 * static_cast<std::size_t>(v) + k]);
-    if (!shape.H.empty()) rest->H.push_back(shape.H[static_cast<std::size_t>(v)]);
-    if (!shape.K.empty()) rest->K.push_back(shape.K[static_cast<std::size_t>(v)]);
-    return n;
-  };
-  for (std::size_t t = 0; t < shape.triangles.size() / 3; ++t) {
-    if (t < left_out.size() && left_out[t]) continue;
-    for (std::size_t k = 0; k < 3; ++k) rest->triangles.push_back(keep(shape.triangles[3 * t + k]));
-    if (static_cast<int>(t) < shape.own_triangles) ++rest->own_triangles;
-  }
-  return rest;
+  std::vector<int> kept, number;
+  for (std::size_t t = 0; t < shape.triangles.size() / 3; ++t)
+    if (t >= left_out.size() || !left_out[t]) kept.push_back(static_cast<int>(t));
+  return std::make_shared<SurfaceShape>(with_reduced(std::move(*with_triangles(shape, kept, number))));
 }
 
 }  // namespace loopmend

@@ -4,6 +4,7 @@
 #include "scene/cached_background.h"
 #include "scene/color_table.h"
 #include "scene/patch_batch.h"
+#include "scene/scan_drawing.h"
 #include "scene/surface_actor.h"
 
 #include <vtkActor.h>
@@ -15,6 +16,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <set>
 
@@ -37,12 +39,12 @@ struct MeshScene::Impl {
   std::map<int, vtkSmartPointer<vtkLookupTable>> tables;           ///< by scan
   std::map<int, double> own_ranges;                                ///< by scan, where it is not the legend's
   ColorMap map = ColorMap::blue_orange;
-  std::map<int, std::unique_ptr<SurfaceActor>> scans;
-  struct Parts {
-    std::vector<ShapePtr> shapes;
-    std::vector<std::unique_ptr<SurfaceActor>> actors;
+  struct Scan {
+    ShapePtr shape;
+    std::vector<ShapePtr> parts;
+    std::unique_ptr<ScanDrawing> drawing;
   };
-  std::map<int, Parts> parts;  ///< by scan
+  std::map<int, Scan> scans;
   struct PatchGoal {
     ShapePtr shape;
     Arrival arrival = Arrival::at_once;
@@ -61,13 +63,13 @@ struct MeshScene::Impl {
   vtkSmartPointer<vtkPlane> clipping;  ///< null: nothing is clipped
   int width = 1, height = 1;
   bool patches_changed = false, moving = false;
+  LargeScans large_scans = LargeScans::whole;
+  bool sending = false;                ///< large scans are on their way to the graphics
   std::array<double, 6> depths_for{};  ///< the box that the camera's depths were fitted to
   vtkMTimeType depths_seen = 0;        ///< the camera's, then
 
   void each_surface(const auto& act) {
-    for (auto& [index, scan] : scans) act(*scan);
-    for (auto& [index, of_scan] : parts)
-      for (auto& part : of_scan.actors) act(*part);
+    for (auto& [index, scan] : scans) scan.drawing->each_actor(act);
     for (auto& [id, patch] : patches) act(*patch);
     for (auto& [scan, batch] : batches) act(batch.surface());
   }
@@ -89,7 +91,6 @@ struct MeshScene::Impl {
     surface.set_edges(edges);
     surface.set_stripes(stripes);
     surface.set_clipping(clipping);
-    renderer->AddActor(surface.actor());
   }
   std::unique_ptr<SurfaceActor> make(SurfaceActor::Role role, int scan) {
     auto made = std::make_unique<SurfaceActor>(role, table_of(scan));
@@ -98,39 +99,21 @@ struct MeshScene::Impl {
   }
   PatchBatch& batch_of(int scan) {
     const auto [at, is_new] = batches.try_emplace(scan, table_of(scan));
-    if (is_new) prepare(at->second.surface());
+    if (is_new) {
+      prepare(at->second.surface());
+      renderer->AddActor(at->second.surface().actor());
+    }
     return at->second;
   }
-  void drop_parts(int scan) {
-    for (auto& part : parts[scan].actors) {
-      renderer->remove_still(part->actor());
-      renderer->RemoveActor(part->actor());
-    }
-    parts.erase(scan);
-  }
-  void set_parts(int scan, const std::vector<ShapePtr>& shapes) {
-    if (parts[scan].shapes == shapes) return;
-    drop_parts(scan);
-    for (const ShapePtr& shape : shapes) {
-      auto part = make(SurfaceActor::Role::scan, scan);
-      renderer->add_still(part->actor());
-      part->set_shape(shape);
-      parts[scan].actors.push_back(std::move(part));
-    }
-    parts[scan].shapes = shapes;
-  }
   /// In its own colours a scan is drawn by its parts, else as a whole.
-  void choose_scans() {
-    for (auto& [index, scan] : scans) {
-      const bool by_parts = shading == Shading::scan && !parts[index].actors.empty();
-      scan->actor()->SetVisibility(!by_parts);
-      for (auto& part : parts[index].actors) part->actor()->SetVisibility(by_parts);
-    }
+  void choose_shapes(Scan& scan) {
+    const bool by_parts = shading == Shading::scan && !scan.parts.empty();
+    scan.drawing->show(by_parts ? scan.parts : std::vector<ShapePtr>{scan.shape});
   }
   bool colored() const {
     const auto known = [](const SurfaceShape* shape) { return shape && !shape->H.empty(); };
     return is_colored(shading) &&
-           (std::any_of(scans.begin(), scans.end(), [&](const auto& scan) { return known(scan.second->shape()); }) ||
+           (std::any_of(scans.begin(), scans.end(), [&](const auto& scan) { return known(scan.second.shape.get()); }) ||
             std::any_of(patch_shapes.begin(), patch_shapes.end(),
                         [&](const auto& patch) { return known(patch.second.shape.get()); }));
   }
@@ -141,6 +124,21 @@ struct MeshScene::Impl {
       legend.show();
     } else {
       legend.hide();
+    }
+  }
+  /// For a moment only, where large scans may be reduced meanwhile.
+  void send_scans() {
+    constexpr std::chrono::milliseconds a_moment{25};
+    const auto end = SurfaceActor::Clock::now() + a_moment;
+    sending = false;
+    for (auto& [index, scan] : scans) {
+      if (large_scans == LargeScans::whole) {
+        scan.drawing->finish();
+        continue;
+      }
+      // A picture that is the first with a reduced version is late enough.
+      sending = sending || scan.drawing->is_new();
+      while (!sending && scan.drawing->send_one()) sending = SurfaceActor::Clock::now() >= end;
     }
   }
   void distribute_patches(SurfaceActor::Clock::time_point now) {
@@ -155,7 +153,10 @@ struct MeshScene::Impl {
       }
       single.insert(id);
       auto& patch = patches[id];
-      if (!patch) patch = make(SurfaceActor::Role::patch, goal.scan);
+      if (!patch) {
+        patch = make(SurfaceActor::Role::patch, goal.scan);
+        renderer->AddActor(patch->actor());
+      }
       patch->set_table(table_of(goal.scan));
       patch->set_shape(shape, goal.arrival, now);
     }
@@ -178,7 +179,7 @@ MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
   impl_->ghosts.surface().set_edges(Edges::shown);
   impl_->marked.surface().set_shading(Shading::plain);
   impl_->loops.add_to(impl_->renderer);
-  for (vtkActor* line : impl_->loops.actors()) impl_->renderer->add_still(line);
+  for (vtkActor* line : impl_->loops.actors()) impl_->renderer->add_still(line, CachedBackground::Part::line);
   impl_->legend.add_to(impl_->renderer);
   impl_->legend.hide();
   set_background(Background::light);
@@ -197,26 +198,19 @@ void MeshScene::clear() {
 }
 
 void MeshScene::set_scan(int index, ShapePtr shape, const std::vector<ShapePtr>& parts) {
-  auto& scan = impl_->scans[index];
-  if (!scan) {
-    scan = impl_->make(SurfaceActor::Role::scan, index);
-    impl_->renderer->add_still(scan->actor());
-  }
-  impl_->set_parts(index, parts);
-  impl_->choose_scans();
-  if (shape.get() == scan->shape()) return;
-  scan->set_shape(std::move(shape));
-  impl_->renderer->still_changed();
+  Impl::Scan& scan = impl_->scans[index];
+  if (!scan.drawing)
+    scan.drawing = std::make_unique<ScanDrawing>(
+        impl_->renderer, [impl = impl_.get(), index] { return impl->make(SurfaceActor::Role::scan, index); });
+  scan.shape = std::move(shape);
+  scan.parts = parts;
+  impl_->choose_shapes(scan);
   impl_->update_legend();
 }
 
 void MeshScene::keep_scans(const std::vector<int>& indices) {
   std::erase_if(impl_->scans, [&](const auto& entry) {
-    if (std::find(indices.begin(), indices.end(), entry.first) != indices.end()) return false;
-    impl_->drop_parts(entry.first);
-    impl_->renderer->remove_still(entry.second->actor());
-    impl_->renderer->RemoveActor(entry.second->actor());
-    return true;
+    return std::find(indices.begin(), indices.end(), entry.first) == indices.end();
   });
   impl_->update_legend();
 }
@@ -227,9 +221,7 @@ void MeshScene::place_scan(int index, const Eigen::Matrix4d& placement) {
   vtkNew<vtkMatrix4x4> matrix;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, placement(row, column));
-  scan->second->actor()->SetUserMatrix(placement.isIdentity() ? nullptr : matrix.Get());
-  for (auto& part : impl_->parts[index].actors)
-    part->actor()->SetUserMatrix(placement.isIdentity() ? nullptr : matrix.Get());
+  scan->second.drawing->place(placement.isIdentity() ? nullptr : matrix.Get());
   impl_->renderer->still_changed();
 }
 
@@ -249,7 +241,19 @@ void MeshScene::keep_patches(const std::vector<int>& ids) {
   impl_->patches_changed = true;
 }
 
-bool MeshScene::update() {
+void MeshScene::set_large_scans(LargeScans way) {
+  impl_->large_scans = way;
+  impl_->renderer->set_large_scans(way == LargeScans::whole ? CachedBackground::LargeScans::whole
+                                                            : CachedBackground::LargeScans::reduced_at_first);
+}
+
+bool MeshScene::is_rough() const { return impl_->sending || impl_->renderer->is_rough(); }
+
+bool MeshScene::update(Eye eye) {
+  impl_->send_scans();
+  using Whole = CachedBackground::Whole;
+  const Whole at_rest = eye == Eye::moves ? Whole::later : Whole::wanted;
+  impl_->renderer->set_whole(impl_->sending ? Whole::not_ready : at_rest);
   const auto now = SurfaceActor::Clock::now();
   const bool changed = std::exchange(impl_->patches_changed, false);
   if (changed) {
@@ -266,6 +270,7 @@ bool MeshScene::update() {
 void MeshScene::arrive() {
   for (auto& [id, goal] : impl_->patch_shapes) goal.arrival = Arrival::at_once;
   impl_->patches_changed = true;
+  for (auto& [index, scan] : impl_->scans) scan.drawing->finish();
   update();
 }
 
@@ -301,7 +306,7 @@ void MeshScene::set_marked(ShapePtr shape) {
 }
 
 void MeshScene::set_loops(const std::vector<LoopLine>& loops) {
-  impl_->renderer->still_changed();
+  impl_->renderer->lines_changed();
   impl_->loops.set_lines(loops);
 }
 
@@ -309,7 +314,7 @@ void MeshScene::set_shading(Shading shading) {
   impl_->renderer->still_changed();
   impl_->shading = shading;
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_shading(shading); });
-  impl_->choose_scans();
+  for (auto& [index, scan] : impl_->scans) impl_->choose_shapes(scan);
   impl_->update_legend();
 }
 
@@ -320,7 +325,7 @@ void MeshScene::set_edges(Edges edges) {
 }
 
 void MeshScene::set_seams(Seams seams) {
-  impl_->renderer->still_changed();
+  impl_->renderer->lines_changed();
   impl_->loops.set_visible(seams);
 }
 
@@ -421,7 +426,7 @@ std::vector<Eigen::AlignedBox2d> MeshScene::legend_boxes() const {
 
 std::vector<float> MeshScene::sample_points() const {
   std::vector<const SurfaceShape*> shapes;
-  for (const auto& [index, scan] : impl_->scans) shapes.push_back(scan->shape());
+  for (const auto& [index, scan] : impl_->scans) shapes.push_back(scan.shape.get());
   for (const auto& [id, goal] : impl_->patch_shapes) shapes.push_back(goal.shape.get());
   std::size_t count = 0;
   for (const SurfaceShape* shape : shapes) count += shape->points.size() / 3;

@@ -47,10 +47,20 @@ class MeshScene {
   void set_loops(const std::vector<LoopLine>& loops);
   /// Draws a scan elsewhere while its part is being moved, without touching its arrays.
   void place_scan(int index, const Eigen::Matrix4d& placement);
+  /// How scans of more than some 200 000 triangles are drawn.
+  enum class LargeScans {
+    whole,             ///< in every picture
+    reduced_at_first,  ///< their reduced versions, until the whole is ready: see is_rough()
+  };
+  void set_large_scans(LargeScans way);
+  /// What the eye does: while it moves, no picture works at whole versions of large scans.
+  enum class Eye { rests, moves };
   /// To be called before drawing: puts into actors what has changed, and moves on what is on its way to a new state.
   /// @returns whether the next picture will be another one.
-  bool update();
-  /// Everything is where it is going; for pictures that are kept.
+  bool update(Eye eye = Eye::rests);
+  /// Whether the last picture has reduced versions in it, or surfaces as they were before: some more pictures are to be drawn.
+  bool is_rough() const;
+  /// Everything is where it is going, and large scans are ready; for pictures that are kept.
   void arrive();
   /// Fits the camera's depths to what is there. They stay as they are while they do: what stands still is then not
   /// drawn anew.

@@ -71,6 +71,7 @@ void fill_scene(SceneOfModel& picture, const SurfaceModel& model, const RenderOp
   picture.scene.set_scan(0, picture.shape, parts);
   picture.scene.set_shading(options.shading);
   picture.scene.set_loops(lines_of(model, find_boundary_loops(model), origin));
+  picture.scene.arrive();
 }
 
 /// @throws InvalidArgument

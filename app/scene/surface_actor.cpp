@@ -6,12 +6,15 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLPolyDataMapper.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkTexture.h>
 #include <vtkTypeInt32Array.h>
@@ -24,6 +27,27 @@
 #include <utility>
 
 namespace loopmend {
+
+/// Can give its arrays to the graphics before it draws. Of one that never drew, the window knows nothing: to be deleted where the
+/// window's graphics are current.
+class SendingMapper : public vtkOpenGLPolyDataMapper {
+ public:
+  static SendingMapper* New();
+  vtkTypeMacro(SendingMapper, vtkOpenGLPolyDataMapper) SendingMapper(const SendingMapper&) = delete;
+  void operator=(const SendingMapper&) = delete;
+
+  void send(vtkRenderer* renderer, vtkActor* actor) {
+    CurrentInput = GetInput();
+    UpdateBufferObjects(renderer, actor);
+  }
+
+ protected:
+  SendingMapper() = default;
+  ~SendingMapper() override = default;
+};
+
+vtkStandardNewMacro(SendingMapper);
+
 namespace {
 
 constexpr Rgb scan_color{0.80, 0.785, 0.755};
@@ -306,5 +330,17 @@ void SurfaceActor::set_stripes(int count) {
 void SurfaceActor::set_table(vtkLookupTable* table) { mapper_->SetLookupTable(table); }
 
 void SurfaceActor::recolor() { mapper_->Modified(); }
+
+void SurfaceActor::share_texture(const SurfaceActor& other) {
+  picture_ = other.picture_;
+  actor_->SetTexture(other.actor_->GetTexture());
+}
+
+void SurfaceActor::send(vtkRenderer* renderer) {
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (!window || window->GetNeverRendered()) return;
+  window->MakeCurrent();
+  mapper_->send(renderer, actor_);
+}
 
 }  // namespace loopmend

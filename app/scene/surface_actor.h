@@ -17,9 +17,11 @@ class vtkFloatArray;
 class vtkLookupTable;
 class vtkPlane;
 class vtkPolyData;
-class vtkPolyDataMapper;
+class vtkRenderer;
 
 namespace loopmend {
+
+class SendingMapper;
 
 /// Of a patch where nothing else colours it.
 inline constexpr Rgb patch_color{0.50, 0.74, 0.70};
@@ -50,6 +52,10 @@ class SurfaceActor {
   void set_table(vtkLookupTable* table);
   /// To be called after the table's range changed.
   void recolor();
+  /// The pictures of the two are the same one in the graphics, where they have the same.
+  void share_texture(const SurfaceActor& other);
+  /// Gives the graphics what they do not have yet, so that the next picture need not; does nothing before their first picture.
+  void send(vtkRenderer* renderer);
 
   vtkActor* actor() const;
   /// Where it is, or is going.
@@ -70,7 +76,7 @@ class SurfaceActor {
   std::unique_ptr<ShapeGlide> glide_;
   std::optional<Clock::time_point> last_news_;
   vtkNew<vtkPolyData> data_;
-  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<SendingMapper> mapper_;
   vtkNew<vtkActor> actor_;
 };
 

@@ -142,9 +142,44 @@ std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors&
     shape->texture = part.texture;
     shape->picture = part.picture;
     shape->view_vertex = part.view_vertex;
-    parts.push_back(std::move(shape));
+    parts.push_back(std::make_shared<SurfaceShape>(with_reduced(std::move(*shape))));
   }
   return parts;
+}
+
+std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::span<const int> triangles,
+                                             std::vector<int>& number) {
+  auto shape = std::make_shared<SurfaceShape>();
+  shape->picture = whole.picture;
+  shape->triangles.reserve(3 * triangles.size());
+  if (number.size() < whole.points.size() / 3) number.resize(whole.points.size() / 3, -1);
+  std::vector<int> used;
+  for (int t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int v = whole.triangles[3 * static_cast<std::size_t>(t) + k];
+      int& n = number[static_cast<std::size_t>(v)];
+      if (n < 0) {
+        n = static_cast<int>(used.size());
+        used.push_back(v);
+      }
+      shape->triangles.push_back(n);
+    }
+    if (t < whole.own_triangles) ++shape->own_triangles;
+  }
+  const auto take = [&used](const auto& from, std::size_t components, auto& to) {
+    if (from.empty()) return;
+    to.reserve(components * used.size());
+    for (int v : used)
+      for (std::size_t k = 0; k < components; ++k) to.push_back(from[components * static_cast<std::size_t>(v) + k]);
+  };
+  take(whole.points, 3, shape->points);
+  take(whole.normals, 3, shape->normals);
+  take(whole.H, 1, shape->H);
+  take(whole.K, 1, shape->K);
+  take(whole.colors, 3, shape->colors);
+  take(whole.texture, 2, shape->texture);
+  for (int v : used) number[static_cast<std::size_t>(v)] = -1;
+  return shape;
 }
 
 double symmetric_range(std::span<const float> values, double percent) {

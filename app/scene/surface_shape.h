@@ -27,7 +27,17 @@ struct SurfaceShape {
   std::vector<int> view_vertex;            ///< of a part of a scan: the vertex of its view that each one is; else empty
   /// Of a patch: colours of the scan, per vertex of its view; null: it has none.
   std::shared_ptr<const std::vector<Color>> scan_colors;
+  std::shared_ptr<const SurfaceShape> reduced;  ///< of a large one: with_reduced(); else null
 };
+
+/// Some triangles of a surface, in this order, with the vertices that they need.
+/// @param number  -1 for every vertex of the surface, or shorter; so it is left
+std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::span<const int> triangles,
+                                             std::vector<int>& number);
+
+/// Gives a large surface its reduced version, which is drawn while the eye moves: at most some 60 000 vertices, the means of
+/// those in one cell of a grid. Its triangles come in another order: near ones follow each other.
+SurfaceShape with_reduced(SurfaceShape shape);
 
 /// The middle of the bounding box.
 Vec3 scene_origin(const TriangleSoup& soup);

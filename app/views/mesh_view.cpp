@@ -80,6 +80,7 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   connect(impl_->hidden_note, &QPushButton::clicked, &impl_->visibility, &SceneVisibility::show_all);
 
   impl_->window->SetMultiSamples(0);
+  impl_->scene.set_large_scans(MeshScene::LargeScans::reduced_at_first);
   impl_->canvas->setRenderWindow(impl_->window);
   impl_->window->AddRenderer(impl_->renderer());
   impl_->window->GetInteractor()->SetInteractorStyle(make_turn_style());
@@ -90,7 +91,8 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
     QElapsedTimer clock;
     clock.start();
-    const bool moving = impl_->scene.update();
+    const int to_rest = impl_->time_to_rest();
+    const bool moving = impl_->scene.update(to_rest > 0 ? MeshScene::Eye::moves : MeshScene::Eye::rests);
     match_parallel_scale(impl_->camera());
     impl_->scene.fit_depths();
     impl_->window->Render();
@@ -163,6 +165,11 @@ void MeshView::redraw_at_leisure() {
 }
 
 const Look& MeshView::look() const { return impl_->look; }
+
+/// A picture that is not yet what it will be is followed by others; while the eye moves they would be like it.
+void MeshView::redraw_at_rest() {
+  if (!impl_->redraw_timer.isActive()) impl_->redraw_timer.start(std::max(impl_->pause_ms, impl_->time_to_rest()));
+}
 
 double MeshView::range() const { return impl_->scene.range(); }
 

@@ -81,6 +81,8 @@ class MeshView : public QWidget {
   QImage picture() const;
   /// Drawn anew at another size. Null when the graphics cannot draw that much.
   QImage picture(const PictureOptions& options);
+  /// Whether large scans are still reduced in it, or as they were before: pictures will follow.
+  bool is_rough() const;
   /// The values at the middle of the picture.
   void probe_middle();
   void drop_probe();
@@ -140,6 +142,7 @@ class MeshView : public QWidget {
   void face_front();
   void redraw();
   void redraw_at_leisure();
+  void redraw_at_rest();
   void after_render();
 
   std::unique_ptr<Impl> impl_;

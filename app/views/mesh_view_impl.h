@@ -48,8 +48,8 @@ struct MeshView::Impl {
   ShownShapes shapes;
   LoopPicker picker;
   QTimer redraw_timer;
-  QElapsedTimer last_picture;
-  int pause_ms = 0;  ///< after a picture, before the next
+  QElapsedTimer last_picture, last_move;  ///< of the camera
+  int pause_ms = 0;                       ///< after a picture, before the next
   vtkNew<vtkFloatArray> depth;
   vtkMTimeType seen_camera = 0;
   QSize seen_size;
@@ -75,6 +75,11 @@ struct MeshView::Impl {
   vtkCamera* camera() const { return renderer()->GetActiveCamera(); }
   /// Whether the loop is in the scene, and shown.
   bool shows(int loop) const { return document.present(loop) && !visibility.is_hidden_loop(loop); }
+  /// How long to wait until the camera counts as resting, ms; 0: it rests.
+  int time_to_rest() const {
+    constexpr qint64 rest_ms = 150;
+    return last_move.isValid() ? static_cast<int>(std::max<qint64>(0, rest_ms - last_move.elapsed())) : 0;
+  }
   QSize pixels() const { return canvas->size() * canvas->devicePixelRatioF(); }
 
   void follow_camera() {

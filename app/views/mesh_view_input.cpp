@@ -335,6 +335,8 @@ void MeshView::fly_to(int loop) {
 
 QImage MeshView::picture() const { return impl_->canvas->grabFramebuffer(); }
 
+bool MeshView::is_rough() const { return impl_->scene.is_rough(); }
+
 QImage MeshView::picture(const PictureOptions& options) {
   using Extras = PictureOptions::Extras;
   const bool see_through = options.ground == PictureOptions::Ground::transparent;
@@ -353,9 +355,11 @@ QImage MeshView::picture(const PictureOptions& options) {
     impl_->scene.set_ground(MeshScene::Ground::transparent);
     window->SetAlphaBitPlanes(1);
   }
+  impl_->scene.set_large_scans(MeshScene::LargeScans::whole);
   impl_->scene.arrive();
   renderer->ResetCameraClippingRange();
   window->Render();
+  impl_->scene.set_large_scans(MeshScene::LargeScans::reduced_at_first);
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, options.size.width() - 1, options.size.height() - 1, 0, pixels);
   const bool complete =
@@ -393,6 +397,8 @@ void MeshView::after_render() {
   update_tool();
   const bool moved = impl_->camera()->GetMTime() != impl_->seen_camera;
   impl_->follow_camera();
+  if (moved) impl_->last_move.start();
+  if (impl_->scene.is_rough()) redraw_at_rest();
   if (!moved) return;
   update_highlight();
   update_probe();

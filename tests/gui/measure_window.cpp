@@ -162,7 +162,8 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   QElapsedTimer clock;
   clock.start();
   press(window, "run");
-  wait_until([&] { return window.document().patch_of(0)->state->steps >= before + 5; }, 60);
+  wait_until([&] { return window.document().patch_of(0)->state->steps >= before + 5 || !window.controller().busy(); },
+             60);
   const double time = seconds(clock);
   const int steps = window.document().patch_of(0)->state->steps - before;
   gaps.report("running");

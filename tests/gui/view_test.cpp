@@ -86,6 +86,7 @@ class ViewTest : public QObject {
   void each_scan_may_have_its_own_range();
   void a_distance_is_measured();
   void a_plane_cuts_the_picture_open();
+  void a_large_scan_is_reduced_at_first();
 
  private:
   QString file(const char* name, const TriangleSoup& soup) {
@@ -294,6 +295,48 @@ void ViewTest::a_plane_cuts_the_picture_open() {
   key(window, Qt::Key_X);
   QCOMPARE(depth(), front);
   QVERIFY(!part<QSlider>(window, "clipPlace")->isVisible());
+}
+
+void ViewTest::a_large_scan_is_reduced_at_first() {
+  Shown shown;
+  MainWindow& window = shown.window;
+  MeshView& view = window.view();
+  int drawn = 0, reduced = 0;
+  QObject::connect(&view, &MeshView::drawn, this, [&] {
+    ++drawn;
+    reduced += view.is_rough() ? 1 : 0;
+  });
+  window.open(file("ball.ply", cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0.9; })));
+  QVERIFY(wait_idle(window));
+  QVERIFY(window.document().scan(0)->shape->reduced);
+  QVERIFY(reduced > 0);
+  const auto finished = [&] {
+    settle(300);
+    return wait_until([&] { return !view.is_rough(); }, 30);
+  };
+  QVERIFY(finished());
+  const QImage first = view.picture();
+  QWidget* canvas = view.canvas();
+  canvas->setFocus();
+  QTest::keyClick(canvas, Qt::Key_Left);
+  QTest::keyClick(canvas, Qt::Key_Up);
+  QVERIFY(finished());
+  const QImage turned = view.picture();
+  QVERIFY(share_changed(first, turned) > 0.05);
+  // What it ends with is the whole scan.
+  PictureOptions options;
+  options.size = turned.size();
+  options.extras = PictureOptions::Extras::legend;
+  QVERIFY(share_changed(turned, view.picture(options)) < 0.001);
+
+  // A boundary that is chosen is lit without another picture of the scan.
+  drawn = 0;
+  QVERIFY(wait_until([&] { return drawn > 0; }, 10));
+  QVERIFY(finished());
+  reduced = 0;
+  window.selection().select({first_hole(window.document())});
+  QVERIFY(picture_changes(window, turned, 0.0005));
+  QCOMPARE(reduced, 0);
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<ViewTest>(); }

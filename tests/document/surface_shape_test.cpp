@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/surface_shape.h"
+
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace loopmend::test {
+namespace {
+
+Eigen::Map<const Eigen::Vector3f> point(const SurfaceShape& shape, int v) {
+  return Eigen::Map<const Eigen::Vector3f>(shape.points.data() + 3 * static_cast<std::ptrdiff_t>(v));
+}
+
+SurfaceShape ball(int level) {
+  SurfaceShape shape = shape_of(make_icosphere(level), Vec3::Zero());
+  for (std::size_t v = 0; v < shape.points.size() / 3; ++v) {
+    shape.H.push_back(v % 7 == 0 ? std::nanf("") : -1.0F);
+    for (unsigned char c : {v % 2 ? 90 : 110, 0, 255}) shape.colors.push_back(c);
+  }
+  return shape;
+}
+
+TEST(SurfaceShape, SlicesHaveAllTriangles) {
+  const SurfaceShape whole = ball(3);
+  const int count = static_cast<int>(whole.triangles.size() / 3);
+  std::vector<int> number;
+  int seen = 0;
+  for (int begin = 0; begin < count; begin += 300) {
+    std::vector<int> triangles(static_cast<std::size_t>(std::min(300, count - begin)));
+    std::iota(triangles.begin(), triangles.end(), begin);
+    const auto slice = with_triangles(whole, triangles, number);
+    ASSERT_EQ(slice->triangles.size(), 3 * triangles.size());
+    EXPECT_EQ(slice->own_triangles, static_cast<int>(triangles.size()));
+    EXPECT_LT(slice->points.size(), whole.points.size());
+    EXPECT_EQ(slice->normals.size(), slice->points.size());
+    EXPECT_EQ(slice->colors.size(), slice->points.size());
+    EXPECT_EQ(3 * slice->H.size(), slice->points.size());
+    for (int i = 0; i < static_cast<int>(slice->triangles.size()); ++i, ++seen)
+      ASSERT_EQ(point(*slice, slice->triangles[static_cast<std::size_t>(i)]),
+                point(whole, whole.triangles[static_cast<std::size_t>(3 * begin + i)]));
+    EXPECT_TRUE(std::all_of(number.begin(), number.end(), [](int n) { return n == -1; }));
+  }
+  EXPECT_EQ(seen, 3 * count);
+}
+
+TEST(SurfaceShape, ASmallOneIsNotReduced) { EXPECT_EQ(with_reduced(ball(5)).reduced, nullptr); }
+
+using Triples = std::vector<std::array<int, 3>>;
+
+Triples triples(const SurfaceShape& shape) {
+  Triples all;
+  for (std::size_t t = 0; t < shape.triangles.size(); t += 3)
+    all.push_back({shape.triangles[t], shape.triangles[t + 1], shape.triangles[t + 2]});
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST(SurfaceShape, ALargeOneKeepsItsTrianglesAndNearOnesFollowEachOther) {
+  const SurfaceShape before = ball(7), after = with_reduced(before);
+  EXPECT_EQ(triples(after), triples(before));
+  EXPECT_EQ(after.points, before.points);
+  const std::size_t slice = after.triangles.size() / 16;
+  double sum = 0;
+  for (std::size_t begin = 0; begin < after.triangles.size(); begin += slice) {
+    Eigen::AlignedBox3f box;
+    for (std::size_t i = begin; i < begin + slice; ++i) box.extend(Eigen::Vector3f(point(after, after.triangles[i])));
+    sum += box.volume();
+  }
+  EXPECT_LT(sum, 3 * 8) << "three boxes around all; slices of triangles in no order have sixteen";
+}
+
+TEST(SurfaceShape, ALargeOneIsReducedToItsMeans) {
+  const SurfaceShape large = with_reduced(ball(7));
+  ASSERT_NE(large.reduced, nullptr);
+  const SurfaceShape& reduced = *large.reduced;
+  const int vertices = static_cast<int>(reduced.points.size() / 3);
+  EXPECT_GT(vertices, 20'000);
+  EXPECT_LE(vertices, 60'000);
+  EXPECT_EQ(reduced.own_triangles, static_cast<int>(reduced.triangles.size() / 3));
+  // Closed and of one piece, as the ball is: V - E + F = 2, where E = 3/2 F; cells with two sheets are not met here.
+  EXPECT_NEAR(vertices - 0.5 * reduced.own_triangles, 2, 0.01 * vertices);
+  for (int v : reduced.triangles) ASSERT_TRUE(v >= 0 && v < vertices);
+  for (int v = 0; v < vertices; ++v) {
+    ASSERT_NEAR(point(reduced, v).norm(), 1, 2e-4);  // a cell is some 0.01 wide
+    const Eigen::Map<const Eigen::Vector3f> normal(reduced.normals.data() + 3 * static_cast<std::ptrdiff_t>(v));
+    ASSERT_GT(normal.dot(point(reduced, v)), 0.999);
+    const float H = reduced.H[static_cast<std::size_t>(v)];
+    ASSERT_TRUE(H == -1.0F || std::isnan(H)) << "unknown only where no vertex of the cell is known";
+    const int red = reduced.colors[3 * static_cast<std::size_t>(v)];
+    ASSERT_TRUE(red >= 90 && red <= 110);
+  }
+}
+
+}  // namespace
+}  // namespace loopmend::test
