@@ -159,7 +159,10 @@ SurfaceModel make_surface_model(TriangleSoup soup) {
   FlatView view = flat_view(soup, model.repairs);
   model.turned_faces = std::move(view.turned_faces);
   const std::size_t count = view.all(soup).size();
-  model.mesh.reserve(view.origin.size(), count * 3 / 2 + 16, count);
+  // Each triangle has three edges, of which two share one but at boundaries; these have about as many edges as points. Were one
+  // edge too little reserved, half a gigabyte would be copied for ten million triangles, and as much left unused.
+  const auto boundary = static_cast<std::size_t>(std::count(view.at_boundary.begin(), view.at_boundary.end(), 1));
+  model.mesh.reserve(view.origin.size(), (3 * count + boundary) / 2 + count / 500 + 16, count);
   model.soup_face.reserve(count);
   add_surface(
       soup, view, used_points(soup, view, model.repairs), [](const Triangle&) { return true; }, model);
