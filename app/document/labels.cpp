@@ -238,27 +238,30 @@ QString holes(const Document& document, const std::set<int>& loops) {
 QString import_summary(const OpenedScan& scan) {
   const ImportReport& in = scan.import;
   const ModelRepairs& mended = scan.model->repairs;
-  QString text = tr("%1: %2 triangles, %3 vertices, %4 boundary loops.")
-                     .arg(scan.name, count(in.triangles), count(in.vertices), count(scan.loops.size()));
+  const auto counted = [](std::size_t n, const char* words) { return tr(words, static_cast<int>(n)).arg(count(n)); };
+  QString text = tr("%1: %2, %3, %4.")
+                     .arg(scan.name, counted(in.triangles, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 triangles")),
+                          counted(in.vertices, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 vertices")),
+                          counted(scan.loops.size(), QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 boundary loops")));
   QStringList notes;
-  const auto note = [&notes](std::size_t n, const char* words) {
-    if (n > 0) notes << tr(words).arg(count(n));
+  const auto note = [&](std::size_t n, const char* words) {
+    if (n > 0) notes << counted(n, words);
   };
-  note(in.polygons_triangulated, QT_TRANSLATE_NOOP("loopmend::labels", "%1 polygons cut into triangles"));
-  note(mended.reoriented_faces, QT_TRANSLATE_NOOP("loopmend::labels", "%1 faces turned round"));
-  note(mended.degenerate_faces, QT_TRANSLATE_NOOP("loopmend::labels", "%1 degenerate faces left aside"));
-  note(mended.duplicate_faces, QT_TRANSLATE_NOOP("loopmend::labels", "%1 duplicate faces left aside"));
-  note(mended.non_manifold_edges, QT_TRANSLATE_NOOP("loopmend::labels", "cut along %1 non-manifold edges"));
-  note(mended.non_manifold_vertices, QT_TRANSLATE_NOOP("loopmend::labels", "split at %1 non-manifold vertices"));
-  note(in.vertices_joined, QT_TRANSLATE_NOOP("loopmend::labels", "%1 touching boundary vertices joined"));
-  note(in.unreferenced_vertices, QT_TRANSLATE_NOOP("loopmend::labels", "%1 vertices that no face uses"));
-  note(in.missing_colors, QT_TRANSLATE_NOOP("loopmend::labels", "%1 vertices without a colour, made white"));
+  note(in.polygons_triangulated, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 polygons cut into triangles"));
+  note(mended.reoriented_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 faces turned round"));
+  note(mended.degenerate_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 degenerate faces left aside"));
+  note(mended.duplicate_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 duplicate faces left aside"));
+  note(mended.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "cut along %1 non-manifold edges"));
+  note(mended.non_manifold_vertices, QT_TRANSLATE_N_NOOP("loopmend::labels", "split at %1 non-manifold vertices"));
+  note(in.vertices_joined, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 touching boundary vertices joined"));
+  note(in.unreferenced_vertices, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 vertices that no face uses"));
+  note(in.missing_colors, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 vertices without a colour, made white"));
   if (!in.oddities.empty()) notes << not_kept(in.oddities);
   int coincident = 0;
   for (const BoundaryLoop& loop : scan.loops) coincident += loop.kind == LoopKind::cut ? 0 : loop.coincident;
   if (in.coincident_vertices > 0)
     note(static_cast<std::size_t>(coincident),
-         QT_TRANSLATE_NOOP(
+         QT_TRANSLATE_N_NOOP(
              "loopmend::labels",
              "%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)"));
   if (!notes.isEmpty()) text += QLatin1Char(' ') + tr("Noted: %1.").arg(notes.join(QStringLiteral(", ")));

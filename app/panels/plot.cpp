@@ -62,8 +62,8 @@ void Plot::set_axis(Side side, Scale scale) {
   at->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   if (logarithmic) {
     at->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
-    at->setNumberFormat(QStringLiteral("eb"));
-    at->setNumberPrecision(0);
+    at->setNumberFormat(QStringLiteral("gb"));
+    at->setNumberPrecision(3);  // within one decade the marks are 1.5, 2, 2.5
   } else {
     at->setTicker(QSharedPointer<QCPAxisTicker>::create());
     at->ticker()->setTickCount(4);

@@ -6419,10 +6419,6 @@
             <translation>Löcher %1 und %2</translation>
         </message>
         <message>
-            <source>%1: %2 triangles, %3 vertices, %4 boundary loops.</source>
-            <translation>%1: %2 Dreiecke, %3 Ecken, %4 Ränder.</translation>
-        </message>
-        <message>
             <source>Noted: %1.</source>
             <translation>Bemerkt: %1.</translation>
         </message>
@@ -6430,37 +6426,61 @@
             <source>Will not be saved: %1.</source>
             <translation>Wird nicht gespeichert: %1.</translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 polygons cut into triangles</source>
-            <translation>%1 Vielecke in Dreiecke zerlegt</translation>
+            <translation>
+                <numerusform>%1 Vieleck in Dreiecke zerlegt</numerusform>
+                <numerusform>%1 Vielecke in Dreiecke zerlegt</numerusform>
+            </translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 faces turned round</source>
-            <translation>%1 Flächen umgedreht</translation>
+            <translation>
+                <numerusform>%1 Fläche umgedreht</numerusform>
+                <numerusform>%1 Flächen umgedreht</numerusform>
+            </translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 degenerate faces left aside</source>
-            <translation>%1 entartete Flächen beiseitegelassen</translation>
+            <translation>
+                <numerusform>%1 entartete Fläche beiseitegelassen</numerusform>
+                <numerusform>%1 entartete Flächen beiseitegelassen</numerusform>
+            </translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 duplicate faces left aside</source>
-            <translation>%1 doppelte Flächen beiseitegelassen</translation>
+            <translation>
+                <numerusform>%1 doppelte Fläche beiseitegelassen</numerusform>
+                <numerusform>%1 doppelte Flächen beiseitegelassen</numerusform>
+            </translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>cut along %1 non-manifold edges</source>
-            <translation>an %1 nicht-mannigfaltigen Kanten getrennt</translation>
+            <translation>
+                <numerusform>an %1 nicht-mannigfaltigen Kante getrennt</numerusform>
+                <numerusform>an %1 nicht-mannigfaltigen Kanten getrennt</numerusform>
+            </translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>split at %1 non-manifold vertices</source>
-            <translation>an %1 nicht-mannigfaltigen Ecken getrennt</translation>
+            <translation>
+                <numerusform>an %1 nicht-mannigfaltigen Ecke getrennt</numerusform>
+                <numerusform>an %1 nicht-mannigfaltigen Ecken getrennt</numerusform>
+            </translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 vertices that no face uses</source>
-            <translation>%1 Ecken ohne Fläche</translation>
+            <translation>
+                <numerusform>%1 Ecke ohne Fläche</numerusform>
+                <numerusform>%1 Ecken ohne Fläche</numerusform>
+            </translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 vertices without a colour, made white</source>
-            <translation>%1 Ecken ohne Farbe, weiß gemacht</translation>
+            <translation>
+                <numerusform>%1 Ecke ohne Farbe, weiß gemacht</numerusform>
+                <numerusform>%1 Ecken ohne Farbe, weiß gemacht</numerusform>
+            </translation>
         </message>
         <message>
             <source>normals</source>
@@ -6522,9 +6542,12 @@
             <source>points</source>
             <translation>Punkte</translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)</source>
-            <translation>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; Vernähen verbindet sie)</translation>
+            <translation>
+                <numerusform>%1 Randkante, die genau auf einer anderen liegt (das Netz ist dort getrennt; Vernähen verbindet sie)</numerusform>
+                <numerusform>%1 Randkanten, die genau auf einer anderen liegen (das Netz ist dort getrennt; Vernähen verbindet sie)</numerusform>
+            </translation>
         </message>
         <message>
             <source>The outline of an open sheet. It is left out unless you select it yourself and press Fill.</source>
@@ -6602,9 +6625,12 @@
             <source>volume %1, in cubic units of the scan</source>
             <translation>Rauminhalt %1, in Kubikeinheiten des Scans</translation>
         </message>
-        <message>
+        <message numerus="yes">
             <source>%1 touching boundary vertices joined</source>
-            <translation>%1 Randpunkte an derselben Stelle verbunden</translation>
+            <translation>
+                <numerusform>%1 Randpunkt an derselben Stelle verbunden</numerusform>
+                <numerusform>%1 Randpunkte an derselben Stelle verbunden</numerusform>
+            </translation>
         </message>
         <message>
             <source>micrometres</source>
@@ -6657,6 +6683,31 @@
         <message>
             <source>This hole could not be filled. Trim its boundary, erase a ring of faces around it, or bridge it, and fill again.</source>
             <translation>Dieses Loch ließ sich nicht füllen. Seinen Rand beschneiden, einen Ring von Flächen um es löschen oder es überbrücken, dann wieder füllen.</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3, %4.</source>
+            <translation>%1: %2, %3, %4.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 triangles</source>
+            <translation>
+                <numerusform>%1 Dreieck</numerusform>
+                <numerusform>%1 Dreiecke</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 vertices</source>
+            <translation>
+                <numerusform>%1 Ecke</numerusform>
+                <numerusform>%1 Ecken</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 boundary loops</source>
+            <translation>
+                <numerusform>%1 Rand</numerusform>
+                <numerusform>%1 Ränder</numerusform>
+            </translation>
         </message>
     </context>
 </TS>

@@ -212,5 +212,96 @@
                 <numerusform>%n pairs of faces that intersect</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%1 triangles</source>
+            <translation>
+                <numerusform>%1 triangle</numerusform>
+                <numerusform>%1 triangles</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 vertices</source>
+            <translation>
+                <numerusform>%1 vertex</numerusform>
+                <numerusform>%1 vertices</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 boundary loops</source>
+            <translation>
+                <numerusform>%1 boundary loop</numerusform>
+                <numerusform>%1 boundary loops</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 polygons cut into triangles</source>
+            <translation>
+                <numerusform>%1 polygon cut into triangles</numerusform>
+                <numerusform>%1 polygons cut into triangles</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 faces turned round</source>
+            <translation>
+                <numerusform>%1 face turned round</numerusform>
+                <numerusform>%1 faces turned round</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 degenerate faces left aside</source>
+            <translation>
+                <numerusform>%1 degenerate face left aside</numerusform>
+                <numerusform>%1 degenerate faces left aside</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 duplicate faces left aside</source>
+            <translation>
+                <numerusform>%1 duplicate face left aside</numerusform>
+                <numerusform>%1 duplicate faces left aside</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>cut along %1 non-manifold edges</source>
+            <translation>
+                <numerusform>cut along %1 non-manifold edge</numerusform>
+                <numerusform>cut along %1 non-manifold edges</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>split at %1 non-manifold vertices</source>
+            <translation>
+                <numerusform>split at %1 non-manifold vertex</numerusform>
+                <numerusform>split at %1 non-manifold vertices</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 touching boundary vertices joined</source>
+            <translation>
+                <numerusform>%1 touching boundary vertex joined</numerusform>
+                <numerusform>%1 touching boundary vertices joined</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 vertices that no face uses</source>
+            <translation>
+                <numerusform>%1 vertex that no face uses</numerusform>
+                <numerusform>%1 vertices that no face uses</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 vertices without a colour, made white</source>
+            <translation>
+                <numerusform>%1 vertex without a colour, made white</numerusform>
+                <numerusform>%1 vertices without a colour, made white</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)</source>
+            <translation>
+                <numerusform>%1 boundary edge that lies exactly on another (the mesh is split there; Stitch joins them)</numerusform>
+                <numerusform>%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)</numerusform>
+            </translation>
+        </message>
     </context>
 </TS>
