@@ -73,6 +73,7 @@ void ScanDrawing::show(const Shapes& shapes) {
   }
   changing_ = true;
   new_ = !reduced_.empty();
+  if (new_) drop(drawn_);  // a large one is not kept twice
   if (reduced_.empty()) finish();
 }
 
