@@ -64,8 +64,12 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("the piece of surface within it was not joined")},
       {QT_TR_NOOP("no bridge was found")},
       {QT_TR_NOOP("every patch that was found would cut the surface or itself, in %1 places")},
-      {QT_TR_NOOP("Trim in the tab Patch or a strip across the hole (Bridge in the tab Tools) may help"),
-       "trimming the boundary (--trim-boundary 3) or a strip across the hole (--bridge) may help"},
+      {QT_TR_NOOP("removing loose crumbs in its way (Repair\u2026 in the tab Patch), Trim there or a strip across the "
+                  "hole (Bridge "
+                  "in the tab Tools) may help"),
+       "removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the "
+       "hole "
+       "(--bridge) may help"},
       {QT_TR_NOOP("the loops cannot be joined as they lie")},
       {QT_TR_NOOP("%1 boundary edge intersects the surface, so that no valid patch exists")},
       {QT_TR_NOOP("%1 boundary edges intersect the surface, so that no valid patch exists")},

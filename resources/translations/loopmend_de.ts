@@ -2368,10 +2368,6 @@
             <translation>jeder gefundene Flicken würde die Fläche oder sich selbst schneiden, an %1 Stellen</translation>
         </message>
         <message>
-            <source>Trim in the tab Patch or a strip across the hole (Bridge in the tab Tools) may help</source>
-            <translation>„Beschneiden“ im Reiter Flicken oder ein Streifen quer über das Loch („Brücke“ im Reiter Werkzeuge) kann helfen</translation>
-        </message>
-        <message>
             <source>the loops cannot be joined as they lie</source>
             <translation>so, wie sie liegen, lassen sich die Ränder nicht verbinden</translation>
         </message>
@@ -2894,6 +2890,10 @@
         <message>
             <source>"count", "indices" or "values" is missing</source>
             <translation>„count“, „indices“ oder „values“ fehlt</translation>
+        </message>
+        <message>
+            <source>removing loose crumbs in its way (Repair… in the tab Patch), Trim there or a strip across the hole (Bridge in the tab Tools) may help</source>
+            <translation>„Beschneiden“ im Reiter Flicken, „Reparieren…“ ebendort (wenn lose Krümel im Weg sind) oder ein Streifen quer über das Loch („Brücke“ im Reiter Werkzeuge) kann helfen</translation>
         </message>
     </context>
     <context>

@@ -133,9 +133,10 @@ void count_parts(const fs::path& scan, const fs::path& output, Row& row, const A
     row.clean += part.is_clean();
     row.crossings += part.crossings;
     if (verbose && !part.is_clean())
-      std::printf("  %s: part of %d triangles: %d open, %d crowded, %d crossings, %d folds, area %.2f\n",
-                  row.scan.c_str(), part.triangles, part.open_edges, part.crowded_edges, part.crossings, part.folds,
-                  part.area_ratio);
+      std::printf(
+          "  %s: part of %d triangles: %d open, %d crowded, %d crossings, %d folds (and %d forced), area %.2f\n",
+          row.scan.c_str(), part.triangles, part.open_edges, part.crowded_edges, part.crossings, part.folds,
+          part.forced_folds, part.area_ratio);
   }
 }
 

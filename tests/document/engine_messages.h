@@ -55,8 +55,8 @@ inline constexpr const char* engine_messages[] = {
     "middle, nor each other",
     "not finished when stopped",
     "cancelled",
-    "every patch that was found would cut the surface or itself, in 12 places: left open; trimming the boundary "
-    "(--trim-boundary 3) or a strip across the hole (--bridge) may help",
+    "every patch that was found would cut the surface or itself, in 12 places: left open; removing loose crumbs "
+    "in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the hole (--bridge) may help",
     "1 boundary edge intersects the surface, so that no valid patch exists: left open; trim the boundary "
     "(--trim-boundary 3)",
     "4 boundary edges intersect the surface, so that no valid patch exists: left open; trim the boundary "

@@ -109,16 +109,22 @@ std::vector<int> single_chain(const std::vector<Edge>& edges) {
   return chain.size() == next.size() && next.at(chain.back()) == chain.front() ? chain : std::vector<int>{};
 }
 
-double flat_area(const Points& points, const std::vector<int>& chain) {
+/// The smallest triangulation found of the chain, over the points.
+std::vector<Triangle> smallest_triangulation(const Points& points, const std::vector<int>& chain) {
   std::vector<Kernel::Point_3> polyline;
   for (int v : chain) polyline.push_back(exact(points[v]));
-  std::vector<CGAL::Triple<int, int, int>> triangles;
+  std::vector<CGAL::Triple<int, int, int>> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-      polyline, std::back_inserter(triangles),
+      polyline, std::back_inserter(found),
       CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(chain.size() > 300));
-  double sum = 0;
-  for (const auto& t : triangles) sum += area(points[chain[t.first]], points[chain[t.second]], points[chain[t.third]]);
-  return sum;
+  std::vector<Triangle> triangles;
+  // Corners of polylines ascend, so that triangles run as the chain does.
+  for (const auto& t : found) {
+    std::array<int, 3> corner{t.first, t.second, t.third};
+    std::sort(corner.begin(), corner.end());
+    triangles.push_back({chain[corner[0]], chain[corner[1]], chain[corner[2]]});
+  }
+  return triangles;
 }
 
 }  // namespace
@@ -154,12 +160,13 @@ OutputCheck check_output(const TriangleSoup& input, const TriangleSoup& output) 
       if (is_new(faces[0].first) && is_new(faces[k].first)) part[root(faces[k].first)] = root(faces[0].first);
   std::map<int, FilledPart> parts;
   std::map<int, std::vector<Edge>> boundary;
+  std::map<int, std::vector<std::pair<Edge, int>>> seam_folds;  // with the face of the input
   std::map<int, double> area_of;
-  const auto normal = [&](int f) {
-    const Triangle& t = output.triangles[f];
+  const auto normal = [&](const Triangle& t) {
     return Vec3(
         (output.points[t[1]] - output.points[t[0]]).cross(output.points[t[2]] - output.points[t[0]]).normalized());
   };
+  const auto folds = [&](const Triangle& s, const Triangle& t) { return normal(s).dot(normal(t)) < fold_cosine; };
   for (int f = first_new; f < count; ++f) {
     const Triangle& t = output.triangles[f];
     ++parts[root(f)].triangles;
@@ -174,9 +181,12 @@ OutputCheck check_output(const TriangleSoup& input, const TriangleSoup& output) 
     } else if (faces.size() > 2 || faces[0].second == faces[1].second) {
       ++here.crowded_edges;
     } else {
-      here.folds += normal(faces[0].first).dot(normal(faces[1].first)) < fold_cosine;
-      if (!is_new(faces[0].first) || !is_new(faces[1].first))
-        boundary[r].push_back(own->second ? edge : Edge{edge.second, edge.first});
+      const bool fold = folds(output.triangles[faces[0].first], output.triangles[faces[1].first]);
+      here.folds += fold;
+      if (is_new(faces[0].first) && is_new(faces[1].first)) continue;
+      const Edge along = own->second ? edge : Edge{edge.second, edge.first};
+      boundary[r].push_back(along);
+      if (fold) seam_folds[r].emplace_back(along, is_new(faces[0].first) ? faces[1].first : faces[0].first);
     }
   }
   for (const auto& [f, g] : crossings_of(output, first_new)) {
@@ -185,8 +195,16 @@ OutputCheck check_output(const TriangleSoup& input, const TriangleSoup& output) 
   }
   for (auto& [r, here] : parts) {
     const std::vector<int> chain = single_chain(boundary[r]);
-    const double flat = chain.empty() ? 0 : flat_area(output.points, chain);
-    here.area_ratio = flat > 0 ? area_of[r] / flat : 0;
+    double smallest = 0;
+    if (!chain.empty())
+      for (const Triangle& t : smallest_triangulation(output.points, chain)) {
+        smallest += area(output.points[t[0]], output.points[t[1]], output.points[t[2]]);
+        for (const auto& [edge, face] : seam_folds[r])
+          for (int k = 0; k < 3; ++k)
+            if (Edge{t[k], t[(k + 1) % 3]} == edge && folds(t, output.triangles[face])) ++here.forced_folds;
+      }
+    here.folds -= here.forced_folds;
+    here.area_ratio = smallest > 0 ? area_of[r] / smallest : 0;
     check.parts.push_back(here);
   }
   return check;

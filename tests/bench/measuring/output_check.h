@@ -12,7 +12,8 @@ struct FilledPart {
   int open_edges = 0;     ///< with one face: the patch does not close its loop
   int crowded_edges = 0;  ///< with more than two faces, or two that run the same way
   int crossings = 0;      ///< with other triangles of the output
-  int folds = 0;          ///< edges at which the surface turns back by more than 150°
+  int folds = 0;          ///< edges at which the surface turns back by more than 150°, but for:
+  int forced_folds = 0;   ///< of edges between input and patch, those where the smallest triangulation does so as well
   double area_ratio = 0;  ///< to the smallest triangulation found of its boundary; 0 where that is several loops
 
   bool is_closed() const { return open_edges == 0 && crowded_edges == 0; }
