@@ -130,6 +130,8 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("the patch has as much relief as the scan without any added, rms %1 (%2 around the hole)")},
       {QT_TR_NOOP("with relief the patch would fold or cut the surface")},
       {QT_TR_NOOP("it stays smooth")},
+      {QT_TR_NOOP("bent past loose crumbs of surface in the hole")},
+      {QT_TR_NOOP("Repair\u2026 in the tab Patch removes such crumbs"), "--repair removes such crumbs"},
       {QT_TR_NOOP("relief continued at random, rms %1 (%2 around the hole)")},
       {QT_TR_NOOP("no step of the flow came below its fairings, which were kept")},
       {QT_TR_NOOP("stopped early")},

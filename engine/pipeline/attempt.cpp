@@ -4,6 +4,7 @@
 #include "core/threads.h"
 #include "evolution/state.h"
 #include "mesh/quality.h"
+#include "pipeline/bend_aside.h"
 #include "pipeline/local_rollback.h"
 
 namespace loopmend {
@@ -77,6 +78,13 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   Validity validity;
   std::vector<SeamReport> seams;
   parallel_invoke([&] { validity = validate(problem.scan, patch); }, [&] { seams = seam_reports(patch); });
+  std::optional<BentPatch> bent;
+  if (validity.intersections > 0) bent = bent_aside(problem.scan, patch, context.cancel);
+  if (bent) {
+    patch = std::move(bent->patch);
+    validity = std::move(bent->validity);
+    seams = seam_reports(patch);
+  }
   if (!validity.is_clean() && !no_worse(validity, validate(problem.scan, problem.initial))) {
     if (evolution.method() == Method::split_flow && !context.calm &&
         take_rolled_back(context, faired, evolution, result))
@@ -91,6 +99,10 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   result.method = evolution.method();
   result.message =
       evolution.message().empty() && context.calm ? message_on_outliers(context.calm->outliers) : evolution.message();
+  if (bent) {
+    result.energy.final = energy_of(result.patch, options.flow);
+    add_message(result, bent_message);
+  }
   return true;
 }
 

@@ -95,7 +95,8 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   blend.outcome.seconds.initial_patch = bridge_seconds;
   blend.outcome.seconds.total = seconds_since(begin);
   if (cancel.cancelled() || blend.outcome.status == PatchStatus::failed) return blend;
-  if (blend.outcome.status == PatchStatus::filled && blend.outcome.message.empty()) blend.outcome.message = outcome.message;
+  if (blend.outcome.status == PatchStatus::filled && blend.outcome.message.empty())
+    blend.outcome.message = outcome.message;
   const std::string fault = paste_patches(agreed, {&blend.outcome.patch}).front();
   if (!fault.empty()) throw InvalidArgument(fault);
   check_exterior(model.soup, agreed.soup, blend.turned_faces);

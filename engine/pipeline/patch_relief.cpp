@@ -9,10 +9,6 @@ namespace loopmend {
 
 namespace {
 
-void add_message(PatchResult& result, const std::string& text) {
-  result.message += (result.message.empty() ? "" : "; ") + text;
-}
-
 double rms(const ReliefBands& bands) {
   double sum = 0;
   for (double band : bands) sum += band * band;

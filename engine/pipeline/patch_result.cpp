@@ -15,6 +15,10 @@ void take_figures(const Evolution& evolution, PatchResult& result) {
   result.bending = evolution.bending();
 }
 
+void add_message(PatchResult& result, const std::string& text) {
+  result.message += (result.message.empty() ? "" : "; ") + text;
+}
+
 std::string method_name(const PatchResult& result) {
   return is_filled(result.status) ? method_name(result.method, result.flow) : std::string();
 }

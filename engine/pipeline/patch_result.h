@@ -43,6 +43,9 @@ struct PatchResult {
 /// Takes steps, times, energies and history of a run.
 void take_figures(const Evolution& evolution, PatchResult& result);
 
+/// Behind what is said already.
+void add_message(PatchResult& result, const std::string& text);
+
 /// The word of reports for what shaped the patch; empty where there is none.
 std::string method_name(const PatchResult& result);
 

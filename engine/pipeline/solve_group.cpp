@@ -2,6 +2,7 @@
 #include "pipeline/solve_group.h"
 
 #include "core/threads.h"
+#include "pipeline/bend_aside.h"
 #include "pipeline/patch_relief.h"
 #include "pipeline/seconds_since.h"
 #include "pipeline/strategy.h"
@@ -134,6 +135,7 @@ class GroupSolver {
     if (cancel_.cancelled()) return result;
     if (made.validity.intersections > 0 && initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops)
       solve_from_uncut_triangles(initial, made, result.holes.front().message);
+    if (made.validity.intersections > 0) bend_past_crumbs(made);
     if (cancel_.cancelled()) return result;
     const bool valid = made.validity.intersections == 0;
     if (!valid) {
@@ -188,6 +190,17 @@ class GroupSolver {
       made = std::move(next);
     } catch (const std::exception&) {  // for want of memory, say: what was made before stands
     }
+  }
+
+  void bend_past_crumbs(PatchResult& made) const {
+    made.attempts.emplace_back("bent past crumbs");
+    std::optional<BentPatch> bent = bent_aside(scan_, made.patch, cancel_);
+    if (!bent) return;
+    made.patch = std::move(bent->patch);
+    made.validity = std::move(bent->validity);
+    made.seams = seam_reports(made.patch);
+    made.made_by = made.attempts.back();
+    add_message(made, bent_message);
   }
 
   PatchResult solved(const InitialPatch& initial) const {

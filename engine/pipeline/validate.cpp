@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <unordered_map>
 
@@ -18,8 +19,9 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// For each triangle of the patch, how many others it cuts, of the patch or of the model.
-std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& patch) {
+/// As cuts_of(), each pair within the patch once.
+std::vector<std::pair<int, int>> cuts(const ScanIndex& scan, const PatchGeometry& patch,
+                                      const std::function<void(int, int)>& within) {
   const int rim = static_cast<int>(patch.rim.size());
   Points points;
   Eigen::AlignedBox3d box;
@@ -28,6 +30,7 @@ std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& pa
   points.insert(points.end(), patch.points.begin(), patch.points.end());
   for (const Vec3& p : points) box.extend(p);
   Triangles triangles = patch.triangles;
+  std::vector<int> soup_face;
   std::unordered_map<int, int> local;
   for (int i = 0; i < rim; ++i) local.emplace(scan.model.soup_vertex[patch.rim[i]], i);
   for (int f : scan.index.near(box.min(), box.max())) {
@@ -38,13 +41,21 @@ std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& pa
       v = entry->second;
     }
     triangles.push_back(t);
+    soup_face.push_back(f);
   }
   const int own = static_cast<int>(patch.triangles.size());
-  std::vector<int> count(own, 0);
-  for (const auto& [f, g] : self_intersections(points, triangles, own)) {
-    ++count[f];
-    if (g < own) ++count[g];
+  std::vector<std::pair<int, int>> pairs = self_intersections(points, triangles, own);
+  for (auto& [f, g] : pairs) {
+    if (g < own) within(f, g);
+    g = g < own ? -1 : soup_face[g - own];
   }
+  return pairs;
+}
+
+/// For each triangle of the patch, how many others it cuts, of the patch or of the model.
+std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& patch) {
+  std::vector<int> count(patch.triangles.size(), 0);
+  for (const auto& [f, g] : cuts(scan, patch, [&](int, int other) { ++count[other]; })) ++count[f];
   return count;
 }
 
@@ -65,6 +76,10 @@ Kernel::Point_3 exact(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 ScanIndex::ScanIndex(const SurfaceModel& surface)
     : model(surface),
       index(surface.soup.points, surface.soup.triangles, outside_the_surface(surface)) {}
+
+std::vector<std::pair<int, int>> cuts_of(const ScanIndex& scan, const Patch& patch) {
+  return cuts(scan, patch_geometry(patch), [](int, int) {});
+}
 
 std::vector<int> loop_of_triangles(const Patch& patch) {
   std::vector<int> part(patch.patch_triangles);

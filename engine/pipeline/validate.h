@@ -24,6 +24,9 @@ struct ScanIndex {
 /// For each triangle of the patch, how many others of patch and model it intersects, summed; everything that Validity tells.
 Validity validate(const ScanIndex& scan, const Patch& patch);
 
+/// Pairs of a triangle of the patch and a soup triangle of the model that it cuts; -1 for another of the patch.
+std::vector<std::pair<int, int>> cuts_of(const ScanIndex& scan, const Patch& patch);
+
 /// Edges of a loop that run through other triangles of the model: every patch must intersect the surface there.
 int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop);
 

@@ -2895,6 +2895,14 @@
             <source>removing loose crumbs in its way (Repair… in the tab Patch), Trim there or a strip across the hole (Bridge in the tab Tools) may help</source>
             <translation>„Beschneiden“ im Reiter Flicken, „Reparieren…“ ebendort (wenn lose Krümel im Weg sind) oder ein Streifen quer über das Loch („Brücke“ im Reiter Werkzeuge) kann helfen</translation>
         </message>
+        <message>
+            <source>bent past loose crumbs of surface in the hole</source>
+            <translation>um lose Krümel im Loch herum gebogen</translation>
+        </message>
+        <message>
+            <source>Repair… in the tab Patch removes such crumbs</source>
+            <translation>„Reparieren…“ im Reiter Flicken entfernt solche Krümel</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>

@@ -121,6 +121,7 @@ inline constexpr const char* engine_messages[] = {
     "the scan around the hole has no relief to continue",
     "the patch has as much relief as the scan without any added, rms 0.0123 (0.0131 around the hole)",
     "with relief the patch would fold or cut the surface: it stays smooth",
+    "bent past loose crumbs of surface in the hole; --repair removes such crumbs",
     "relief continued at random, rms 0.0123 (0.0131 around the hole)",
     "the patch of the flow itself was out of proportion; with bending energy mixed in it is not",
     "the flow itself did not converge; with bending energy mixed in it did",

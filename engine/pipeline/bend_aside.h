@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moves a patch out of the way of crumbs: small pieces of other surface, as they float in the openings of scans.
+#pragma once
+
+#include "core/cancel.h"
+#include "mesh/patch.h"
+#include "pipeline/validate.h"
+
+#include <optional>
+
+namespace loopmend {
+
+struct BentPatch {
+  Patch patch;        ///< cuts nothing
+  Validity validity;  ///< of it
+  int crumbs = 0;     ///< that it was moved past
+};
+
+inline constexpr const char* bent_message =
+    "bent past loose crumbs of surface in the hole; --repair removes such crumbs";
+
+/// Bends the patch around each crumb that it cuts, to the side where the way is shorter. Only free vertices move, those near a
+/// crumb. @returns nothing where the patch cuts anything else than crumbs, itself above all, or is still in their way after some
+/// rounds, or has more folds than before.
+std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, const CancelToken& cancel);
+
+}  // namespace loopmend
