@@ -154,7 +154,8 @@ int main(int argc, char** argv) {
   window.show();
   QStringList files = QApplication::arguments().mid(1);
   files.removeAll(QStringLiteral("--"));
-  files.isEmpty() ? window.offer_recovery() : window.open(files);
+  if (!files.isEmpty()) window.open(files);
+  window.offer_recovery();
   const int code = QApplication::exec();
   window.keep_layout();
   if (!window.shut_down(std::chrono::seconds(5))) {

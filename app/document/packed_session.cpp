@@ -52,7 +52,9 @@ QString lay_out(const KeptFile& file, const QString& folder) {
   return path;
 }
 
-bool is_packed(const QByteArray& bytes) { return bytes.startsWith(QByteArray::fromRawData(packed_magic, packed_magic_size)); }
+bool is_packed(const QByteArray& bytes) {
+  return bytes.startsWith(QByteArray::fromRawData(packed_magic, packed_magic_size));
+}
 
 QByteArray pack(const QByteArray& session, const std::vector<KeptFilePtr>& files) {
   QByteArray bytes;

@@ -293,8 +293,11 @@ std::shared_ptr<const TriangleSoup> made_surface(Reader& in) {
 
 QString found(const QString& absolute, const QString& relative, const QString& session) {
   if (absolute.isEmpty() || QFileInfo::exists(absolute)) return absolute;
-  const QString beside = QFileInfo(session).dir().absoluteFilePath(relative);
-  return QFileInfo::exists(beside) ? QDir::cleanPath(beside) : absolute;
+  const QDir folder = QFileInfo(session).dir();
+  for (const QString& place :
+       {folder.absoluteFilePath(relative), folder.absoluteFilePath(QFileInfo(absolute).fileName())})
+    if (QFileInfo::exists(place)) return QDir::cleanPath(place);
+  return absolute;
 }
 
 }  // namespace

@@ -313,7 +313,8 @@ void FillController::export_to(const QString& path, ExportContent content) {
 
 void FillController::on_exported(const ExportResult& result, const QString& path, ExportContent content) {
   end();
-  if (content == ExportContent::scene) undo_.mark_saved();
+  // What was left out would be lost without a question.
+  if (content == ExportContent::scene && result.left_open.empty()) undo_.mark_saved();
   QString text = tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), labels::count(result.triangles));
   if (!result.not_kept.empty()) text += tr(" Not in it: %1.").arg(labels::not_kept(result.not_kept));
   if (result.largest_rounding > 0 && path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive))

@@ -47,14 +47,36 @@ SteadyRun::SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRe
       last_(item.patch.state) {}
 
 void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
-  const PatchState& start = *item_.patch.state;
-  if (evolution.patch().loop_numbers != start.patch.loop_numbers) return;  // only a part of what is shown
   if (task_.pace != Pace::watched && task_.items.size() > most_live) return;
+  const PatchState& start = *item_.patch.state;
+  if (record.step == 1) initial_energy_ = evolution.initial_energy();
+  const std::vector<int>& numbers = evolution.patch().loop_numbers;
+  if (numbers != start.patch.loop_numbers) {  // it becomes a patch of its own when it is done
+    if (item_.loops.size() > most_live) return;
+    Part& part = parts_[numbers];
+    if (!part.first) part.first = first_of(numbers, nullptr);
+    if (record.step == 1) {
+      part.steps.clear();
+      ++part.attempts;
+    }
+    auto next = after_step(*part.first, evolution, record);
+    if (part.attempts > 1) next->recipe.runs.back().end = RunRecipe::End::unnamed;
+    part.steps.push_back(std::move(next));
+    return;
+  }
   if (record.step == 1) {
     if (attempts_++ > 0) recorder_.restart(item_.patch.id);
-    initial_energy_ = evolution.initial_energy();
     last_ = item_.patch.state;
   }
+  auto next = after_step(start, evolution, record);
+  if (attempts_ > 1) next->recipe.runs.back().end = RunRecipe::End::unnamed;
+  last_ = next;
+  recorder_.record(item_.patch.id, std::move(next));
+  if (task_.pace == Pace::watched) job_.linger(watched_step / std::max<std::size_t>(1, task_.items.size()));
+}
+
+std::shared_ptr<PatchState> SteadyRun::after_step(const PatchState& start, const Evolution& evolution,
+                                                  const StepRecord& record) {
   auto next = with_patch(start, evolution.patch(), task_.origin);
   next->status = PatchStatus::ready;
   next->energy = {initial_energy_, record.energy};
@@ -64,15 +86,12 @@ void SteadyRun::show(const Evolution& evolution, const StepRecord& record) {
   next->steps = start.steps + record.step;
   next->last_step = record;
   next->seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-  const bool first_attempt = attempts_ == 1;
   RunRecipe run = recipe_of(task_.options);
   run.relief = {};  // added at the end
   run.steps = record.step;
-  run.end = first_attempt ? RunRecipe::End::after_steps : RunRecipe::End::unnamed;
+  run.end = RunRecipe::End::after_steps;
   next->recipe.runs.push_back(run);
-  last_ = next;
-  recorder_.record(item_.patch.id, std::move(next));
-  if (task_.pace == Pace::watched) job_.linger(watched_step / std::max<std::size_t>(1, task_.items.size()));
+  return next;
 }
 
 PatchStatePtr SteadyRun::state_of(const PatchResult& result, const PatchState& from) {
@@ -151,22 +170,36 @@ std::vector<BoundaryLoop> SteadyRun::loops_of(const std::vector<int>& numbers) c
 }
 
 OpenPatch SteadyRun::part(const std::vector<int>& numbers, const PatchResult* result, const std::string& why_not) {
-  const double density = item_.patch.state->recipe.density;
   const std::vector<BoundaryLoop> loops = loops_of(numbers);
   OpenPatch part;
   part.scan = item_.patch.scan;
   for (std::size_t k = 0; k < item_.loops.size(); ++k)
     for (const BoundaryLoop& loop : loops)
       if (loop.number == item_.loops[k].number) part.loops.push_back(item_.patch.loops[k]);
-  InitialPatch initial =
-      make_initial_patch(item_.site->model(), loops, InitialPatchOptions{density}, job_.pause_token());
-  Patch first_patch = initial.patch ? std::move(*initial.patch) : result ? result->patch : Patch();
-  auto first = std::make_shared<PatchState>(
-      *first_state(std::move(first_patch), initial.message(), density, task_.origin, item_.site->colors()));
-  if (!result) first->message = why_not;
-  part.state = result ? state_of(*result, *first) : first;
-  part.timeline = std::make_shared<Timeline>(result ? Timeline{first, part.state} : Timeline{first});
+  const Part known = parts_.contains(numbers) ? parts_.at(numbers) : Part{first_of(numbers, result), {}, 0};
+  if (!result) {
+    auto first = std::make_shared<PatchState>(*known.first);
+    first->message = why_not;
+    part.state = first;
+    part.timeline = std::make_shared<Timeline>(Timeline{first});
+    return part;
+  }
+  Timeline timeline{known.first};
+  // What was thrown away for the initial patch is not a way to it. The last step comes as the result.
+  const bool stepped = result->status != PatchStatus::filled && !known.steps.empty();
+  if (stepped) timeline.insert(timeline.end(), known.steps.begin(), known.steps.end() - 1);
+  part.state = state_of(*result, stepped ? *known.steps.back() : *known.first);
+  timeline.push_back(part.state);
+  part.timeline = std::make_shared<Timeline>(std::move(timeline));
   return part;
+}
+
+PatchStatePtr SteadyRun::first_of(const std::vector<int>& numbers, const PatchResult* result) {
+  const double density = item_.patch.state->recipe.density;
+  InitialPatch initial =
+      make_initial_patch(item_.site->model(), loops_of(numbers), InitialPatchOptions{density}, job_.pause_token());
+  Patch patch = initial.patch ? std::move(*initial.patch) : result ? result->patch : Patch();
+  return first_state(std::move(patch), initial.message(), density, task_.origin, item_.site->colors());
 }
 
 }  // namespace loopmend

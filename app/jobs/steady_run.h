@@ -6,6 +6,7 @@
 #include "pipeline/solve_group.h"
 
 #include <chrono>
+#include <map>
 #include <vector>
 
 namespace loopmend {
@@ -21,10 +22,14 @@ class SteadyRun {
  private:
   std::vector<OpenPatch> run_bridge();
   void show(const Evolution& evolution, const StepRecord& record);
+  /// The patch after this step of a run that set out from `start`.
+  std::shared_ptr<PatchState> after_step(const PatchState& start, const Evolution& evolution, const StepRecord& record);
   PatchStatePtr state_of(const PatchResult& result, const PatchState& from);
   void finish(const PatchResult& result);
   /// Some of the loops as a patch of their own. @param result  null: the initial patch, and `why_not`.
   OpenPatch part(const std::vector<int>& numbers, const PatchResult* result, const std::string& why_not);
+  /// A part's initial patch.
+  PatchStatePtr first_of(const std::vector<int>& numbers, const PatchResult* result);
   std::vector<BoundaryLoop> loops_of(const std::vector<int>& numbers) const;
 
   const EvolveTask& task_;
@@ -33,6 +38,12 @@ class SteadyRun {
   const Job& job_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   PatchStatePtr last_;
+  struct Part {
+    PatchStatePtr first;
+    std::vector<PatchStatePtr> steps;  ///< of the last attempt
+    int attempts = 0;
+  };
+  std::map<std::vector<int>, Part> parts_;  ///< by numbers of loops: what is solved apart from the rest of the patch
   double initial_energy_ = 0;
   int attempts_ = 0;
 };

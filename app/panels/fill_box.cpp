@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace loopmend {
 namespace {
@@ -178,10 +179,13 @@ QString FillBox::advice(const std::set<int>& loops) const {
   if (!loops.empty()) return estimate(loops);
   if (std::any_of(selected.begin(), selected.end(), is(LoopKind::cut))) return tr("Repair\u2026 removes such edges.");
   if (all_are(selected, is_in(HoleState::cutting))) return tr("It cuts the surface: Discard, then Trim.");
-  for (int loop = 0; loop < document_.loop_count() && selection_.selected().empty(); ++loop)
-    if (document_.present(loop) && document_.state(loop) == HoleState::left_out)
-      return tr("To fill one that is left out, select it.");
-  return {};
+  if (!selected.empty()) return {};
+  std::map<LoopKind, int> left;
+  for (int loop = 0; loop < document_.loop_count(); ++loop)
+    if (document_.present(loop) && document_.state(loop) == HoleState::left_out) ++left[document_.loop(loop).kind];
+  if (const int cracks = left[LoopKind::crack]) return tr("%n crack(s): press Stitch.", nullptr, cracks);
+  if (const int cuts = left[LoopKind::cut]) return tr("%n cut(s): press Repair\u2026.", nullptr, cuts);
+  return left.empty() ? QString() : tr("To fill one that is left out, select it.");
 }
 
 /// From the projected areas and the mean length of the rims' edges: equilateral triangles of that size.

@@ -55,14 +55,20 @@ void StatusLine::count() {
     triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
     vertices += static_cast<std::size_t>(patch.state->patch.free_count);
   }
-  int open = 0;
-  for (int loop = 0; loop < document_.loop_count(); ++loop)
-    open += document_.present(loop) && !document_.patch_of(loop) && document_.loop(loop).kind != LoopKind::cut;
+  int open = 0, cracks = 0;
+  for (int loop = 0; loop < document_.loop_count(); ++loop) {
+    if (!document_.present(loop) || document_.patch_of(loop)) continue;
+    open += document_.loop(loop).kind != LoopKind::cut;
+    cracks += document_.loop(loop).kind == LoopKind::crack;
+  }
   scan_->setText(triangles == 0
                      ? QString()
                      : tr("%1 triangles \u00b7 %2 vertices").arg(labels::count(triangles), labels::count(vertices)));
   if (const auto& checked = check_.result(); checked && triangles > 0) {
-    closed_->setText(labels::verdict(*checked));
+    // Sides of a crack lie in the same place, and count as joined in the check: in files of vertices they are not.
+    closed_->setText(checked->encloses() && cracks > 0
+                         ? tr("Watertight but for %n crack(s): press Stitch", nullptr, cracks)
+                         : labels::verdict(*checked));
     closed_->setToolTip(labels::verdict_help(*checked));
     return;
   }

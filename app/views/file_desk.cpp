@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/file_desk.h"
+#include "jobs/problem_controller.h"
 
 #include "dialogs/export_dialog.h"
 #include "dialogs/session_dialog.h"
@@ -176,11 +177,17 @@ void FileDesk::save_session_as() {
 }
 
 bool FileDesk::may_close() {
-  if (closing_ == Closing::agreed || !has_unsaved_work()) return true;
-  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Close without saving"), [this] {
+  const bool has_result = problem_ && problem_->stage() == ProblemController::Stage::solved;
+  if (closing_ == Closing::agreed || (!has_unsaved_work() && !has_result)) return true;
+  const auto close = [this] {
     closing_ = Closing::agreed;
     window_->close();
-  });
+  };
+  if (has_unsaved_work())
+    act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Close without saving"), close);
+  else
+    banner_.ask(tr("The result of the tool was not accepted yet."),
+                {{tr("&Close without it"), "answerLose", close}, {tr("&Cancel"), "answerCancel", [] {}}});
   return false;
 }
 
@@ -188,19 +195,33 @@ void FileDesk::offer_recovery() {
   const std::vector<Leftover> found = Autosave::leftovers();
   if (found.empty()) return;
   const Leftover newest = found.front();
+  recovery_is_open_ = true;
   banner_.ask(tr("Loopmend ended unexpectedly. Work was kept: %1.").arg(newest.words),
               {{tr("&Recover"), "answerRecover",
                 [this, newest] {
-                  const auto done = std::make_shared<QMetaObject::Connection>();
-                  *done = connect(&controller_, &FillController::activity_changed, this, [this, newest, done] {
-                    if (controller_.busy()) return;
-                    disconnect(*done);
-                    if (document_.has_work()) Q_EMIT recovered(newest);
-                  });
-                  controller_.open_session({newest.path, tr("recovered work"), {}});
+                  recovery_is_open_ = false;
+                  when_safe([this, newest] { recover(newest); });
                 }},
-               {tr("&Discard"), "answerDiscard", [newest] { Autosave::discard(newest); }},
-               {tr("&Later"), "answerLater", [] {}}});
+               {tr("&Discard"), "answerDiscard",
+                [this, newest] {
+                  recovery_is_open_ = false;
+                  Autosave::discard(newest);
+                }},
+               {tr("&Later"), "answerLater", [this] { recovery_is_open_ = false; }}});
+}
+
+void FileDesk::offer_recovery_again() {
+  if (recovery_is_open_) offer_recovery();
+}
+
+void FileDesk::recover(const Leftover& leftover) {
+  const auto done = std::make_shared<QMetaObject::Connection>();
+  *done = connect(&controller_, &FillController::activity_changed, this, [this, leftover, done] {
+    if (controller_.busy()) return;
+    disconnect(*done);
+    if (document_.has_work()) Q_EMIT recovered(leftover);
+  });
+  controller_.open_session({leftover.path, tr("recovered work"), {}});
 }
 
 void FileDesk::offer_to_locate(const SessionFile& session, const QString& scan) {

@@ -15,6 +15,8 @@ class QWidget;
 
 namespace loopmend {
 
+class ProblemController;
+
 class Banner;
 class SceneVisibility;
 
@@ -42,6 +44,10 @@ class FileDesk : public QObject {
   bool may_close();
   /// Tells of work that another run left behind.
   void offer_recovery();
+  /// The same where nobody has answered yet: a scan that was opened took its place.
+  void offer_recovery_again();
+  /// Its result is asked for as well before the window closes. @param problem  must outlive this
+  void ask_for_results_of(const ProblemController& problem) { problem_ = &problem; }
   void show_recent(QMenu* menu);
   void show_scans(QMenu* menu);
 
@@ -58,6 +64,7 @@ class FileDesk : public QObject {
  private:
   void act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act);
   QString proposal(const QString& ending) const;
+  void recover(const Leftover& leftover);
   void offer_to_locate(const SessionFile& session, const QString& scan);
 
   Document& document_;
@@ -70,6 +77,8 @@ class FileDesk : public QObject {
   QString session_path_;
   KeepScans keep_ = KeepScans::outside;  ///< as the session was saved, or read
   std::function<void()> after_saving_;
+  const ProblemController* problem_ = nullptr;
+  bool recovery_is_open_ = false;  ///< offered, and not answered
   enum class Closing { not_asked, agreed } closing_ = Closing::not_asked;
 };
 

@@ -23,6 +23,8 @@
 #include "views/window_actions.h"
 
 #include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -34,6 +36,7 @@
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QTimer>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -57,6 +60,7 @@ MainWindow::MainWindow(QWidget* parent)
   files_ = new FileDesk(document_, undo_, controller_, check_, visibility_, *banner_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
+  files_->ask_for_results_of(tools_->trial());
   examples_ = new ExampleController({document_, selection_, controller_, *tools_, *compare_, *view_, *banner_}, this);
   actions_->build_menus(dock_toggles_);
   actions_->build_toolbar();
@@ -190,6 +194,7 @@ void MainWindow::connect_document() {
     if (look_->look().shading == Shading::scan) look_->set_shading(Shading::curvature);
     selection_.clear();
     banner_->hide();
+    files_->offer_recovery_again();
   });
   connect(&document_, &Document::scans_changed, this, [this] {
     follow_scan_colors();
@@ -275,6 +280,11 @@ void MainWindow::guard_buttons() {
     button->setFocusPolicy(Qt::TabFocus);
     button->installEventFilter(this);
   }
+  // Space opens a list, ticks a box in one, and is nothing to a slider. The table of holes has no use for it: there it runs.
+  for (QWidget* widget : findChildren<QWidget*>())
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget) ||
+        qobject_cast<QAbstractSlider*>(widget))
+      widget->installEventFilter(this);
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {

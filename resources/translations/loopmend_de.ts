@@ -3078,6 +3078,14 @@
             <source>&amp;Locate…</source>
             <translation>&amp;Suchen…</translation>
         </message>
+        <message>
+            <source>The result of the tool was not accepted yet.</source>
+            <translation>Das Ergebnis des Werkzeugs wurde noch nicht übernommen.</translation>
+        </message>
+        <message>
+            <source>&amp;Close without it</source>
+            <translation>Ohne es &amp;schließen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillBox</name>
@@ -3216,6 +3224,20 @@
         <message>
             <source>It cuts the surface: Discard, then Trim.</source>
             <translation>Schneidet die Fläche: Verwerfen.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n crack(s): press Stitch.</source>
+            <translation>
+                <numerusform>%n Riss: Vernähen drücken.</numerusform>
+                <numerusform>%n Risse: Vernähen drücken.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cut(s): press Repair….</source>
+            <translation>
+                <numerusform>%n Schnitt: Reparieren… drücken.</numerusform>
+                <numerusform>%n Schnitte: Reparieren… drücken.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5555,6 +5577,13 @@
         <message>
             <source> · energy %1</source>
             <translation> · Energie %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>Watertight but for %n crack(s): press Stitch</source>
+            <translation>
+                <numerusform>Wasserdicht bis auf %n Riss: Vernähen drücken</numerusform>
+                <numerusform>Wasserdicht bis auf %n Risse: Vernähen drücken</numerusform>
+            </translation>
         </message>
     </context>
     <context>

@@ -32,6 +32,23 @@
         </message>
     </context>
     <context>
+        <name>loopmend::FillBox</name>
+        <message numerus="yes">
+            <source>%n crack(s): press Stitch.</source>
+            <translation>
+                <numerusform>%n crack: press Stitch.</numerusform>
+                <numerusform>%n cracks: press Stitch.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cut(s): press Repair….</source>
+            <translation>
+                <numerusform>%n cut: press Repair….</numerusform>
+                <numerusform>%n cuts: press Repair….</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>loopmend::FillController</name>
         <message numerus="yes">
             <source>%n more</source>
@@ -179,6 +196,13 @@
             <translation>
                 <numerusform>Not watertight: %n open boundary loop</numerusform>
                 <numerusform>Not watertight: %n open boundary loops</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Watertight but for %n crack(s): press Stitch</source>
+            <translation>
+                <numerusform>Watertight but for %n crack: press Stitch</numerusform>
+                <numerusform>Watertight but for %n cracks: press Stitch</numerusform>
             </translation>
         </message>
     </context>

@@ -13,6 +13,7 @@
 #include <QDockWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <set>
 
@@ -128,6 +129,30 @@ void AccessTest::keys_belong_to_what_has_the_focus() {
   QCOMPARE(islands->isChecked(), !ticked);
   QVERIFY(!window.controller().busy());
   QVERIFY(window.document().patches().front().state == before);
+
+  for (const char* name : {"boundary", "flow", "shading", "sigma"}) {
+    auto* at = part<QWidget>(window, name);
+    QVERIFY2(at, name);
+    for (QWidget* dock = at; dock; dock = dock->parentWidget())
+      if (qobject_cast<QDockWidget*>(dock)) dock->raise();
+    settle(50);
+    at->setFocus();
+    QTest::keyClick(at, Qt::Key_Space);
+    settle(150);
+    if (QWidget* list = QApplication::activePopupWidget()) list->close();
+    QVERIFY2(!window.controller().busy() && window.document().patches().front().state == before, name);
+  }
+  // A row of the list is shown or hidden by Space.
+  part<QDockWidget>(window, "sceneDock")->raise();
+  settle(100);
+  auto* tree = part<QTreeWidget>(window, "sceneTree");
+  tree->setFocus();
+  tree->setCurrentItem(tree->topLevelItem(0));
+  const Qt::CheckState shown_before = tree->topLevelItem(0)->checkState(0);
+  QTest::keyClick(tree, Qt::Key_Space);
+  settle(200);
+  QVERIFY(tree->topLevelItem(0)->checkState(0) != shown_before);
+  QVERIFY(!window.controller().busy() && window.document().patches().front().state == before);
 
   window.selection().select({});
   const std::size_t patches = window.document().patches().size();

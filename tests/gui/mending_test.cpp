@@ -220,8 +220,21 @@ void MendingTest::dragon_is_stitched_watertight() {
   clock.start();
   Shown shown({scan});
   MainWindow& window = shown.window;
+  const auto loops_that_are = [&](LoopKind kind) {
+    int count = 0;
+    for (int loop = 0; loop < window.document().loop_count(); ++loop)
+      count += window.document().present(loop) && window.document().loop(loop).kind == kind;
+    return count;
+  };
+  QCOMPARE(loops_that_are(LoopKind::crack), 407);
+  QCOMPARE(part<QLabel>(window, "fillEstimate")->text(), QStringLiteral("407 cracks: press Stitch."));
+  QVERIFY(verdict_is_known(window));
+  QCOMPARE(verdict(window), QStringLiteral("Watertight but for 407 cracks: press Stitch"));
   press(window, "stitch");
   QVERIFY(wait_idle(window));
+  QCOMPARE(loops_that_are(LoopKind::crack), 0);
+  QCOMPARE(loops_that_are(LoopKind::hole), 0);
+  QCOMPARE(part<QLabel>(window, "fillEstimate")->text(), QStringLiteral("16 cuts: press Repair\u2026."));
   QVERIFY(verdict_is_known(window));
   qInfo("dragon: %s after %lld ms", qPrintable(verdict(window)), clock.elapsed());
   QVERIFY(window.print_check().result()->encloses());

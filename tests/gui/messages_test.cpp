@@ -396,6 +396,12 @@ void MessagesTest::a_patch_that_cuts_the_surface_leads_on() {
   if (state == HoleState::cutting) {
     QVERIFY2(words.contains(QStringLiteral("Discard")), qPrintable(words));
     QVERIFY(part<QPushButton>(window, "reject")->isEnabled());
+    // An export leaves it out, so that it is in no file yet.
+    const QString out = folder_.filePath(QStringLiteral("needle-filled.ply"));
+    window.findChild<FileDesk*>()->export_to(out);
+    QVERIFY(wait_until([&] { return QFile::exists(out) && !window.controller().busy(); }));
+    QVERIFY2(!window.close(), "the patch that was left out would be lost");
+    press(window, "answerCancel");
     press(window, "reject");
   }
   QVERIFY(part<QPushButton>(window, "trim")->isEnabled());

@@ -38,7 +38,9 @@ std::set<int> chosen_holes(const Document& document) {
 
 /// @returns the first rise of what the energy plot draws as lowered; empty where there is none.
 QString rise_of(const OpenPatch& patch) {
-  const QVector<double> lowered = RunCurves(patch).lowered;
+  const RunCurves curves(patch);
+  if (patch.state->steps > 0 && curves.residual.isEmpty()) return QStringLiteral("the plot is empty");
+  const QVector<double> lowered = curves.lowered;
   for (int i = 1; i < lowered.size(); ++i)
     if (lowered[i] > lowered[i - 1])
       return QStringLiteral("point %1 of the energy plot: %2 after %3").arg(i).arg(lowered[i]).arg(lowered[i - 1]);

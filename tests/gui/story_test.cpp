@@ -218,6 +218,10 @@ void StoryTest::crash_and_recover() {
   auto* banner = part<Banner>(window, "banner");
   QVERIFY(banner->isVisible());
   QVERIFY2(banner->text().contains(QStringLiteral("sample.ply")), qPrintable(banner->text()));
+  // As when the program is started with a file: the offer stays.
+  window.open(scan);
+  QVERIFY(wait_idle(window));
+  QVERIFY2(banner->isVisible() && banner->text().contains(QStringLiteral("sample.ply")), qPrintable(banner->text()));
   press(window, "answerRecover");
   QVERIFY(wait_idle(window));
   QCOMPARE(window.document().patches().size(), std::size_t(1));
@@ -359,6 +363,15 @@ void StoryTest::a_session_without_its_scan_is_told_where_it_is() {
   QVERIFY(wait_idle(window));
   QCOMPARE(window.document().scans().size(), std::size_t(2));
   QCOMPARE(window.document().patches().size(), std::size_t(1));
+
+  // Scans that lie beside the session are found, wherever they were when it was saved.
+  const QString beside = now.filePath(QStringLiteral("moved.loopmend"));
+  QVERIFY(QFile::copy(path, beside));
+  Shown other;
+  other.window.open(beside);
+  QVERIFY(wait_idle(other.window));
+  QCOMPARE(other.window.document().scans().size(), std::size_t(2));
+  QCOMPARE(other.window.document().patches().size(), std::size_t(1));
 }
 
 void StoryTest::several_scans_are_one_scene() {

@@ -133,6 +133,8 @@ void ToolsTest::a_painted_region_is_that_of_the_command_line() {
 
   press(window, "trialEvolve");
   QVERIFY(reach(window, ProblemController::Stage::solved));
+  QVERIFY2(!window.close(), "the result is not accepted yet");
+  press(window, "answerCancel");
   QVERIFY(document.scan(0) != nullptr);  // nothing has come into the document yet
   QVERIFY(run_copied(window));
   press(window, "trialAccept");
