@@ -162,6 +162,16 @@ QString FillBox::target_words(const std::set<int>& loops) const {
   return tr("No open hole is left.");
 }
 
+/// Of a patch that may still be discarded, whether a flow left it with an angle at the seam that the eye sees.
+bool FillBox::has_crease(int loop) const {
+  constexpr double seen_deg = 8;
+  const OpenPatch* patch = document_.patch_of(loop);
+  if (!patch || patch->acceptance == Acceptance::accepted || patch->state->steps == 0) return false;
+  for (std::size_t k = 0; k < std::min(patch->loops.size(), patch->state->seams.size()); ++k)
+    if (patch->loops[k] == loop) return patch->state->seams[k].g1_rms_deg > seen_deg;
+  return false;
+}
+
 /// One line each, so that the buttons below stay where they are.
 QString FillBox::advice(const std::set<int>& loops) const {
   const std::set<int>& selected = selection_.selected();
@@ -179,6 +189,8 @@ QString FillBox::advice(const std::set<int>& loops) const {
   if (!loops.empty()) return estimate(loops);
   if (std::any_of(selected.begin(), selected.end(), is(LoopKind::cut))) return tr("Repair\u2026 removes such edges.");
   if (all_are(selected, is_in(HoleState::cutting))) return tr("It cuts the surface: Discard, then Trim.");
+  if (std::any_of(selected.begin(), selected.end(), [this](int loop) { return has_crease(loop); }))
+    return tr("A crease at the seam? Discard, then Trim.");
   if (!selected.empty()) return {};
   std::map<LoopKind, int> left;
   for (int loop = 0; loop < document_.loop_count(); ++loop)

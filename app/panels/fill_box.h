@@ -44,6 +44,7 @@ class FillBox : public QGroupBox {
   void build();
   std::set<int> patches_to_smooth() const;
   QString target_words(const std::set<int>& loops) const;
+  bool has_crease(int loop) const;
   QString advice(const std::set<int>& loops) const;
   QString estimate(const std::set<int>& loops) const;
   void preview_soon();

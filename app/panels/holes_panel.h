@@ -66,7 +66,7 @@ class HolesPanel : public QWidget {
   QLabel* summary_;
   QPushButton* all_;
   SmallHolesBox* small_;
-  int lit_ = no_loop;  ///< its row is painted as the one under the mouse
+  int lit_ = no_loop;     ///< its row is painted as the one under the mouse
   bool several_ = false;  ///< scans are open
   bool syncing_ = false;
 };

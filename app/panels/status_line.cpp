@@ -57,7 +57,8 @@ void StatusLine::count() {
   }
   int open = 0, cracks = 0;
   for (int loop = 0; loop < document_.loop_count(); ++loop) {
-    if (!document_.present(loop) || document_.patch_of(loop)) continue;
+    // A patch that cuts the surface is left out of what is written.
+    if (!document_.present(loop) || (document_.patch_of(loop) && document_.state(loop) != HoleState::cutting)) continue;
     open += document_.loop(loop).kind != LoopKind::cut;
     cracks += document_.loop(loop).kind == LoopKind::crack;
   }

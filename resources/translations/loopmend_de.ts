@@ -3239,6 +3239,10 @@
                 <numerusform>%n Schnitte: Reparieren… drücken.</numerusform>
             </translation>
         </message>
+        <message>
+            <source>A crease at the seam? Discard, then Trim.</source>
+            <translation>Ein Knick an der Naht? Verwerfen, dann Beschneiden.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillController</name>
