@@ -62,6 +62,7 @@ void Plot::set_axis(Side side, Scale scale) {
   at->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   if (logarithmic) {
     at->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    at->ticker()->setTickCount(3);  // within one decade: a plot may be no higher than five lines
     at->setNumberFormat(QStringLiteral("gb"));
     at->setNumberPrecision(3);  // within one decade the marks are 1.5, 2, 2.5
   } else {

@@ -32,8 +32,7 @@ std::string why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int i
   if (std::string why = why_no_patch_exists(scan, loop); !why.empty()) return why;
   return "every patch that was found would cut the surface or itself, in " + std::to_string(intersections) +
          " places: left open; removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) "
-         "or a "
-         "strip across the hole (--bridge) may help";
+         "or a strip across the hole (--bridge) may help";
 }
 
 GroupResult failed_group(const std::vector<BoundaryLoop>& loops, const std::string& why) {

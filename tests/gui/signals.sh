@@ -10,8 +10,8 @@ trap 'rm -rf "$folder"' EXIT
 export HOME=$folder XDG_DATA_HOME=$folder/data
 ulimit -c 0
 
-# Bit n - 1 of SigCgt is set where a process handles signal n.
-handles_crashes() { (((0x$(awk '/^SigCgt/ { print $2 }' "/proc/$1/status" 2>/dev/null || echo 0) >> 10) & 1)); }
+# Bit n - 1 of SigCgt is set where a process handles signal n; so does the shell, which it is a copy of at first.
+handles_crashes() { [[ $(readlink "/proc/$1/exe") == */loopmend-gui ]] && (((0x$(awk '/^SigCgt/ { print $2 }' "/proc/$1/status" 2>/dev/null || echo 0) >> 10) & 1)); }
 
 for signal in TERM HUP INT SEGV ABRT; do
   "$1" >"$folder/out" 2>"$folder/err" &
