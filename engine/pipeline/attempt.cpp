@@ -79,7 +79,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   std::vector<SeamReport> seams;
   parallel_invoke([&] { validity = validate(problem.scan, patch); }, [&] { seams = seam_reports(patch); });
   std::optional<BentPatch> bent;
-  if (validity.intersections > 0) bent = bent_aside(problem.scan, patch, context.cancel);
+  if (validity.intersections > 0) bent = bent_aside(problem.scan, patch, validity, context.cancel);
   if (bent) {
     patch = std::move(bent->patch);
     validity = std::move(bent->validity);

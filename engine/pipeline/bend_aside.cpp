@@ -124,7 +124,8 @@ class Bender {
 
 }  // namespace
 
-std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, const CancelToken& cancel) {
+std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, const Validity& validity,
+                                    const CancelToken& cancel) {
   BentPatch bent{patch, {}, 0};
   Bender bender(scan, bent.patch);
   for (int round = 0; round < most_rounds && !cancel.cancelled(); ++round) {
@@ -132,7 +133,7 @@ std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, c
     if (!crumbs) return std::nullopt;
     if (crumbs->empty()) {
       bent.validity = validate(scan, bent.patch);
-      if (bent.validity.intersections > 0 || bent.validity.folds > validate(scan, patch).folds) return std::nullopt;
+      if (bent.validity.intersections > 0 || bent.validity.folds > validity.folds) return std::nullopt;
       return bent;
     }
     bent.crumbs = std::max(bent.crumbs, static_cast<int>(crumbs->size()));

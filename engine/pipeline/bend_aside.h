@@ -22,6 +22,8 @@ inline constexpr const char* bent_message =
 /// Bends the patch around each crumb that it cuts, to the side where the way is shorter. Only free vertices move, those near a
 /// crumb. @returns nothing where the patch cuts anything else than crumbs, itself above all, or is still in their way after some
 /// rounds, or has more folds than before.
-std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, const CancelToken& cancel);
+/// @param validity  of the patch
+std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, const Validity& validity,
+                                    const CancelToken& cancel);
 
 }  // namespace loopmend

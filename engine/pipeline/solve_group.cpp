@@ -193,7 +193,7 @@ class GroupSolver {
 
   void bend_past_crumbs(PatchResult& made) const {
     made.attempts.emplace_back("bent past crumbs");
-    std::optional<BentPatch> bent = bent_aside(scan_, made.patch, cancel_);
+    std::optional<BentPatch> bent = bent_aside(scan_, made.patch, made.validity, cancel_);
     if (!bent) return;
     made.patch = std::move(bent->patch);
     made.validity = std::move(bent->validity);

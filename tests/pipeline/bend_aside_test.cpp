@@ -45,7 +45,7 @@ TEST(BendAside, OnlyFreeVerticesNearTheCrumbMove) {
     patch.positions[i] = patch.to_frame({p.x(), p.y(), 0.8});
   }
   ASSERT_GT(validate(scan, patch).intersections, 0);
-  const auto bent = bent_aside(scan, patch, {});
+  const auto bent = bent_aside(scan, patch, validate(scan, patch), {});
   ASSERT_TRUE(bent);
   EXPECT_EQ(bent->crumbs, 1);
   EXPECT_EQ(bent->validity.intersections, 0);
@@ -66,7 +66,7 @@ TEST(BendAside, WhatIsNoCrumbIsNotPassed) {
   const SurfaceModel large = open_ball({on_cap(0, 0)}, 0.3);
   const ScanIndex scan(large);
   ASSERT_GT(validate(scan, patch).intersections, 0);
-  EXPECT_FALSE(bent_aside(scan, patch, {}));
+  EXPECT_FALSE(bent_aside(scan, patch, validate(scan, patch), {}));
 }
 
 TEST(BendAside, AHoleWithCrumbsInItIsFilled) {
