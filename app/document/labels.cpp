@@ -18,7 +18,7 @@ QString tr(const char* text, int n = -1) { return QCoreApplication::translate("l
 
 // One sided fits on a triangulated scan differ by about this much even when the surface is smooth.
 constexpr double tangent_seen_deg = 2.0;
-constexpr double kink_deg = 45;
+constexpr double sharp_crease_deg = 45;
 constexpr double curvature_seen = 0.5;  ///< jump of H times the hole's diameter
 
 /// As the language writes it, but with no marks between thousands.
@@ -195,9 +195,9 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
   if (stage == PatchStatus::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
   if (stage == PatchStatus::doubtful)
     return sentence + QLatin1Char(' ') + tr("But the patch is out of proportion to its hole.");
-  // No praise where the eye sees a kink, or a sharper one than before.
-  const bool kinked = now.g1_rms_deg > kink_deg || now.g1_rms_deg > before.g1_rms_deg + 1;
-  if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms && !kinked)
+  // No praise for a sharp crease, nor for one that is sharper than before.
+  const bool creased = now.g1_rms_deg > sharp_crease_deg || now.g1_rms_deg > before.g1_rms_deg + 1;
+  if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms && !creased)
     sentence +=
         QLatin1Char(' ') + (stage == PatchStatus::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
                                                          : tr("The flow made the jump of curvature %1 times smaller."))

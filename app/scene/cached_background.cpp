@@ -49,6 +49,7 @@ CachedBackground::~CachedBackground() = default;
 
 void CachedBackground::add_still(vtkProp* prop, Part part) {
   parts_[prop] = part;
+  if (part == Part::large_surface) whole_ms_ = unknown_ms;
   part == Part::line ? lines_changed() : still_changed();
 }
 

@@ -98,7 +98,8 @@ class CachedBackground : public vtkOpenGLRenderer {
   LargeScans large_scans_ = LargeScans::whole;
   Whole whole_ = Whole::wanted;
   vtkMTimeType version_ = 1, lines_version_ = 1;
-  double whole_ms_ = 1e9;  ///< what the surfaces took when they were last drawn as a whole
+  static constexpr double unknown_ms = 1e9;
+  double whole_ms_ = unknown_ms;  ///< what the surfaces took when they were last drawn as a whole
   double refining_ms_ = 0;
   bool rests_ = false;  ///< the camera, since the last picture
   bool rough_ = false;
