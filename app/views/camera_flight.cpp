@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/camera_flight.h"
 
-#include <vtkCamera.h>
+#include "core/rotation.h"
 
-#include <Eigen/Geometry>
+#include <vtkCamera.h>
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ constexpr int duration_ms = 350;
 
 /// Along the arc around the focus, so that the eye never dives through the surface.
 Eigen::Vector3d turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) {
-  const Eigen::Quaterniond all = Eigen::Quaterniond::FromTwoVectors(a, b);
+  const Eigen::Quaterniond all = rotation_between(a, b);
   const double length = (1 - t) * a.norm() + t * b.norm();
   return (Eigen::Quaterniond::Identity().slerp(t, all) * a).normalized() * length;
 }
