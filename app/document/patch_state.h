@@ -8,6 +8,7 @@
 #include "scene/surface_shape.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -82,5 +83,7 @@ struct OpenPatch {
   TimelinePtr timeline;  ///< holds `state`
   Acceptance acceptance = Acceptance::pending;
 };
+
+inline std::set<int> loops_of(const OpenPatch& patch) { return {patch.loops.begin(), patch.loops.end()}; }
 
 }  // namespace loopmend

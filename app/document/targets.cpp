@@ -40,6 +40,14 @@ std::set<int> loops_of(const Document& document, const std::set<int>& patches) {
   return loops;
 }
 
+int cracks_left(const Document& document) {
+  int cracks = 0;
+  for (int loop = 0; loop < document.loop_count(); ++loop)
+    cracks += document.present(loop) && document.loop(loop).kind == LoopKind::crack &&
+              (!document.patch_of(loop) || document.state(loop) == HoleState::cutting);
+  return cracks;
+}
+
 std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit) {
   std::set<int> loops;
   for (int loop = 0; loop < document.loop_count(); ++loop) {

@@ -18,6 +18,9 @@ std::set<int> patches_to_move(const Document& document, const HoleSelection& sel
 
 std::set<int> loops_of(const Document& document, const std::set<int>& patches);
 
+/// Cracks that nothing has closed: what Stitch is for.
+int cracks_left(const Document& document);
+
 enum class SizeMeasure { edges, diameter };
 /// Fillable loops without a patch that are no larger than `limit`; diameter in the scan's unit.
 std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit);

@@ -2,6 +2,7 @@
 #include "jobs/evolve_patches.h"
 
 #include "core/threads.h"
+#include "document/timeline.h"
 #include "jobs/state_making.h"
 #include "jobs/steady_run.h"
 
@@ -147,10 +148,53 @@ class Drive {
     result_.failures[id] = words;
   }
 
+  /// The same item, or, where its holes ask for different treatment, an item for each part; what is known of them with them.
+  std::vector<EvolveTask::Item> parts_of(const EvolveTask::Item& item) const {
+    const PatchRecipe& recipe = item.patch.state->recipe;
+    const bool whole =
+        item.loops.size() == 1 || item.initial || !recipe.runs.empty() || recipe.start == PatchRecipe::Start::bridge;
+    if (whole) return {item};
+    std::vector<InitialPatch> parts =
+        parts_alike(item.site->site(), initial_of(item), group_options(item, task_.options), job_.pause_token());
+    if (parts.size() == 1) {
+      EvolveTask::Item same = item;
+      same.initial = std::move(parts.front());
+      return {same};
+    }
+    if (std::any_of(parts.begin(), parts.end(), [](const InitialPatch& part) { return !part.patch; })) return {item};
+    std::vector<EvolveTask::Item> items;
+    for (InitialPatch& part : parts) {
+      EvolveTask::Item& next = items.emplace_back();
+      next.site = item.site;
+      next.loops = part.loops;
+      next.patch.id = item.spare_ids[items.size() - 1];
+      next.patch.scan = item.patch.scan;
+      for (std::size_t k = 0; k < item.loops.size(); ++k)
+        if (std::any_of(part.loops.begin(), part.loops.end(),
+                        [&](const BoundaryLoop& loop) { return loop.number == item.loops[k].number; }))
+          next.patch.loops.push_back(item.patch.loops[k]);
+      next.patch.state =
+          judged(first_state(*part.patch, part.message(), recipe.density, task_.origin, item.site->colors()), nullptr,
+                 *item.site);
+      next.patch.timeline = start_timeline(next.patch.state);
+      next.initial = std::move(part);
+    }
+    return items;
+  }
+
   void settle(const EvolveTask::Item& item) {
     if (stopped() || rigid(item)) return;
     try {
-      std::vector<OpenPatch> parts = SteadyRun(task_, item, recorder_, job_).run();
+      const std::vector<EvolveTask::Item> items = parts_of(item);
+      if (stopped()) return;
+      if (items.size() > 1) {
+        std::vector<OpenPatch> patches;
+        for (const EvolveTask::Item& part : items) patches.push_back(part.patch);
+        recorder_.divide(item.patch.id, std::move(patches));
+        for (const EvolveTask::Item& part : items) settle(part);
+        return;
+      }
+      std::vector<OpenPatch> parts = SteadyRun(task_, items.front(), recorder_, job_).run();
       const std::lock_guard lock(mutex_);
       if (!parts.empty()) result_.splits[item.patch.id] = std::move(parts);
     } catch (const std::exception& error) {

@@ -6,9 +6,11 @@
 #include "jobs/run_recorder.h"
 #include "jobs/scan_site.h"
 #include "jobs/task_runner.h"
+#include "pipeline/initial_patch.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace loopmend {
@@ -34,6 +36,8 @@ struct EvolveTask {
     std::shared_ptr<Evolution> session;  ///< to go on with, or empty
     ScanSitePtr site;
     std::vector<BoundaryLoop> loops;  ///< those of the patch
+    std::vector<int> spare_ids;  ///< one for each loop: of patches of their own, should they have to be solved apart
+    std::optional<InitialPatch> initial;  ///< where more is known of it than the patch
   };
   std::vector<Item> items;
   EvolutionOptions options;
@@ -49,7 +53,8 @@ struct EvolveResult {
   std::map<int, std::vector<OpenPatch>> splits;
 };
 
-/// Every accepted state goes to the recorder.
+/// Every accepted state goes to the recorder. On the way to the steady state, holes of one patch that ask for different treatment of the
+/// boundary data become patches of their own first.
 EvolveResult evolve_patches(const EvolveTask& task, RunRecorder& recorder, const Job& job);
 
 }  // namespace loopmend

@@ -191,6 +191,9 @@ class FillController : public QObject {
   void on_filled(FillResult result, const std::set<int>& wanted, const std::optional<Smoothing>& then);
   void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
   void take_records();
+  void divide(int patch_id, const std::vector<OpenPatch>& parts);
+  /// Of patches none of whose parts has moved.
+  void take_back_divisions(const EvolveResult& result);
   void on_evolved(const EvolveResult& result, RunEnd how);
   void record_run(const EvolveResult& result);
   QString run_words(const OpenPatch& before, const OpenPatch& now) const;
@@ -210,7 +213,12 @@ class FillController : public QObject {
   std::shared_ptr<RunRecorder> recorder_;
   std::map<int, EvolutionSession> sessions_;
   std::map<int, ScanSitePtr> sites_;
-  std::map<int, OpenPatch> run_start_;
+  std::map<int, OpenPatch> run_start_;  ///< patches of the present run
+  struct Division {
+    OpenPatch whole;
+    std::set<int> parts;  ///< in its place: ids
+  };
+  std::vector<Division> divisions_;  ///< made by the present run
   std::map<int, OpenPatch> scrub_start_;
   QString run_name_;
   PatchChange::Joining run_joining_ = PatchChange::Joining::none;

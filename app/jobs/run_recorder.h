@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -37,11 +38,20 @@ class RunRecorder {
         patch_id);
   }
 
-  /// All states of this run of every patch that has a new one.
-  std::map<int, std::vector<PatchStatePtr>> take() {
+  /// The run goes on with these patches in place of one.
+  void divide(int patch_id, std::vector<OpenPatch> parts) {
+    put([&] { divisions_[patch_id] = std::move(parts); }, patch_id);
+  }
+
+  struct News {
+    std::map<int, std::vector<OpenPatch>> divisions;   ///< since the last time; come before the states of their parts
+    std::map<int, std::vector<PatchStatePtr>> states;  ///< all of this run, of every patch that has a new one
+  };
+  News take() {
     const std::lock_guard lock(mutex_);
-    std::map<int, std::vector<PatchStatePtr>> news;
-    for (int id : fresh_) news[id] = runs_[id];
+    News news;
+    news.divisions = std::exchange(divisions_, {});
+    for (int id : fresh_) news.states[id] = runs_[id];
     fresh_.clear();
     return news;
   }
@@ -60,6 +70,7 @@ class RunRecorder {
   std::function<void()> wake_;
   std::mutex mutex_;
   std::map<int, std::vector<PatchStatePtr>> runs_;
+  std::map<int, std::vector<OpenPatch>> divisions_;
   std::set<int> fresh_;
 };
 

@@ -39,6 +39,16 @@ std::string message_of(const PatchResult& result) {
 
 }  // namespace
 
+InitialPatch initial_of(const EvolveTask::Item& item) {
+  if (item.initial) return *item.initial;
+  const PatchState& start = *item.patch.state;
+  InitialPatch initial;
+  initial.patch = start.patch;
+  initial.loops = item.loops;
+  if (!start.recipe.runs.empty()) initial.origin = InitialPatch::Origin::evolved;
+  return initial;
+}
+
 SteadyRun::SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder, const Job& job)
     : task_(task),
       item_(item),
@@ -115,11 +125,8 @@ PatchStatePtr SteadyRun::state_of(const PatchResult& result, const PatchState& f
 
 std::vector<OpenPatch> SteadyRun::run() {
   const PatchState& start = *item_.patch.state;
-  InitialPatch initial;
-  initial.patch = start.patch;
-  initial.loops = item_.loops;
-  if (!start.recipe.runs.empty()) initial.origin = InitialPatch::Origin::evolved;
-  const GroupOptions options{InitialPatchOptions{start.recipe.density}, task_.options};
+  const InitialPatch initial = initial_of(item_);
+  const GroupOptions options = group_options(item_, task_.options);
   if (start.recipe.start == PatchRecipe::Start::bridge && start.recipe.runs.empty()) return run_bridge();
   const GroupResult group = solve_group(
       item_.site->site(), initial, options,

@@ -11,6 +11,12 @@
 
 namespace loopmend {
 
+/// What solve_group() is asked for.
+InitialPatch initial_of(const EvolveTask::Item& item);
+inline GroupOptions group_options(const EvolveTask::Item& item, const EvolutionOptions& evolution) {
+  return {InitialPatchOptions{item.patch.state->recipe.density}, evolution};
+}
+
 class SteadyRun {
  public:
   SteadyRun(const EvolveTask& task, const EvolveTask::Item& item, RunRecorder& recorder, const Job& job);

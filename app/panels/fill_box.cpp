@@ -235,6 +235,8 @@ void FillBox::update_state() {
   islands_->setEnabled(idle && document_.has_scan());
   trim_->setEnabled(idle && !loops.empty());
   stitch_->setEnabled(idle && document_.has_scan());
+  const int cracks = cracks_left(document_);
+  stitch_->setAccessibleName(cracks > 0 ? tr("Stitch %n crack(s)", nullptr, cracks) : tr("Stitch"));
   repair_->setEnabled(idle && document_.has_scan());
   preview_->setEnabled(idle && !loops.empty() && loops.size() <= most_previewed);
 }

@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/labels.h"
 #include "document/run_curves.h"
+#include "document/targets.h"
 #include "jobs/fill_controller.h"
 #include "jobs/print_check.h"
 
@@ -55,12 +56,12 @@ void StatusLine::count() {
     triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
     vertices += static_cast<std::size_t>(patch.state->patch.free_count);
   }
-  int open = 0, cracks = 0;
+  const int cracks = cracks_left(document_);
+  int open = 0;
   for (int loop = 0; loop < document_.loop_count(); ++loop) {
     // A patch that cuts the surface is left out of what is written.
     if (!document_.present(loop) || (document_.patch_of(loop) && document_.state(loop) != HoleState::cutting)) continue;
     open += document_.loop(loop).kind != LoopKind::cut;
-    cracks += document_.loop(loop).kind == LoopKind::crack;
   }
   scan_->setText(triangles == 0
                      ? QString()

@@ -29,6 +29,8 @@ struct InitialPatch {
   /// Whether `patch` is what the loops alone lead to, or a flow has moved it: then it is solved as one, from there alone.
   /// `uncut`: made of triangles that cut nothing, since what the loops lead to cuts the surface.
   enum class Origin { loops, evolved, uncut } origin = Origin::loops;
+  /// Whether the loops are known to ask for one treatment of the boundary data.
+  enum class Alike { unknown, known } alike = Alike::unknown;
   std::optional<RimSurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
   double seconds = 0;               ///< that it took
 

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <exception>
 #include <new>
-#include <numeric>
 
 namespace loopmend {
 
@@ -65,40 +64,15 @@ class GroupSolver {
 
   GroupResult solve(const InitialPatch& initial) const {
     if (initial.loops.size() == 1 || initial.origin == InitialPatch::Origin::evolved) return jointly(initial);
-    const InitialPatch known = with_outcomes(initial);
     GroupResult result = failed_group(initial.loops, "");
-    for (const std::vector<int>& members : parts_of(known)) {
+    for (const InitialPatch& alike : parts_alike(scan_, initial, options_, cancel_)) {
       if (cancel_.cancelled()) return result;
-      std::vector<BoundaryLoop> loops;
-      for (int k : members) loops.push_back(known.loops[k]);
-      const bool all = members.size() == known.loops.size();
-      put(guarded(loops, [&] { return part(all ? known : part_of(scan_.model, known, members, options_.initial)); }),
-          members, result);
+      put(guarded(alike.loops, [&] { return part(alike); }), result);
     }
     return result;
   }
 
  private:
-  InitialPatch with_outcomes(const InitialPatch& initial) const {
-    if (!initial.outcomes.empty()) return initial;
-    InitialPatch known = initial;
-    known.outcomes = make_initial_patch(scan_.model, initial.loops, options_.initial, cancel_).outcomes;
-    return known;
-  }
-
-  /// Loops that ask for one treatment, as far as the options leave that to the boundary data.
-  std::vector<std::vector<int>> parts_of(const InitialPatch& initial) const {
-    std::vector<int> all(initial.loops.size());
-    std::iota(all.begin(), all.end(), 0);
-    std::vector<std::vector<int>> parts{all};
-    if (options_.evolution && is_judged(*options_.evolution))
-      guarded(initial.loops, [&] {  // where that cannot be told, all loops stay together
-        parts = groups_alike(scan_.model, initial);
-        return GroupResult{};
-      });
-    return parts;
-  }
-
   /// Jointly; where that spoils one of the loops, each by itself.
   GroupResult part(const InitialPatch& initial) const {
     GroupResult joint = jointly(initial);
@@ -110,13 +84,15 @@ class GroupSolver {
     GroupResult single = failed_group(initial.loops, "");
     for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
       put(guarded({initial.loops[k]}, [&] { return jointly(part_of(scan_.model, initial, {k}, options_.initial)); }),
-          {k}, single);
+          single);
     return single;
   }
 
-  static void put(GroupResult from, const std::vector<int>& members, GroupResult& result) {
+  static void put(GroupResult from, GroupResult& result) {
     for (auto& patch : from.patches) result.patches.push_back(std::move(patch));
-    for (std::size_t k = 0; k < members.size(); ++k) result.holes[members[k]] = std::move(from.holes[k]);
+    for (HoleResult& hole : from.holes)
+      *std::find_if(result.holes.begin(), result.holes.end(),
+                    [&](const HoleResult& h) { return h.loop.number == hole.loop.number; }) = std::move(hole);
   }
 
   GroupResult jointly(const InitialPatch& initial) const {
@@ -253,6 +229,30 @@ HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::st
   result.status = status;
   result.message = why;
   return result;
+}
+
+std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
+                                      const CancelToken& cancel) {
+  const bool whole = initial.loops.size() == 1 || initial.origin == InitialPatch::Origin::evolved ||
+                     initial.alike == InitialPatch::Alike::known;
+  if (whole) return {initial};
+  InitialPatch known = initial;
+  if (known.outcomes.empty())
+    known.outcomes = make_initial_patch(scan.model, initial.loops, options.initial, cancel).outcomes;
+  std::vector<InitialPatch> parts;
+  if (options.evolution && is_judged(*options.evolution)) {
+    try {
+      const std::vector<std::vector<int>> groups = groups_alike(scan.model, known);
+      if (groups.size() > 1)
+        for (const std::vector<int>& members : groups)
+          parts.push_back(part_of(scan.model, known, members, options.initial));
+    } catch (const std::exception&) {  // where it cannot be told, all loops stay together
+      parts.clear();
+    }
+  }
+  if (parts.empty()) parts.push_back(std::move(known));
+  for (InitialPatch& part : parts) part.alike = InitialPatch::Alike::known;
+  return parts;
 }
 
 GroupResult solve_group(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,

@@ -65,6 +65,11 @@ struct GroupOptions {
   std::optional<EvolutionOptions> evolution = EvolutionOptions{};  ///< empty: leave the initial patch
 };
 
+/// The group in parts whose holes ask for the same treatment of the boundary data: what solve_group() solves one after another.
+/// @returns the group alone where there is one part only.
+std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
+                                      const CancelToken& cancel);
+
 /// Holes that ask for the same treatment of the boundary data are solved jointly; where that leaves one of them open, out of
 /// proportion or with the initial patch, each by itself. What goes wrong in one hole leaves the others alone.
 /// @param initial  with more than one loop and no outcomes, these are made again.

@@ -3243,6 +3243,17 @@
             <source>A crease at the seam? Discard, then Trim.</source>
             <translation>Ein Knick an der Naht? Verwerfen, dann Beschneiden.</translation>
         </message>
+        <message numerus="yes">
+            <source>Stitch %n crack(s)</source>
+            <translation>
+                <numerusform>%n Riss vernähen</numerusform>
+                <numerusform>%n Risse vernähen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Stitch</source>
+            <translation>Vernähen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillController</name>
@@ -3588,6 +3599,10 @@
         <message>
             <source>, %1 s.</source>
             <translation>, %1 s.</translation>
+        </message>
+        <message>
+            <source>%1 ask for different smoothing, so that they become %2 patches.</source>
+            <translation>%1 verlangen verschiedene Glättung und werden darum %2 Flicken.</translation>
         </message>
     </context>
     <context>
@@ -4413,6 +4428,17 @@
         <message>
             <source>Scene</source>
             <translation>Szene</translation>
+        </message>
+        <message numerus="yes">
+            <source>Stitc&amp;h %n crack(s)</source>
+            <translation>
+                <numerusform>%n Riss vernä&amp;hen</numerusform>
+                <numerusform>%n Risse vernä&amp;hen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Stitc&amp;h cracks</source>
+            <translation>Risse &amp;vernähen</translation>
         </message>
     </context>
     <context>

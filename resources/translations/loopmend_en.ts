@@ -47,6 +47,13 @@
                 <numerusform>%n cuts: press Repair….</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>Stitch %n crack(s)</source>
+            <translation>
+                <numerusform>Stitch %n crack</numerusform>
+                <numerusform>Stitch %n cracks</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillController</name>
@@ -149,6 +156,16 @@
             <translation>
                 <numerusform>%n hole, %1 open</numerusform>
                 <numerusform>%n holes, %1 open</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>loopmend::MainWindow</name>
+        <message numerus="yes">
+            <source>Stitc&amp;h %n crack(s)</source>
+            <translation>
+                <numerusform>Stitc&amp;h %n crack</numerusform>
+                <numerusform>Stitc&amp;h %n cracks</numerusform>
             </translation>
         </message>
     </context>

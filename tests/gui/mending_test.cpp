@@ -228,6 +228,7 @@ void MendingTest::dragon_is_stitched_watertight() {
   };
   QCOMPARE(loops_that_are(LoopKind::crack), 407);
   QCOMPARE(part<QLabel>(window, "fillEstimate")->text(), QStringLiteral("407 cracks: press Stitch."));
+  QCOMPARE(part<QAction>(window, "stitchAction")->text(), QStringLiteral("Stitc&h 407 cracks"));
   QVERIFY(verdict_is_known(window));
   QCOMPARE(verdict(window), QStringLiteral("Watertight but for 407 cracks: press Stitch"));
   press(window, "stitch");

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 
 using namespace loopmend;
 using namespace loopmend::testing;
@@ -34,6 +35,18 @@ QString write_obstructed_sphere(const QString& path) {
     for (double z : {0.95, 1.8}) plate.points.emplace_back(x, 0, z);  // too large for a crumb
   plate.triangles = {{0, 2, 1}, {1, 2, 3}};
   write_mesh(path.toStdString(), joined({sphere, plate}));
+  return path;
+}
+
+/// A noisy unit sphere with two neighbouring holes: one problem whose holes the engine solves apart.
+QString write_noisy_sphere(const QString& path) {
+  const Vec3 one = Vec3::UnitZ(), other = Vec3(std::sin(0.95), 0, std::cos(0.95));
+  TriangleSoup sphere = cut(make_icosphere(4),
+                            [&](const Vec3& p) { return p.dot(one) > std::cos(0.4) || p.dot(other) > std::cos(0.35); });
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.004);
+  for (Vec3& p : sphere.points) p *= 1 + noise(random);
+  write_mesh(path.toStdString(), sphere);
   return path;
 }
 
@@ -76,6 +89,7 @@ class SameBitsTest : public QObject {
 
  private Q_SLOTS:
   void where_the_flow_must_give_way();
+  void holes_solved_apart_are_watched();
   void window_and_command_line_give_the_same_bits_data();
   void window_and_command_line_give_the_same_bits();
 
@@ -112,6 +126,59 @@ void SameBitsTest::where_the_flow_must_give_way() {
       "window and command line do not give the same vertices");
   key(window, Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(document.patches().size(), std::size_t(1));
+}
+
+/// Holes of one patch that the engine solves apart are patches of their own from the first step on.
+void SameBitsTest::holes_solved_apart_are_watched() {
+  const QString scan = write_noisy_sphere(folder_.filePath(QStringLiteral("noisy.ply")));
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  const PatchStatePtr together = document.patches().front().state;
+  press(window, "run");
+  QVERIFY(wait_until([&] { return document.patch_of(0)->state->steps >= 2; }));
+  QVERIFY(window.controller().busy());
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  QVERIFY(document.patch_of(0)->timeline->size() >= 3);
+  press(window, "run");  // again: pause
+  QVERIFY(wait_idle(window));
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  QVERIFY(document.patch_of(0)->state->steps >= 2);
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  QCOMPARE(document.patches().front().state, together);
+  // Given up before the first step: nothing is divided.
+  press(window, "run");
+  QVERIFY(window.controller().busy());
+  window.controller().cancel();
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  QCOMPARE(document.patches().front().state, together);
+
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 240));
+  QCOMPARE(document.patches().size(), std::size_t(2));
+  for (const OpenPatch& patch : document.patches()) {
+    QVERIFY(is_filled(patch.state->status));
+    QCOMPARE(patch.timeline->back(), patch.state);
+    QVERIFY(patch.timeline->size() > 2);
+  }
+  const QString by_hand = folder_.filePath(QStringLiteral("apart-by-hand.ply"));
+  window.controller().export_to(by_hand);
+  QVERIFY(wait_idle(window));
+  const QString by_script = folder_.filePath(QStringLiteral("apart-by-script.ply"));
+  QProcess program;
+  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
+  QVERIFY(program.waitForFinished(120000));
+  QFile ours(by_hand), theirs(by_script);
+  QVERIFY(ours.open(QIODevice::ReadOnly) && theirs.open(QIODevice::ReadOnly));
+  QVERIFY2(ours.readAll() == theirs.readAll(), "the window's file is not the command's");
+  key(window, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  key(window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QCOMPARE(document.patches().size(), std::size_t(2));
 }
 
 void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
