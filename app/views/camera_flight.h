@@ -30,6 +30,7 @@ class CameraFlight : public QObject {
   explicit CameraFlight(QObject* parent);
   void start(vtkCamera* camera, const CameraPose& goal, std::function<void()> redraw);
   void stop();
+  bool is_flying() const { return timer_.isActive(); }
 
  private:
   void advance();

@@ -76,6 +76,7 @@ class MeshView : public QWidget {
   void frame();
   /// Turns and moves until the loop is seen from above. What hides it is shown.
   void fly_to(int loop);
+  bool is_flying() const;
 
   /// As seen, without overlay, in device pixels.
   QImage picture() const;

@@ -335,6 +335,8 @@ void MeshView::fly_to(int loop) {
 
 QImage MeshView::picture() const { return impl_->canvas->grabFramebuffer(); }
 
+bool MeshView::is_flying() const { return impl_->flight->is_flying(); }
+
 bool MeshView::is_rough() const { return impl_->scene.is_rough(); }
 
 QImage MeshView::picture(const PictureOptions& options) {

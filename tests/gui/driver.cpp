@@ -121,6 +121,13 @@ bool wait_idle(MainWindow& window, double seconds) {
   return wait_until([&] { return !window.controller().busy(); }, seconds);
 }
 
+bool fly(MainWindow& window, int loop) {
+  window.view().fly_to(loop);
+  const bool there = wait_until([&] { return !window.view().is_flying(); });
+  settle();
+  return there;
+}
+
 void settle(int milliseconds) { QTest::qWait(milliseconds); }
 
 void press(MainWindow& window, const char* button) {

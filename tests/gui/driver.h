@@ -21,6 +21,8 @@ void settle_application();
 /// Runs the event loop until `holds`, at most `seconds`. @returns whether it holds.
 bool wait_until(const std::function<bool()>& holds, double seconds = 60);
 bool wait_idle(MainWindow& window, double seconds = 120);
+/// Flies to a loop and waits until the camera is there.
+bool fly(MainWindow& window, int loop);
 /// Lets drawing catch up.
 void settle(int milliseconds = 120);
 

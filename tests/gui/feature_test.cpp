@@ -147,8 +147,7 @@ void FeatureTest::a_kept_picture_is_the_whole_picture() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
   const int hole = first_hole(window.document());
-  window.view().fly_to(hole);
-  settle(1200);
+  QVERIFY(fly(window, hole));
   press(window, "fill");
   QVERIFY(wait_idle(window));
   window.selection().select({hole});

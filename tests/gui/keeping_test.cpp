@@ -243,8 +243,7 @@ void KeepingTest::a_session_is_looked_at_as_before() {
     key(window, Qt::Key_4);
     key(window, Qt::Key_W);
     key(window, Qt::Key_M);
-    window.view().fly_to(hole);
-    settle(900);
+    QVERIFY(fly(window, hole));
     window.controller().save_session(path);
     QVERIFY(wait_idle(window));
     from = window.view().viewpoint();

@@ -113,8 +113,7 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
   QVERIFY(wait_idle(window));
   const PatchStatePtr round = document.patch_of(1)->state;
   window.view().look_from(NamedView::front);
-  window.view().fly_to(0);
-  settle(900);
+  QVERIFY(fly(window, 0));
   // It is found by a right click on the hole.
   QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, visible_point(window, 0));
   QAction* offered = window.findChild<QAction*>(QStringLiteral("toolFillPartAction"));
@@ -173,8 +172,7 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
 void PartsTest::ctrl_fills_the_longer_part() {
   Shown shown({file("longer.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }))});
   MainWindow& window = shown.window;
-  window.view().fly_to(0);
-  settle(900);
+  QVERIFY(fly(window, 0));
   key(window, Qt::Key_G, Qt::ShiftModifier);
   QVERIFY(window.tools().panel()->tool() == Tool::fill_part);
   const int left = extreme_point(window, 0, {-1, 0.7, 0}), right = extreme_point(window, 0, {1, 0.7, 0});
@@ -237,8 +235,7 @@ void PartsTest::the_brush_trims_a_boundary() {
   window.selection().select({1});
   press(window, "fill");
   QVERIFY(wait_idle(window));
-  window.view().fly_to(0);
-  settle(900);
+  QVERIFY(fly(window, 0));
   key(window, Qt::Key_R);
   part<QSlider>(window, "regionRadius")->setValue(40);
   settle(300);  // the dock takes its place
@@ -280,8 +277,7 @@ void PartsTest::erasing_takes_in_the_patch_that_it_meets() {
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window));
   QCOMPARE(document.patches().size(), std::size_t(2));
-  window.view().fly_to(1);
-  settle(900);
+  QVERIFY(fly(window, 1));
   key(window, Qt::Key_R);
   const Vec3 middle = document.loop(1).center.normalized();
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, on_canvas(window, middle));

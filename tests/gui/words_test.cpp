@@ -290,8 +290,7 @@ void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
   const int hole = first_hole(window.document());
-  window.view().fly_to(hole);
-  settle(900);
+  QVERIFY(fly(window, hole));
   const QPoint at = visible_point(window, hole);
   QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, at);
   // One that was closed is deleted a little later.
