@@ -31,8 +31,8 @@ class LimitError : public Error {
 
 /// What is said of the loops of a mesh with very many: counts and the largest, or each.
 enum class Detail { summary, all };
-inline constexpr std::size_t most_loops_in_full = 50;  ///< of more there is a summary
-inline constexpr std::size_t largest_loops = 10;       ///< in a summary
+inline constexpr std::size_t most_loops_in_full = 50;      ///< of more there is a summary
+inline constexpr std::size_t largest_loops = 10;           ///< in a summary
 inline constexpr std::size_t most_loops_in_report = 1000;  ///< with all their figures, in JSON; of others the main ones
 
 /// Whether it is told if the surface could be printed.
@@ -61,8 +61,10 @@ struct FillCommand {
   enum class Repair { no, manifold, cut_intersections } repair = Repair::no;
   std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid first
   int trim_rounds = 0;                       ///< rings of bad boundary triangles to be removed first, 0..100
-  std::string report;                        ///< file or "-"; empty: none
-  std::optional<double> max_seconds;         ///< for the whole command, above 0
+  /// Without rings: boundary triangles that run through the surface, so that their hole could not be filled, are removed first.
+  enum class TrimPierced { no, yes } trim_pierced = TrimPierced::no;
+  std::string report;                   ///< file or "-"; empty: none
+  std::optional<double> max_seconds;    ///< for the whole command, above 0
   std::optional<double> max_memory_mb;  ///< of the whole process, above 0; without: nine tenths of what is available
   enum class WhenStopped { discard, keep_finished } when_stopped = WhenStopped::discard;  ///< by a signal
   enum class Content { surface, patches } content = Content::surface;                     ///< what is written

@@ -81,7 +81,8 @@ void add_info(CLI::App& app, InfoCommand& command) {
 /// Options whose types need a word-to-value table or a lambda.
 struct FillWords {
   FlowWords flow;
-  bool include_outer_rim = false, stitch = false, repair = false, cut_intersections = false, keep_partial = false;
+  bool include_outer_rim = false, stitch = false, trim_crossing = false, repair = false, cut_intersections = false,
+       keep_partial = false;
   std::vector<std::string> bridges;  ///< "A,B"
   std::string islands = "join", texture = "grain", materials = "copy";
 };
@@ -128,6 +129,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
                    "to ten of those that cross the surface")
       ->check(between(0, 100))
       ->type_name("N");
+  fill->add_flag("--trim-crossing", words.trim_crossing,
+                 "First remove the boundary triangles that run through the surface where no patch could be valid, and "
+                 "nothing else");
   fill->add_option("--texture", words.texture,
                    "Texture of patches in a scan with a texture (OBJ, PLY): like the scan's, smooth colours, or none")
       ->check(CLI::IsMember({"grain", "smooth", "none"}))
@@ -185,6 +189,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
   if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
   if (words.stitch) command.stitch = FillCommand::Stitch::yes;
+  if (words.trim_crossing) command.trim_pierced = FillCommand::TrimPierced::yes;
   if (words.repair) command.repair = FillCommand::Repair::manifold;
   if (words.cut_intersections) command.repair = FillCommand::Repair::cut_intersections;
   for (const std::string& text : words.bridges) command.bridges.push_back(bridge_ends(text));

@@ -17,6 +17,10 @@ namespace loopmend {
 
 namespace {
 
+bool trims(const FillCommand& command) {
+  return command.trim_rounds > 0 || command.trim_pierced == FillCommand::TrimPierced::yes;
+}
+
 /// @param a, b  vertices of the mesh as it was read.
 TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
   const std::string name = "bridge (" + std::to_string(a) + ", " + std::to_string(b) + "): ";
@@ -54,13 +58,17 @@ void prepare(PreparedScan& scan, const FillCommand& command) {
   }
 }
 
-/// Choices among the loops of a trimmed scan: what grew out of those chosen before.
+/// Choices among the loops of a trimmed scan: what grew out of those chosen before. The rim of a crumb that only touches one of
+/// these is not chosen for that.
 std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loops,
+                                           const std::vector<BoundaryLoop>& chosen,
                                            const std::vector<BoundaryLoop>& grown, const FillCommand& command) {
   const bool named = command.loops != "all" || command.at_vertices;
+  const bool rims = std::any_of(chosen.begin(), chosen.end(),
+                                [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; });
   std::vector<LoopChoice> choices(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const bool can_be_filled = loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim;
+    const bool can_be_filled = loops[k].kind == LoopKind::hole || (rims && loops[k].kind == LoopKind::outer_rim);
     choices[k].fill = can_be_filled && std::any_of(grown.begin(), grown.end(), [&](const BoundaryLoop& loop) {
                         return loop.number == loops[k].number;
                       });
@@ -73,7 +81,9 @@ std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loop
 
 /// Trims the boundaries of the loops that are to be filled, and chooses anew: what grew out of them.
 void trim(PreparedScan& scan, const FillCommand& command) {
-  TrimmedModel trimmed = trim_rim(scan.model, scan.chosen(), command.trim_rounds);
+  const std::vector<BoundaryLoop> chosen = scan.chosen();
+  TrimmedModel trimmed =
+      command.trim_rounds > 0 ? trim_rim(scan.model, chosen, command.trim_rounds) : trim_pierced(scan.model, chosen);
   scan.trimmed = std::move(trimmed.removed);
   scan.to_trim = trimmed.loops;
   if (scan.trimmed.empty()) return;
@@ -92,7 +102,7 @@ void trim(PreparedScan& scan, const FillCommand& command) {
   trimmed.model.repairs.reoriented_faces = turned.size();
   scan.model = std::move(trimmed.model);
   scan.loops = find_boundary_loops(scan.model);
-  scan.choices = choices_after_trim(scan.loops, trimmed.loops, command);
+  scan.choices = choices_after_trim(scan.loops, chosen, trimmed.loops, command);
 }
 
 }  // namespace
@@ -106,7 +116,7 @@ std::vector<BoundaryLoop> PreparedScan::chosen() const {
 
 bool needs_whole_view(const FillCommand& command) {
   return command.stitch == FillCommand::Stitch::yes || command.repair != FillCommand::Repair::no ||
-         !command.bridges.empty() || command.trim_rounds > 0;
+         !command.bridges.empty() || trims(command);
 }
 
 PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command) {
@@ -121,7 +131,7 @@ PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillComm
     scan.choices = choose_loops(scan.model, scan.loops, command);
   }
   scan.to_trim = scan.chosen();
-  if (command.trim_rounds > 0) trim(scan, command);
+  if (trims(command)) trim(scan, command);
   return scan;
 }
 

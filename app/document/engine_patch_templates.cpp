@@ -73,7 +73,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("the loops cannot be joined as they lie")},
       {QT_TR_NOOP("%1 boundary edge intersects the surface, so that no valid patch exists")},
       {QT_TR_NOOP("%1 boundary edges intersect the surface, so that no valid patch exists")},
-      {QT_TR_NOOP("press Trim in the tab Patch"), "trim the boundary (--trim-boundary 3)"},
+      {QT_TR_NOOP("Trim crossing triangles in the menu Patch may help"), "remove what crosses (--trim-crossing)"},
       {QT_TR_NOOP("its patch would cut that of loop %1")},
       {QT_TR_NOOP("Blend in the tab Tools joins the two by one surface"),
        "'loopmend blend --loops %1' joins the two by one surface"},

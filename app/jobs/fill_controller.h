@@ -35,12 +35,13 @@ enum class OpenMode {
 
 /// What is done to a scan before it is filled, as by the options of `loopmend fill`.
 enum class Mending {
-  trim,    ///< --trim-boundary 3: bad triangles at the boundaries of these holes are removed
-  stitch,  ///< --stitch: boundaries that nearly coincide are zipped, all over the scan
-  repair,  ///< --repair: the scan becomes an oriented manifold
-  bridge,  ///< --bridge A,B: a strip parts a hole into two, or joins two
-  erase,   ///< faces that were painted go
-  part,    ///< what hangs at a boundary by a vertex alone becomes an island
+  trim,           ///< --trim-boundary 3: bad triangles at the boundaries of these holes are removed
+  trim_crossing,  ///< --trim-crossing: there, only those that run through the surface
+  stitch,         ///< --stitch: boundaries that nearly coincide are zipped, all over the scan
+  repair,         ///< --repair: the scan becomes an oriented manifold
+  bridge,         ///< --bridge A,B: a strip parts a hole into two, or joins two
+  erase,          ///< faces that were painted go
+  part,           ///< what hangs at a boundary by a vertex alone becomes an island
 };
 
 struct MendedScan;

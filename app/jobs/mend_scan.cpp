@@ -30,6 +30,20 @@ std::optional<MendedScan> trimmed(const MendingTask& task) {
                     FillController::tr("Trim the boundaries of %1").arg(old.name), words, NewPoints{}};
 }
 
+std::optional<MendedScan> trimmed_where_it_crosses(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  TrimmedModel result = trim_pierced(*old.model, task.loops);
+  if (result.removed.empty()) return std::nullopt;
+  const int count = static_cast<int>(result.removed.size());
+  return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
+                    FillController::tr("Trim crossing triangles of %1").arg(old.name),
+                    FillController::tr("%1: %n triangle(s) that ran through the surface were removed at the "
+                                       "boundaries; Ctrl+Z brings them back.",
+                                       nullptr, count)
+                        .arg(old.name),
+                    NewPoints{}};
+}
+
 std::optional<MendedScan> stitched(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
   StitchedSurface result = stitch_boundaries(*old.model);
@@ -169,6 +183,7 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
   std::optional<MendedScan> result;
   switch (what) {
     case Mending::trim: result = trimmed(task); break;
+    case Mending::trim_crossing: result = trimmed_where_it_crosses(task); break;
     case Mending::stitch: result = stitched(task); break;
     case Mending::repair: result = repaired(task); break;
     case Mending::bridge: result = bridged(task); break;
@@ -185,6 +200,7 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
 QString nothing_to_mend(Mending what) {
   switch (what) {
     case Mending::trim: return FillController::tr("There are no bad triangles at these boundaries.");
+    case Mending::trim_crossing: return FillController::tr("No edge of these boundaries runs through the surface.");
     case Mending::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
     case Mending::repair: return FillController::tr("There is nothing to repair.");
     case Mending::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
@@ -197,6 +213,7 @@ QString nothing_to_mend(Mending what) {
 QString mending_title(Mending what) {
   switch (what) {
     case Mending::trim: return FillController::tr("Trimming boundaries");
+    case Mending::trim_crossing: return FillController::tr("Trimming crossing triangles");
     case Mending::stitch: return FillController::tr("Stitching boundaries");
     case Mending::repair: return FillController::tr("Repairing the scan");
     case Mending::bridge: return FillController::tr("Bridging a hole");

@@ -102,7 +102,9 @@ void MainWindow::connect_patch_actions() {
   const WindowActions& a = *actions_;
   a.on("fillAction", &patch_->fill_box(), [box = &patch_->fill_box()] { box->fill_and_smooth(); });
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
-  for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim}, {"stitchAction", Mending::stitch}})
+  for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim},
+                                   {"trimCrossingAction", Mending::trim_crossing},
+                                   {"stitchAction", Mending::stitch}})
     a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
   a.on("eraseRingAction", this, [this] { controller_.mend(Mending::erase, selection_.selected()); });
   a.on("partAction", this, [this] { controller_.mend(Mending::part, selection_.selected()); });
@@ -187,6 +189,7 @@ void MainWindow::update_actions() {
   follow("fillAction", "fillAndSmooth");
   follow("initialAction", "fill");
   follow("trimAction", "trim");
+  follow("trimCrossingAction", "trim");
   follow("stitchAction", "stitch");
   const int cracks = cracks_left(document_);
   a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %n crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));

@@ -117,6 +117,11 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Remove bad triangles at the boundaries of the selected holes, or of all"),
      "", nullptr},
+    {"trimCrossingAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Trim crossin&g triangles"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "At the boundaries of the selected holes, or of all, remove only the triangles that run through "
+                       "the surface: no patch could be valid there"),
+     "", nullptr},
     {"eraseRingAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Erase a ring of faces"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Widen the selected holes by one ring of faces, where they are ragged; once more for another"),
@@ -201,8 +206,8 @@ QMenu* WindowActions::make_hole_menu() {
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const char* name : {"fillAction", "initialAction", "runAction", "-", "toolFillPartAction", "-", "trimAction",
-                           "eraseRingAction", "stitchAction", "repairAction", "toolBridgeAction", "partAction", "-",
-                           "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
+                           "trimCrossingAction", "eraseRingAction", "stitchAction", "repairAction", "toolBridgeAction",
+                           "partAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
     if (*name == '-')
       menu->addSeparator();
     else
@@ -240,9 +245,26 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                     "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",      "-",          "hidePiece",
                     "isolatePiece", "showPieces", "-",          "probe",        "-"});
   view->addActions(docks);
-  add_menu(tr("&Patch"), {"fillAction", "initialAction", "-", "trimAction", "eraseRingAction", "stitchAction",
-                          "partAction", "repairAction", "-", "runAction", "stepAction", "-", "compare", "-",
-                          "acceptAction", "rejectAction", "copyAction", "-", "cancelAction"});
+  add_menu(tr("&Patch"), {"fillAction",
+                          "initialAction",
+                          "-",
+                          "trimAction",
+                          "trimCrossingAction",
+                          "eraseRingAction",
+                          "stitchAction",
+                          "partAction",
+                          "repairAction",
+                          "-",
+                          "runAction",
+                          "stepAction",
+                          "-",
+                          "compare",
+                          "-",
+                          "acceptAction",
+                          "rejectAction",
+                          "copyAction",
+                          "-",
+                          "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
                           "toolFillPartAction", "-", "toolMeasureAction"});
   add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});

@@ -354,4 +354,19 @@ std::vector<int> TriangleIndex::near(const Vec3& low, const Vec3& high) const {
   return found;
 }
 
+bool runs_through(const Points& points, const Triangles& triangles, const TriangleIndex& index, const Vec3& p,
+                  const Vec3& q) {
+  if (p == q) return false;
+  const auto exact = [](const Vec3& v) { return Kernel::Point_3(v.x(), v.y(), v.z()); };
+  const Kernel::Segment_3 edge(exact(p), exact(q));
+  const std::vector<int> near = index.near(p.cwiseMin(q), p.cwiseMax(q));
+  return std::any_of(near.begin(), near.end(), [&](int f) {
+    const Triangle& t = triangles[f];
+    // A corner in the same place, as along a seam, is a common one.
+    if (std::any_of(t.begin(), t.end(), [&](int v) { return points[v] == p || points[v] == q; })) return false;
+    const Kernel::Triangle_3 face(exact(points[t[0]]), exact(points[t[1]]), exact(points[t[2]]));
+    return !face.is_degenerate() && CGAL::do_intersect(edge, face);
+  });
+}
+
 }  // namespace loopmend

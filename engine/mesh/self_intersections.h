@@ -41,4 +41,9 @@ class TriangleIndex {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Whether the segment from p to q meets a triangle that has no corner in the place of either.
+/// @param index  of these points and triangles
+bool runs_through(const Points& points, const Triangles& triangles, const TriangleIndex& index, const Vec3& p,
+                  const Vec3& q);
+
 }  // namespace loopmend

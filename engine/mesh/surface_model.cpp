@@ -271,4 +271,13 @@ void append_patch(SurfaceModel& model, const PatchGeometry& patch) {
     if (fan_count(model.mesh, VertexHandle(v)) > 1) link_fans(model.mesh, VertexHandle(v));
 }
 
+std::vector<int> triangles_outside(const SurfaceModel& model) {
+  std::vector<char> is_inside(model.soup.triangles.size(), 0);
+  for_each_soup_triangle(model, [&](int f) { is_inside[f] = 1; });
+  std::vector<int> outside;
+  for (std::size_t f = 0; f < is_inside.size(); ++f)
+    if (!is_inside[f]) outside.push_back(static_cast<int>(f));
+  return outside;
+}
+
 }  // namespace loopmend

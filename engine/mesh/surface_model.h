@@ -85,6 +85,9 @@ void for_each_soup_triangle(const SurfaceModel& model, const Visit& visit) {
       visit(f);
 }
 
+/// Soup triangles that are no part of the surface; ascending.
+std::vector<int> triangles_outside(const SurfaceModel& model);
+
 /// A triangulation that fits into one or more boundary loops of a model, ready to be pasted.
 struct PatchGeometry {
   std::vector<int> rim;  ///< view vertices that the patch shares with the model; patch vertex i < #rim is rim[i]

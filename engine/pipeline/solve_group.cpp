@@ -220,7 +220,7 @@ std::string why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop)
   const int pierced = pierced_edges(scan, loop);
   if (pierced == 0) return "";
   return std::to_string(pierced) + (pierced == 1 ? " boundary edge intersects" : " boundary edges intersect") +
-         " the surface, so that no valid patch exists: left open; trim the boundary (--trim-boundary 3)";
+         " the surface, so that no valid patch exists: left open; remove what crosses (--trim-crossing)";
 }
 
 HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why) {

@@ -3,8 +3,6 @@
 
 #include "mesh/quality.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/intersections.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -16,8 +14,6 @@
 namespace loopmend {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// As cuts_of(), each pair within the patch once.
 std::vector<std::pair<int, int>> cuts(const ScanIndex& scan, const PatchGeometry& patch,
@@ -59,23 +55,11 @@ std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& pa
   return count;
 }
 
-/// Soup triangles that are no part of the surface.
-std::vector<int> outside_the_surface(const SurfaceModel& model) {
-  std::vector<char> is_inside(model.soup.triangles.size(), 0);
-  for_each_soup_triangle(model, [&](int f) { is_inside[f] = 1; });
-  std::vector<int> outside;
-  for (std::size_t f = 0; f < is_inside.size(); ++f)
-    if (!is_inside[f]) outside.push_back(static_cast<int>(f));
-  return outside;
-}
-
-Kernel::Point_3 exact(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
 }  // namespace
 
 ScanIndex::ScanIndex(const SurfaceModel& surface)
     : model(surface),
-      index(surface.soup.points, surface.soup.triangles, outside_the_surface(surface)) {}
+      index(surface.soup.points, surface.soup.triangles, triangles_outside(surface)) {}
 
 std::vector<std::pair<int, int>> cuts_of(const ScanIndex& scan, const Patch& patch) {
   return cuts(scan, patch_geometry(patch), [](int, int) {});
@@ -138,21 +122,8 @@ int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop) {
   const auto place = [&](std::size_t k) -> const Vec3& {
     return soup.points[scan.model.soup_vertex[loop.vertices[k % loop.vertices.size()]]];
   };
-  for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
-    const Vec3 &p = place(k), &q = place(k + 1);
-    if (p == q) continue;
-    const Kernel::Segment_3 edge(exact(p), exact(q));
-    const std::vector<int> near = scan.index.near(p.cwiseMin(q), p.cwiseMax(q));
-    count += std::any_of(near.begin(), near.end(), [&](int f) {
-      const Triangle& t = soup.triangles[f];
-      // A corner in the same place, as along a seam, is a common one.
-      const bool beside =
-          std::any_of(t.begin(), t.end(), [&](int v) { return soup.points[v] == p || soup.points[v] == q; });
-      if (beside) return false;
-      const Kernel::Triangle_3 face(exact(soup.points[t[0]]), exact(soup.points[t[1]]), exact(soup.points[t[2]]));
-      return !face.is_degenerate() && CGAL::do_intersect(edge, face);
-    });
-  }
+  for (std::size_t k = 0; k < loop.vertices.size(); ++k)
+    count += runs_through(soup.points, soup.triangles, scan.index, place(k), place(k + 1));
   return count;
 }
 

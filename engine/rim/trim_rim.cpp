@@ -61,19 +61,26 @@ std::vector<int> spike_at(const SurfaceModel& model, int view_vertex) {
   return stands ? fan : std::vector<int>{};
 }
 
+/// View faces with this edge.
+std::vector<int> faces_at(const SurfaceModel& model, int from, int to) {
+  std::vector<int> faces;
+  const auto edge = model.mesh.find_halfedge(TriMesh::VertexHandle(from), TriMesh::VertexHandle(to));
+  if (!edge.is_valid()) return faces;
+  for (const auto half : {edge, model.mesh.opposite_halfedge_handle(edge)}) {
+    const auto face = model.mesh.face_handle(half);
+    if (face.is_valid()) faces.push_back(face.idx());
+  }
+  return faces;
+}
+
 /// View faces with an edge on one of the loops that are holes.
 std::set<int> rim_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   std::set<int> faces;
   for (const BoundaryLoop& loop : loops) {
     if (loop.kind != LoopKind::hole) continue;
     for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
-      const TriMesh::VertexHandle from(loop.vertices[k]), to(loop.vertices[(k + 1) % loop.vertices.size()]);
-      const auto edge = model.mesh.find_halfedge(from, to);
-      if (!edge.is_valid()) continue;
-      for (const auto half : {edge, model.mesh.opposite_halfedge_handle(edge)}) {
-        const auto face = model.mesh.face_handle(half);
-        if (face.is_valid()) faces.insert(face.idx());
-      }
+      const std::vector<int> at = faces_at(model, loop.vertices[k], loop.vertices[(k + 1) % loop.vertices.size()]);
+      faces.insert(at.begin(), at.end());
     }
   }
   return faces;
@@ -121,6 +128,7 @@ const char* to_string(RimFault fault) {
     case RimFault::spike: return "spike";
     case RimFault::flipped: return "flipped";
     case RimFault::crossing: return "crossing";
+    case RimFault::crumb: return "crumb";
   }
   return "";
 }
@@ -151,48 +159,130 @@ void add_crossing_faces(const SurfaceModel& model, const std::vector<BoundaryLoo
   }
 }
 
+/// Faces whose edge on one of the loops that are holes runs through the surface, by rising number.
+std::vector<BadRimFace> pierced_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::set<int> faces;
+  const TriangleSoup& soup = model.soup;
+  const TriangleIndex index(soup.points, soup.triangles, triangles_outside(model));
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.kind != LoopKind::hole) continue;
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+      const int from = loop.vertices[k], to = loop.vertices[(k + 1) % loop.vertices.size()];
+      const Vec3 &p = soup.points[model.soup_vertex[from]], &q = soup.points[model.soup_vertex[to]];
+      if (!runs_through(soup.points, soup.triangles, index, p, q)) continue;
+      for (int f : faces_at(model, from, to)) faces.insert(model.soup_face[f]);
+    }
+  }
+  std::vector<BadRimFace> bad;
+  for (int f : faces) bad.push_back({f, RimFault::crossing, 1});
+  return bad;
+}
+
+/// Triangles of pieces of at most two that have one of these soup points: what trimming has cut off. Not the whole mesh.
+std::vector<BadRimFace> crumbs_at(const SurfaceModel& model, const std::set<int>& points) {
+  std::set<int> faces;
+  const auto beside = [&](int f) {
+    std::vector<int> others;
+    for (const auto g : model.mesh.ff_range(TriMesh::FaceHandle(f))) others.push_back(g.idx());
+    return others;
+  };
+  for (const auto f : model.mesh.faces()) {
+    const Triangle& t = model.soup.triangles[model.soup_face[f.idx()]];
+    if (std::none_of(t.begin(), t.end(), [&](int v) { return points.contains(v); })) continue;
+    const std::vector<int> others = beside(f.idx());
+    const bool alone = others.empty() || (others.size() == 1 && beside(others.front()).size() == 1);
+    if (!alone) continue;
+    faces.insert(model.soup_face[f.idx()]);
+    for (int g : others) faces.insert(model.soup_face[g]);
+  }
+  std::vector<BadRimFace> crumbs;
+  if (faces.size() == model.soup.triangles.size()) return crumbs;
+  for (int f : faces) crumbs.push_back({f, RimFault::crumb, 1});
+  return crumbs;
+}
+
+/// A surface that loses triangles round by round.
+class Trimming {
+ public:
+  Trimming(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops)
+      : result_{model, {}, loops},
+        original_(model.soup.triangles.size()),
+        touched_(soup_vertices(model, loops)) {
+    std::iota(original_.begin(), original_.end(), 0);
+  }
+
+  const SurfaceModel& model() const { return result_.model; }
+  const std::vector<BoundaryLoop>& loops() const { return result_.loops; }
+
+  /// @param bad  by rising number
+  void remove(const std::vector<BadRimFace>& bad, int round) {
+    take(bad, round);
+    if (const std::vector<BadRimFace> crumbs = crumbs_at(result_.model, cut_); !crumbs.empty()) take(crumbs, round);
+    result_.loops.clear();
+    for (BoundaryLoop& loop : find_boundary_loops(result_.model))
+      if (std::any_of(loop.vertices.begin(), loop.vertices.end(),
+                      [&](int v) { return touched_.contains(result_.model.soup_vertex[v]); }))
+        result_.loops.push_back(std::move(loop));
+  }
+
+  TrimmedModel take_result() { return std::move(result_); }
+
+ private:
+  void take(const std::vector<BadRimFace>& bad, int round) {
+    TriangleSoup left = result_.model.soup;
+    left.triangles.clear();
+    std::vector<int> points(left.points.size()), stay, numbers;
+    std::iota(points.begin(), points.end(), 0);
+    auto next = bad.begin();
+    for (int f = 0; f < static_cast<int>(original_.size()); ++f) {
+      const Triangle& t = result_.model.soup.triangles[f];
+      if (next == bad.end() || next->face != f) {
+        left.triangles.push_back(t);
+        stay.push_back(f);
+        numbers.push_back(original_[f]);
+        continue;
+      }
+      result_.removed.push_back({original_[f], next->fault, round});
+      touched_.insert(t.begin(), t.end());
+      cut_.insert(t.begin(), t.end());
+      ++next;
+    }
+    if (left.triangles.empty()) throw InvalidArgument("trimming the boundary would leave no triangle");
+    copy_rows(result_.model.soup, points, stay, left);
+    original_ = std::move(numbers);
+    result_.model = make_surface_model(std::move(left));
+  }
+
+  TrimmedModel result_;
+  std::vector<int> original_;  ///< number of each triangle in the soup that was given
+  std::set<int> touched_;      ///< soup points of the loops and of removed triangles
+  std::set<int> cut_;          ///< those of removed triangles
+};
+
 }  // namespace
 
 TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
   if (rounds < 0 || rounds > 100)
     throw InvalidArgument("between 0 and 100 rings of a boundary can be trimmed, not " + std::to_string(rounds));
-  TrimmedModel result{model, {}, loops};
-  std::vector<int> original(model.soup.triangles.size());
-  std::iota(original.begin(), original.end(), 0);
-  std::set<int> touched = soup_vertices(model, loops);
+  Trimming trimming(model, loops);
   for (int round = 1; round <= (rounds > 0 ? std::max(rounds, rounds_for_crossings) : 0); ++round) {
     std::vector<BadRimFace> bad;
-    if (round <= rounds) bad = bad_rim_faces(result.model, result.loops);
-    add_crossing_faces(result.model, result.loops, bad);
+    if (round <= rounds) bad = bad_rim_faces(trimming.model(), trimming.loops());
+    add_crossing_faces(trimming.model(), trimming.loops(), bad);
     if (bad.empty()) break;
-    TriangleSoup left = result.model.soup;
-    left.triangles.clear();
-    std::vector<int> points(left.points.size()), stay, numbers;
-    std::iota(points.begin(), points.end(), 0);
-    auto next = bad.begin();
-    for (int f = 0; f < static_cast<int>(original.size()); ++f) {
-      const Triangle& t = result.model.soup.triangles[f];
-      if (next == bad.end() || next->face != f) {
-        left.triangles.push_back(t);
-        stay.push_back(f);
-        numbers.push_back(original[f]);
-        continue;
-      }
-      result.removed.push_back({original[f], next->fault, round});
-      touched.insert(t.begin(), t.end());
-      ++next;
-    }
-    if (left.triangles.empty()) throw InvalidArgument("trimming the boundary would leave no triangle");
-    copy_rows(result.model.soup, points, stay, left);
-    original = std::move(numbers);
-    result.model = make_surface_model(std::move(left));
-    result.loops.clear();
-    for (BoundaryLoop& loop : find_boundary_loops(result.model))
-      if (std::any_of(loop.vertices.begin(), loop.vertices.end(),
-                      [&](int v) { return touched.count(result.model.soup_vertex[v]) > 0; }))
-        result.loops.push_back(std::move(loop));
+    trimming.remove(bad, round);
   }
-  return result;
+  return trimming.take_result();
+}
+
+TrimmedModel trim_pierced(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  Trimming trimming(model, loops);
+  for (int round = 1; round <= rounds_for_crossings; ++round) {
+    const std::vector<BadRimFace> bad = pierced_faces(trimming.model(), trimming.loops());
+    if (bad.empty()) break;
+    trimming.remove(bad, round);
+  }
+  return trimming.take_result();
 }
 
 }  // namespace loopmend

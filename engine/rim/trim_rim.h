@@ -14,7 +14,8 @@ enum class RimFault {
   sliver,    ///< smallest angle under 5°
   spike,     ///< at a rim vertex all of whose triangles lean by more than 60° against what lies round about
   flipped,   ///< turned by more than 120° against some neighbour
-  crossing,  ///< cuts another triangle of the surface, so that every patch at its open edge would; found by trim_rim() alone
+  crossing,  ///< cuts another triangle of the surface, so that every patch at its open edge would; found by trimming alone
+  crumb,     ///< one of at most two triangles that trimming cut off from the rest
 };
 
 const char* to_string(RimFault fault);
@@ -39,5 +40,9 @@ struct TrimmedModel {
 /// those that cross up to ten times.
 /// @param rounds  0..100. @throws InvalidArgument if it is not, or if nothing would be left.
 TrimmedModel trim_rim(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds);
+
+/// Takes only the triangles away whose edge on a loop runs through the surface, so that no patch could be valid there, and those
+/// of which the same is true then, up to ten times. @throws InvalidArgument if nothing would be left.
+TrimmedModel trim_pierced(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
 }  // namespace loopmend

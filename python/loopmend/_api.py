@@ -75,6 +75,7 @@ def fill(
     cut_intersections: bool = False,
     bridges: Sequence[Tuple[int, int]] = (),
     trim_boundary: int = 0,
+    trim_crossing: bool = False,
     max_time: Optional[float] = None,
     max_memory: Optional[float] = None,
     keep_partial: bool = False,
@@ -115,6 +116,7 @@ def fill(
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
         bridges: pairs of boundary vertices between which a strip is laid first, to part a complex hole.
         trim_boundary: removes up to so many rings of bad boundary faces first; 0 to 100.
+        trim_crossing: removes the boundary faces that run through the surface first, where no patch could be valid; nothing else.
         max_time: seconds; what is not finished then is left open. None: no limit.
         max_memory: megabytes of the whole process; a hole whose patch would need more is left open. None: nine tenths of what
             is free.
@@ -146,7 +148,7 @@ def fill(
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
         "cut_intersections": cut_intersections, "bridges": [(int(a), int(b)) for a, b in bridges],
-        "trim_boundary": trim_boundary, "max_time": max_time, "max_memory": max_memory,
+        "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
         "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,
     }
     result = _core.fill(*_arrays(vertices, faces), colors, options, progress)

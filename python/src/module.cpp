@@ -68,6 +68,7 @@ FillCommand fill_command(const py::dict& options) {
   if (option<bool>(options, "repair")) command.repair = FillCommand::Repair::manifold;
   if (option<bool>(options, "cut_intersections")) command.repair = FillCommand::Repair::cut_intersections;
   command.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
+  if (option<bool>(options, "trim_crossing")) command.trim_pierced = FillCommand::TrimPierced::yes;
   command.trim_rounds = whole_number(options, "trim_boundary", 100);
   command.fill.threads = whole_number(options, "threads", 1024);
   if (option<bool>(options, "patches_only")) command.content = FillCommand::Content::patches;

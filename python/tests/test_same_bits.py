@@ -21,6 +21,7 @@ FILLS = [
     (["--continuity", "tangent"], {"continuity": "tangent"}),
     (["--relief", "continued", "--relief-seed", "3"], {"relief": "continued", "relief_seed": 3}),
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
+    (["--trim-crossing"], {"trim_crossing": True}),
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
     (["--patches-only"], {"patches_only": True}),

@@ -2380,10 +2380,6 @@
             <translation>%1 Randkanten schneiden die Fläche, sodass es keinen gültigen Flicken gibt</translation>
         </message>
         <message>
-            <source>press Trim in the tab Patch</source>
-            <translation>„Beschneiden“ im Reiter Flicken drücken</translation>
-        </message>
-        <message>
             <source>its patch would cut that of loop %1</source>
             <translation>sein Flicken würde den von Rand %1 schneiden</translation>
         </message>
@@ -2902,6 +2898,10 @@
         <message>
             <source>Repair… in the tab Patch removes such crumbs</source>
             <translation>„Reparieren…“ im Reiter Flicken entfernt solche Krümel</translation>
+        </message>
+        <message>
+            <source>Trim crossing triangles in the menu Patch may help</source>
+            <translation>„Kreuzende Dreiecke beschneiden“ im Menü Flicken kann helfen</translation>
         </message>
     </context>
     <context>
@@ -3603,6 +3603,25 @@
         <message>
             <source>%1 ask for different smoothing, so that they become %2 patches.</source>
             <translation>%1 verlangen verschiedene Glättung und werden darum %2 Flicken.</translation>
+        </message>
+        <message>
+            <source>Trim crossing triangles of %1</source>
+            <translation>%1: kreuzende Dreiecke beschneiden</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n triangle(s) that ran through the surface were removed at the boundaries; Ctrl+Z brings them back.</source>
+            <translation>
+                <numerusform>%1: %n Dreieck, das durch die Fläche lief, wurde am Rand entfernt; Strg+Z bringt es zurück.</numerusform>
+                <numerusform>%1: %n Dreiecke, die durch die Fläche liefen, wurden an den Rändern entfernt; Strg+Z bringt sie zurück.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>No edge of these boundaries runs through the surface.</source>
+            <translation>Keine Kante dieser Ränder läuft durch die Fläche.</translation>
+        </message>
+        <message>
+            <source>Trimming crossing triangles</source>
+            <translation>Kreuzende Dreiecke entfernen</translation>
         </message>
     </context>
     <context>
@@ -6293,6 +6312,14 @@
         <message>
             <source>Make a region of a surface smooth, its neighborhood held</source>
             <translation>Ein Gebiet einer Fläche glätten, die Umgebung gehalten</translation>
+        </message>
+        <message>
+            <source>Trim crossin&amp;g triangles</source>
+            <translation>Kreuzende Dreiecke beschnei&amp;den</translation>
+        </message>
+        <message>
+            <source>At the boundaries of the selected holes, or of all, remove only the triangles that run through the surface: no patch could be valid there</source>
+            <translation>An den Rändern der gewählten Löcher, oder aller, nur die Dreiecke entfernen, die durch die Fläche laufen: dort kann kein Flicken gültig sein</translation>
         </message>
     </context>
     <context>

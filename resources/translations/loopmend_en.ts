@@ -148,6 +148,13 @@
                 <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%1: %n triangle(s) that ran through the surface were removed at the boundaries; Ctrl+Z brings them back.</source>
+            <translation>
+                <numerusform>%1: %n triangle that ran through the surface was removed at the boundary; Ctrl+Z brings it back.</numerusform>
+                <numerusform>%1: %n triangles that ran through the surface were removed at the boundaries; Ctrl+Z brings them back.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HolesPanel</name>

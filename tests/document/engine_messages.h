@@ -57,10 +57,10 @@ inline constexpr const char* engine_messages[] = {
     "cancelled",
     "every patch that was found would cut the surface or itself, in 12 places: left open; removing loose crumbs "
     "in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the hole (--bridge) may help",
-    "1 boundary edge intersects the surface, so that no valid patch exists: left open; trim the boundary "
-    "(--trim-boundary 3)",
-    "4 boundary edges intersect the surface, so that no valid patch exists: left open; trim the boundary "
-    "(--trim-boundary 3)",
+    "1 boundary edge intersects the surface, so that no valid patch exists: left open; remove what "
+    "crosses (--trim-crossing)",
+    "4 boundary edges intersect the surface, so that no valid patch exists: left open; remove what "
+    "crosses (--trim-crossing)",
     "its patch would cut that of loop 3: left open; 'loopmend blend --loops 3,5' joins the two by one surface",
     "the surface outside the patches was changed: nothing is handed on",
     // evolution/evolution.cpp and its steps; jobs/steady_run.cpp

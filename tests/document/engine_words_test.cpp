@@ -68,10 +68,10 @@ TEST_F(EngineWords, NoOptionOfTheCommandLineIsNamed) {
 TEST_F(EngineWords, OptionsBecomeControls) {
   install_language(QStringLiteral("en"));
   EXPECT_EQ(
-      engine_words("4 boundary edges intersect the surface, so that no valid patch exists: left open; trim the "
-                   "boundary (--trim-boundary 3)"),
-      QStringLiteral("4 boundary edges intersect the surface, so that no valid patch exists: left open; press Trim "
-                     "in the tab Patch"));
+      engine_words("4 boundary edges intersect the surface, so that no valid patch exists: left open; remove "
+                   "what crosses (--trim-crossing)"),
+      QStringLiteral("4 boundary edges intersect the surface, so that no valid patch exists: left open; Trim crossing "
+                     "triangles in the menu Patch may help"));
   install_language(QStringLiteral("de"));
   EXPECT_EQ(engine_words("the scan around the hole has relief, so that its curvature counts little; --boundary exact "
                          "runs the flow itself"),

@@ -8,6 +8,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -129,6 +130,10 @@ bool fly(MainWindow& window, int loop) {
 }
 
 void settle(int milliseconds) { QTest::qWait(milliseconds); }
+
+void trigger(MainWindow& window, const char* action) {
+  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
 
 void press(MainWindow& window, const char* button) {
   QTest::mouseClick(part<QAbstractButton>(window, button), Qt::LeftButton);

@@ -31,6 +31,8 @@ T* part(MainWindow& window, const char* name) {
   return window.findChild<T*>(QLatin1String(name));
 }
 void press(MainWindow& window, const char* button);
+/// As from a menu.
+void trigger(MainWindow& window, const char* action);
 
 void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with = {});
 

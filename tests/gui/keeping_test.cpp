@@ -33,10 +33,6 @@ using namespace loopmend::testing;
 
 namespace {
 
-void trigger(MainWindow& window, const char* action) {
-  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
-}
-
 QList<QAction*> recent_entries(MainWindow& window) {
   for (QMenu* menu : window.findChildren<QMenu*>())
     if (menu->title().contains(QStringLiteral("recent"))) {

@@ -26,10 +26,6 @@ using namespace loopmend::testing;
 
 namespace {
 
-void trigger(MainWindow& window, const char* action) {
-  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
-}
-
 /// A ball with two holes above: an oblong one and a small round one beside it.
 TriangleSoup two_holes() {
   return cut(make_icosphere(5), [](const Vec3& p) {

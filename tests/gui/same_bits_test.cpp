@@ -82,6 +82,22 @@ TriangleSoup to_be_mended() {
   return soup;
 }
 
+/// A sphere with a hole, and two triangles that stand on an edge of it: the second runs through the surface.
+TriangleSoup pierced_sphere() {
+  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
+  const SurfaceModel model = make_surface_model(soup);
+  const BoundaryLoop loop = find_boundary_loops(model).front();
+  const auto at = [&](std::size_t k) { return model.soup_vertex[static_cast<std::size_t>(loop.vertices[k])]; };
+  const int a = at(0), b = at(1), tip = static_cast<int>(soup.points.size());
+  const Vec3 middle = (soup.points[static_cast<std::size_t>(a)] + soup.points[static_cast<std::size_t>(b)]) / 2;
+  const Vec3 outward = (middle - loop.center).normalized();
+  soup.points.push_back(1.05 * middle);
+  soup.points.push_back(0.9 * (middle + 0.12 * outward));
+  soup.triangles.push_back({a, b, tip});
+  soup.triangles.push_back({a, tip, tip + 1});
+  return soup;
+}
+
 }  // namespace
 
 class SameBitsTest : public QObject {
@@ -210,6 +226,9 @@ void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
   dangling.points.push_back((from + to) / 2 + (loop.center - (from + to) / 2) * 0.1);
   dangling.triangles.push_back({a, b, static_cast<int>(dangling.points.size()) - 1});
   write_mesh(ragged.toStdString(), dangling);
+  const QString crossing = folder_.filePath(QStringLiteral("crossing.ply"));
+  write_mesh(crossing.toStdString(), pierced_sphere());
+  QTest::newRow("crossing boundary") << crossing << QStringList{QStringLiteral("--trim-crossing")};
   QTest::newRow("ragged boundary") << ragged << QStringList{QStringLiteral("--trim-boundary"), QStringLiteral("3")};
 }
 
@@ -226,6 +245,13 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
     QVERIFY(wait_idle(window));
     const int trimmed = window.document().scans().front();
     QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
+  }
+  if (options.contains(QStringLiteral("--trim-crossing"))) {
+    const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
+    trigger(window, "trimCrossingAction");
+    QVERIFY(wait_idle(window));
+    const int trimmed = window.document().scans().front();
+    QCOMPARE(window.document().scan(trimmed)->model->soup.triangles.size(), before - 1);
   }
   const auto mended = [&](const std::function<void()>& act) {
     const int before = window.document().scans().front();

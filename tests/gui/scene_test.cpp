@@ -45,10 +45,6 @@ QMenu* open_menu(MainWindow& window, const char* name) {
   return nullptr;
 }
 
-void trigger(MainWindow& window, const char* action) {
-  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
-}
-
 /// @returns whether the menu opened and had it.
 bool choose(MainWindow& window, const char* menu, const char* entry) {
   if (!wait_until([&] { return open_menu(window, menu) != nullptr; }, 5)) return false;

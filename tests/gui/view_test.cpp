@@ -30,10 +30,6 @@ using namespace loopmend::testing;
 
 namespace {
 
-void trigger(MainWindow& window, const char* action) {
-  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
-}
-
 bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-9 * (1 + b.norm()); }
 
 TriangleSoup scaled(TriangleSoup soup, const Vec3& factors, const Vec3& shift = Vec3::Zero()) {

@@ -31,10 +31,6 @@ using namespace loopmend::testing;
 
 namespace {
 
-void trigger(MainWindow& window, const char* action) {
-  window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
-}
-
 void add_languages() {
   QTest::addColumn<QString>("language");
   QTest::newRow("English") << QStringLiteral("en");

@@ -2,8 +2,9 @@
 #include "rim/trim_rim.h"
 
 #include "core/error.h"
-#include "pipeline/fill_holes.h"
 #include "mesh/self_intersections.h"
+#include "pipeline/fill_holes.h"
+#include "pipeline/solve_group.h"
 #include "support/ragged_rims.h"
 
 #include <gtest/gtest.h>
@@ -139,6 +140,58 @@ TEST(TrimRim, MendsARaggedRimFaceByFace) {
   const TrimmedModel once = trim_rim(ragged, holes_of(ragged), 1);
   EXPECT_EQ(once.removed.size(), static_cast<std::size_t>(std::count_if(rim.bad.begin(), rim.bad.end(),
                                                                         [](auto& b) { return b.ring == 1; })));
+}
+
+/// The grid with a plate that stands on an edge of the hole and turns down, so that its outer edge runs through the grid.
+/// @returns the soup; its last triangle is the one that crosses.
+TriangleSoup pierced_grid() {
+  TriangleSoup soup = holed_grid();
+  const int tip = static_cast<int>(soup.points.size());
+  soup.points.emplace_back(4.5, 3.2, 0.8);
+  soup.points.emplace_back(4.4, 1.4, -0.8);
+  add(soup, {grid_vertex(4, 3), grid_vertex(5, 3), tip});
+  add(soup, {grid_vertex(4, 3), tip, tip + 1});
+  return soup;
+}
+
+TEST(TrimRim, TakesOnlyWhatRunsThroughTheSurface) {
+  const TriangleSoup soup = pierced_grid();
+  const SurfaceModel model = make_surface_model(soup);
+  const std::vector<BoundaryLoop> holes = holes_of(model);
+  ASSERT_EQ(holes.size(), 1U);
+  EXPECT_FALSE(why_no_patch_exists(ScanIndex(model), holes.front()).empty());
+  const TrimmedModel trimmed = trim_pierced(model, holes);
+  ASSERT_EQ(trimmed.removed.size(), 1U);
+  EXPECT_EQ(trimmed.removed[0].face, static_cast<int>(soup.triangles.size()) - 1);
+  EXPECT_EQ(trimmed.removed[0].fault, RimFault::crossing);
+  EXPECT_EQ(trimmed.model.soup.points, soup.points);
+  EXPECT_EQ(trimmed.model.soup.triangles, Triangles(soup.triangles.begin(), soup.triangles.end() - 1));
+  ASSERT_EQ(trimmed.loops.size(), 1U);
+  EXPECT_TRUE(why_no_patch_exists(ScanIndex(trimmed.model), trimmed.loops.front()).empty());
+  // A ragged boundary that crosses nothing stays as it is; so does one that is not among the loops.
+  const SurfaceModel ragged = make_surface_model(test::ragged_rim().ragged);
+  EXPECT_TRUE(trim_pierced(ragged, holes_of(ragged)).removed.empty());
+  EXPECT_TRUE(trim_pierced(model, {}).removed.empty());
+}
+
+TEST(TrimRim, TakesTheCrumbsThatItCutsOff) {
+  TriangleSoup soup = pierced_grid();
+  // Two triangles beyond the one that crosses, and a crumb of two that nothing is cut from.
+  const int last = static_cast<int>(soup.points.size()) - 1;
+  soup.points.emplace_back(4.6, 1.2, -1.2);
+  soup.points.emplace_back(4.2, 1.0, -1.4);
+  const int first = add(soup, {last - 1, last, last + 1});
+  add(soup, {last, last + 2, last + 1});
+  const int apart = static_cast<int>(soup.points.size());
+  for (const Vec3& p : {Vec3(20, 0, 0), Vec3(21, 0, 0), Vec3(20, 1, 0), Vec3(21, 1, 0)}) soup.points.push_back(p);
+  add(soup, {apart, apart + 1, apart + 2});
+  add(soup, {apart + 2, apart + 1, apart + 3});
+  const SurfaceModel model = make_surface_model(soup);
+  const TrimmedModel trimmed = trim_pierced(model, holes_of(model));
+  std::map<int, RimFault> removed;
+  for (const BadRimFace& bad : trimmed.removed) removed[bad.face] = bad.fault;
+  EXPECT_EQ(removed, (std::map<int, RimFault>{
+                         {first - 1, RimFault::crossing}, {first, RimFault::crossing}, {first + 1, RimFault::crumb}}));
 }
 
 TEST(TrimRim, ARimThatWasMendedIsFilledLikeOneThatWasNeverBad) {
