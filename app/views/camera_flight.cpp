@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/camera_flight.h"
 
-#include "core/rotation.h"
-
 #include <vtkCamera.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 
 namespace loopmend {
 namespace {
@@ -14,9 +15,12 @@ constexpr int duration_ms = 350;
 
 /// Along the arc around the focus, so that the eye never dives through the surface.
 Eigen::Vector3d turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) {
-  const Eigen::Quaterniond all = rotation_between(a, b);
+  const Eigen::Vector3d across = a.cross(b);
+  const bool opposite = across.norm() < 1e-12 * a.norm() * b.norm();
+  const Eigen::Vector3d axis = opposite ? a.unitOrthogonal() : across.normalized();
+  const double angle = std::atan2(across.norm(), a.dot(b));
   const double length = (1 - t) * a.norm() + t * b.norm();
-  return (Eigen::Quaterniond::Identity().slerp(t, all) * a).normalized() * length;
+  return (Eigen::AngleAxisd(t * angle, axis) * a).normalized() * length;
 }
 
 }  // namespace
