@@ -5,7 +5,10 @@
 
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace loopmend {
@@ -81,11 +84,25 @@ ShortcutSheet::ShortcutSheet(const std::vector<Group>& groups, QWidget* parent) 
   right->addStretch();
   auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* all = new QWidget;
+  columns->setContentsMargins(0, 0, 12, 0);
+  all->setLayout(columns);
+  auto* scrolled = new QScrollArea;
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setWidgetResizable(true);
+  scrolled->setWidget(all);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(22, 18, 22, 14);
   layout->setSpacing(16);
-  layout->addLayout(columns);
+  layout->addWidget(scrolled);
   layout->addWidget(buttons);
+  // As large as it needs to be, or as the screen allows.
+  const QMargins around = layout->contentsMargins();
+  const QSize whole =
+      all->sizeHint() + QSize(around.left() + around.right() + 4,
+                              around.top() + around.bottom() + 4 + layout->spacing() + buttons->sizeHint().height());
+  const QSize frame(20, 40);
+  resize(whole.boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
 }
 
 }  // namespace loopmend

@@ -12,7 +12,7 @@ bool Document::has_scan() const {
 }
 
 bool Document::has_work() const {
-  return !patches_.empty() || std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
+  return !patches_.empty() || !units_.empty() || std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
     return slot.scan && slot.scan->from == ScanOrigin::made;
   });
 }

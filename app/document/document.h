@@ -43,7 +43,7 @@ class Document : public QObject {
   using QObject::QObject;
 
   bool has_scan() const;
-  /// Patches, or surfaces that were made here: what would be lost without saving.
+  /// Patches, surfaces that were made here, or units that were chosen: what would be lost without saving.
   bool has_work() const;
   /// Indices of the scans that are there.
   std::vector<int> scans() const;

@@ -178,6 +178,7 @@ QString seconds(qint64 milliseconds) { return in_digits(static_cast<double>(mill
 QString number(double value) {
   constexpr int digits = 3;
   const double size = std::abs(value);
+  if (std::isnan(value)) return QStringLiteral("\u2013");  // nothing was there to be measured
   if (size == 0) return QStringLiteral("0");
   if (!(size >= 1e-3 && size < 1e5)) return with_power(value);
   const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size))));
@@ -185,6 +186,7 @@ QString number(double value) {
 }
 
 QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage) {
+  if (std::isnan(now.g1_rms_deg)) return tr("The scan around the hole is too small for its seam to be measured.");
   const bool tangent = now.g1_rms_deg < tangent_seen_deg;
   const bool curvature = tangent && now.h_jump_rms_times_diameter < curvature_seen;
   QString sentence = tr("Tangent and curvature run through the seam.");

@@ -199,7 +199,9 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
 
 QString nothing_to_mend(Mending what) {
   switch (what) {
-    case Mending::trim: return FillController::tr("There are no bad triangles at these boundaries.");
+    case Mending::trim:
+      return FillController::tr(
+          "There are no bad triangles at these boundaries. A right click on the hole offers to erase a ring of faces.");
     case Mending::trim_crossing: return FillController::tr("No edge of these boundaries runs through the surface.");
     case Mending::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
     case Mending::repair: return FillController::tr("There is nothing to repair.");

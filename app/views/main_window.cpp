@@ -24,6 +24,8 @@
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -32,6 +34,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
+#include <QRadioButton>
 #include <QScreen>
 #include <QStackedLayout>
 #include <QStatusBar>
@@ -43,6 +46,14 @@
 #include <utility>
 
 namespace loopmend {
+namespace {
+
+bool is_turned_by_wheel(const QWidget* widget) {
+  return qobject_cast<const QComboBox*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+         qobject_cast<const QAbstractSlider*>(widget);
+}
+
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -274,10 +285,12 @@ void MainWindow::connect_panels() {
   connect(files_, &FileDesk::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });
 }
 
-/// A button reached by Tab answers to Space and Return itself; a click leaves the focus, and so the shortcuts, alone.
+/// A button reached by Tab answers to Space and Return itself; a click leaves the focus, and so the shortcuts, alone. What can be
+/// ticked takes the focus, so that Space ticks it again.
 void MainWindow::guard_buttons() {
   for (QAbstractButton* button : findChildren<QAbstractButton*>()) {
-    button->setFocusPolicy(Qt::TabFocus);
+    const bool ticks = qobject_cast<QCheckBox*>(button) || qobject_cast<QRadioButton*>(button);
+    button->setFocusPolicy(ticks ? Qt::StrongFocus : Qt::TabFocus);
     button->installEventFilter(this);
   }
   // Space opens a list, ticks a box in one, and is nothing to a slider. The table of holes has no use for it: there it runs.
@@ -285,10 +298,23 @@ void MainWindow::guard_buttons() {
     if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget) ||
         qobject_cast<QAbstractSlider*>(widget))
       widget->installEventFilter(this);
+  // The wheel scrolls the panel that it is over; it turns a value only where that has the focus.
+  for (QWidget* widget : findChildren<QWidget*>())
+    if (is_turned_by_wheel(widget)) {
+      widget->setFocusPolicy(Qt::StrongFocus);
+      widget->installEventFilter(this);
+    }
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
+  if (event->type() == QEvent::Wheel) {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    if (is_turned_by_wheel(widget) && !widget->hasFocus()) {
+      event->ignore();
+      return true;
+    }
+  }
+  if (event->type() == QEvent::ShortcutOverride && !qobject_cast<QAbstractSpinBox*>(watched)) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) event->accept();
   }

@@ -63,15 +63,41 @@ std::size_t remove(TriangleSoup& soup, const std::vector<char>& gone) {
   return count;
 }
 
+/// Copies of a point become one where the surface round it is then one fan. Others stay: they would have to be separated again.
 /// @returns how many points lost their faces to an earlier one in the same place.
 std::size_t join_coincident(TriangleSoup& soup) {
   const std::vector<int> merged = merged_by_place(soup.points);
+  TriangleSoup joined;
+  joined.points = soup.points;
+  joined.triangles = soup.triangles;
+  for (Triangle& t : joined.triangles)
+    for (int& v : t) v = merged[v];
+  const SurfaceModel model = make_surface_model(std::move(joined));
+  const int none = static_cast<int>(soup.points.size());
+  std::vector<int> of_fan(model.soup_vertex.size(), none), of_place(soup.points.size(), none);
+  std::vector<char> in_view(soup.triangles.size(), 0);
+  const auto for_each_corner = [&](const auto& visit) {
+    for (const auto face : model.mesh.faces())
+      for (int& v : soup.triangles[model.soup_face[face.idx()]])
+        for (const auto w : model.mesh.fv_range(face))
+          if (model.soup_vertex[w.idx()] == merged[v]) visit(v, w.idx());
+  };
+  for_each_corner([&](int v, int fan) { of_fan[fan] = std::min(of_fan[fan], v); });
+  for (std::size_t fan = 0; fan < of_fan.size(); ++fan) {
+    int& least = of_place[model.soup_vertex[fan]];
+    least = std::min(least, of_fan[fan]);
+  }
   std::vector<char> given_up(soup.points.size(), 0);
-  for (Triangle& t : soup.triangles)
-    for (int& v : t) {
-      given_up[v] |= merged[v] != v;
-      v = merged[v];
-    }
+  const auto give = [&](int& v, int point) {
+    given_up[v] |= point != v;
+    v = point;
+  };
+  for_each_corner([&](int& v, int fan) { give(v, of_fan[fan]); });
+  // Faces that the view does not hold, such as duplicates, go with some fan.
+  for (int f : model.soup_face) in_view[f] = 1;
+  for (std::size_t f = 0; f < in_view.size(); ++f)
+    if (!in_view[f])
+      for (int& v : soup.triangles[f]) give(v, of_place[merged[v]] == none ? merged[v] : of_place[merged[v]]);
   return static_cast<std::size_t>(std::count(given_up.begin(), given_up.end(), 1));
 }
 

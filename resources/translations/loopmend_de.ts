@@ -3223,7 +3223,7 @@
         </message>
         <message>
             <source>It cuts the surface: Discard, then Trim.</source>
-            <translation>Schneidet die Fläche: Verwerfen.</translation>
+            <translation>Schneidet: Verwerfen, dann Beschneiden.</translation>
         </message>
         <message numerus="yes">
             <source>%n crack(s): press Stitch.</source>
@@ -3268,10 +3268,6 @@
         <message>
             <source>%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.</source>
             <translation>%1: %2 schlechte Dreiecke wurden an den Rändern entfernt; Strg+Z holt sie zurück.</translation>
-        </message>
-        <message>
-            <source>There are no bad triangles at these boundaries.</source>
-            <translation>An diesen Rändern gibt es keine schlechten Dreiecke.</translation>
         </message>
         <message>
             <source>Fill %1</source>
@@ -3622,6 +3618,10 @@
         <message>
             <source>Trimming crossing triangles</source>
             <translation>Kreuzende Dreiecke entfernen</translation>
+        </message>
+        <message>
+            <source>There are no bad triangles at these boundaries. A right click on the hole offers to erase a ring of faces.</source>
+            <translation>An diesen Rändern gibt es keine schlechten Dreiecke. Ein Rechtsklick auf das Loch bietet an, einen Ring von Flächen zu löschen.</translation>
         </message>
     </context>
     <context>
@@ -6802,6 +6802,10 @@
                 <numerusform>%1 Rand</numerusform>
                 <numerusform>%1 Ränder</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>The scan around the hole is too small for its seam to be measured.</source>
+            <translation>Der Scan um das Loch ist zu klein, um seine Naht zu messen.</translation>
         </message>
     </context>
 </TS>

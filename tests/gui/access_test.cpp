@@ -9,11 +9,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
+#include <QWheelEvent>
 
 #include <set>
 
@@ -129,6 +131,29 @@ void AccessTest::keys_belong_to_what_has_the_focus() {
   QCOMPARE(islands->isChecked(), !ticked);
   QVERIFY(!window.controller().busy());
   QVERIFY(window.document().patches().front().state == before);
+
+  // The same after a click.
+  QTest::mouseClick(islands, Qt::LeftButton, {}, QPoint(8, islands->height() / 2));
+  QCOMPARE(islands->isChecked(), ticked);
+  QVERIFY(islands->hasFocus());
+  QTest::keyClick(islands, Qt::Key_Space);
+  settle(200);
+  QCOMPARE(islands->isChecked(), !ticked);
+  QVERIFY(!window.controller().busy() && window.document().patches().front().state == before);
+
+  // The wheel over a control that has no focus scrolls the panel, and leaves the value.
+  auto* boundary = part<QComboBox>(window, "boundary");
+  const int chosen = boundary->currentIndex();
+  const QPointF over(boundary->rect().center());
+  const auto turn = [&] {
+    QWheelEvent wheel(over, boundary->mapToGlobal(over.toPoint()), {}, {0, -120}, {}, {}, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(boundary, &wheel);
+    return boundary->currentIndex();
+  };
+  QCOMPARE(turn(), chosen);
+  boundary->setFocus();
+  QVERIFY(turn() != chosen);
+  boundary->setCurrentIndex(chosen);
 
   for (const char* name : {"boundary", "flow", "shading", "sigma"}) {
     auto* at = part<QWidget>(window, name);

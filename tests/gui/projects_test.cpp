@@ -144,7 +144,10 @@ void ProjectsTest::the_unit_is_chosen_shown_written_and_kept() {
   QCOMPARE(window.document().unit(), std::string("inch"));
   QCOMPARE(header(window, diameter_column), QStringLiteral("Diameter, in"));
   QVERIFY(window.undo().can_undo());
+  QVERIFY(window.isWindowModified());
+  QVERIFY2(!window.close(), "a chosen unit is work: it should ask");
   window.undo().undo();
+  QVERIFY(!window.isWindowModified());
   QCOMPARE(header(window, diameter_column), QStringLiteral("Diameter"));
   window.undo().redo();
   // A scan in the place of this one keeps it.

@@ -42,6 +42,36 @@ TEST(RepairSurface, SeparatesAFinAndCountsWhatIsDegenerateOrTwice) {
   EXPECT_FALSE(repair_surface(repaired.soup).counts.any());  // once is enough
 }
 
+/// Two balls that touch along an edge, all triangles apart: joined as far as the surface stays a manifold, and no further.
+TEST(RepairSurface, AllRepairsTogetherLeaveNothingToRepair) {
+  const TriangleSoup ball = make_icosphere(2);
+  const Vec3 a = ball.points[ball.triangles[0][0]], b = ball.points[ball.triangles[0][1]];
+  TriangleSoup soup;
+  for (const Triangle& t : ball.triangles)
+    for (const double side : {1.0, -1.0}) {
+      const int first = static_cast<int>(soup.points.size());
+      // The second ball is the first one turned by half a turn about the middle of the edge.
+      const Vec3 middle = (a + b) / 2, along = (b - a).normalized(), out = middle.normalized();
+      for (int v : t) {
+        const Vec3 d = ball.points[v] - middle;
+        const Vec3 turned = 2 * along.dot(d) * along - d;  // about the edge's own direction: a and b stay
+        soup.points.push_back(side > 0                                       ? ball.points[v]
+                              : (ball.points[v] == a || ball.points[v] == b) ? ball.points[v]
+                                                                             : Vec3(middle + turned));
+      }
+      EXPECT_LT(std::abs(along.dot(out)), 1e-12);
+      soup.triangles.push_back({first, first + 1, first + 2});
+    }
+  const std::set<Defect> all{Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces,
+                             Defect::non_manifold, Defect::crumbs};
+  const RepairedSurface once = repair_surface(soup, all);
+  EXPECT_GT(once.counts.joined_points, 1000U);
+  const SurfaceModel model = make_surface_model(once.soup);
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+  EXPECT_FALSE(count_defects(once.soup).any());
+  EXPECT_FALSE(repair_surface(once.soup, all).counts.any());
+}
+
 TEST(RepairSurface, TurnsFacesAndRemovesCrumbs) {
   TriangleSoup soup = make_icosphere(3);
   std::swap(soup.triangles[7][1], soup.triangles[7][2]);
