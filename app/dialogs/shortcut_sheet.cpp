@@ -52,7 +52,9 @@ QGridLayout* table(const QString& title, const QList<QPair<QString, QString>>& r
     strong.setWeight(QFont::DemiBold);
     key->setFont(strong);
     grid->addWidget(key, row, 0);
-    grid->addWidget(new QLabel(what), row++, 1);
+    auto* words = new QLabel(what);
+    words->setWordWrap(true);
+    grid->addWidget(words, row++, 1);
   }
   grid->setColumnMinimumWidth(0, 120);
   grid->setColumnStretch(1, 1);
@@ -70,7 +72,7 @@ ShortcutSheet::ShortcutSheet(const std::vector<Group>& groups, QWidget* parent) 
   auto* right = new QVBoxLayout;
   for (QVBoxLayout* column : {left, right}) {
     column->setSpacing(16);
-    columns->addLayout(column);
+    columns->addLayout(column, 1);
   }
   int place = 0;
   for (const Group& group : groups) {
@@ -90,6 +92,7 @@ ShortcutSheet::ShortcutSheet(const std::vector<Group>& groups, QWidget* parent) 
   auto* scrolled = new QScrollArea;
   scrolled->setFrameShape(QFrame::NoFrame);
   scrolled->setWidgetResizable(true);
+  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scrolled->setWidget(all);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(22, 18, 22, 14);

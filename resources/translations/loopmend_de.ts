@@ -503,6 +503,22 @@
             <source>Places where the patch cuts itself or its neighborhood</source>
             <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
         </message>
+        <message>
+            <source>doubtful</source>
+            <translation>fraglich</translation>
+        </message>
+        <message>
+            <source>cuts surface</source>
+            <translation>schneidet</translation>
+        </message>
+        <message>
+            <source>filled</source>
+            <translation>gefüllt</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>misslungen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::CompareWindow</name>
