@@ -191,6 +191,7 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
     case Mending::part: result = parted(task); break;
   }
   if (!result) return result;
+  result->made->mended = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->mended;
   if (result->new_points)
     result->carried = carried_patches(task.patches, task.first_loop, *task.opened, *result->made, *result->new_points);
   result->lost_patches = static_cast<int>(task.patches.size() - result->carried.size()) - result->joined_patches;

@@ -97,6 +97,7 @@ void FileDesk::ask_open(OpenMode mode) {
 QString FileDesk::proposal(const QString& ending) const {
   const OpenedScan& first = document_.first_scan();
   const QFileInfo scan(first.from == ScanOrigin::file     ? first.path
+                       : !first.mended.isEmpty()          ? first.mended
                        : first.from == ScanOrigin::sample ? QStringLiteral("sample.ply")
                                                           : QStringLiteral("surface.ply"));
   return scan.dir().filePath(scan.completeBaseName() + ending);
