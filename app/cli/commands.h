@@ -31,8 +31,8 @@ class LimitError : public Error {
 
 /// What is said of the loops of a mesh with very many: counts and the largest, or each.
 enum class Detail { summary, all };
-inline constexpr std::size_t most_loops_in_full = 50;      ///< of more there is a summary
-inline constexpr std::size_t largest_loops = 10;           ///< in a summary
+inline constexpr std::size_t most_loops_in_full = 50;  ///< of more there is a summary
+inline constexpr std::size_t largest_loops = 10;       ///< in a summary
 inline constexpr std::size_t most_loops_in_report = 1000;  ///< with all their figures, in JSON; of others the main ones
 
 /// Whether it is told if the surface could be printed.

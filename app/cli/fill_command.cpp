@@ -270,7 +270,10 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
   if (const std::size_t turned = scan.turned_faces(); turned > 0)
     std::fprintf(out, "%s turned round to agree with the neighbours.\n",
                  counted(turned, "face was", "faces were").c_str());
-  if (!scan.trimmed.empty())
+  if (!scan.trimmed.empty() && command.trim_rounds == 0)
+    std::fprintf(out, "%s removed where a boundary ran through the surface.\n",
+                 counted(scan.trimmed.size(), "triangle was", "triangles were").c_str());
+  else if (!scan.trimmed.empty())
     std::fprintf(out, "%s removed at the boundaries.\n",
                  counted(scan.trimmed.size(), "bad triangle was", "bad triangles were").c_str());
   else if (!bad.empty())

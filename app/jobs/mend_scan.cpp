@@ -37,8 +37,8 @@ std::optional<MendedScan> trimmed_where_it_crosses(const MendingTask& task) {
   const int count = static_cast<int>(result.removed.size());
   return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
                     FillController::tr("Trim crossing triangles of %1").arg(old.name),
-                    FillController::tr("%1: %n triangle(s) that ran through the surface were removed at the "
-                                       "boundaries; Ctrl+Z brings them back.",
+                    FillController::tr("%1: %n triangle(s) were removed where a boundary ran through the surface; "
+                                       "Ctrl+Z brings them back.",
                                        nullptr, count)
                         .arg(old.name),
                     NewPoints{}};

@@ -3620,13 +3620,6 @@
             <source>Trim crossing triangles of %1</source>
             <translation>%1: kreuzende Dreiecke beschneiden</translation>
         </message>
-        <message numerus="yes">
-            <source>%1: %n triangle(s) that ran through the surface were removed at the boundaries; Ctrl+Z brings them back.</source>
-            <translation>
-                <numerusform>%1: %n Dreieck, das durch die Fläche lief, wurde am Rand entfernt; Strg+Z bringt es zurück.</numerusform>
-                <numerusform>%1: %n Dreiecke, die durch die Fläche liefen, wurden an den Rändern entfernt; Strg+Z bringt sie zurück.</numerusform>
-            </translation>
-        </message>
         <message>
             <source>No edge of these boundaries runs through the surface.</source>
             <translation>Keine Kante dieser Ränder läuft durch die Fläche.</translation>
@@ -3638,6 +3631,13 @@
         <message>
             <source>There are no bad triangles at these boundaries. A right click on the hole offers to erase a ring of faces.</source>
             <translation>An diesen Rändern gibt es keine schlechten Dreiecke. Ein Rechtsklick auf das Loch bietet an, einen Ring von Flächen zu löschen.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n triangle(s) were removed where a boundary ran through the surface; Ctrl+Z brings them back.</source>
+            <translation>
+                <numerusform>%1: %n Dreieck wurde entfernt, wo ein Rand durch die Fläche lief; Strg+Z bringt es zurück.</numerusform>
+                <numerusform>%1: %n Dreiecke wurden entfernt, wo ein Rand durch die Fläche lief; Strg+Z bringt sie zurück.</numerusform>
+            </translation>
         </message>
     </context>
     <context>

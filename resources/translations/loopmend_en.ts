@@ -149,10 +149,10 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>%1: %n triangle(s) that ran through the surface were removed at the boundaries; Ctrl+Z brings them back.</source>
+            <source>%1: %n triangle(s) were removed where a boundary ran through the surface; Ctrl+Z brings them back.</source>
             <translation>
-                <numerusform>%1: %n triangle that ran through the surface was removed at the boundary; Ctrl+Z brings it back.</numerusform>
-                <numerusform>%1: %n triangles that ran through the surface were removed at the boundaries; Ctrl+Z brings them back.</numerusform>
+                <numerusform>%1: %n triangle was removed where a boundary ran through the surface; Ctrl+Z brings it back.</numerusform>
+                <numerusform>%1: %n triangles were removed where a boundary ran through the surface; Ctrl+Z brings them back.</numerusform>
             </translation>
         </message>
     </context>
