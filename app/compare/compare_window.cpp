@@ -16,11 +16,9 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QScreen>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSplitter>
@@ -90,8 +88,7 @@ CompareWindow::CompareWindow(ComparisonController& race, CompareTask task, const
       clock_(new PictureClock(this)) {
   setObjectName(QStringLiteral("compareWindow"));
   setWindowTitle(tr("Compare flows: %1").arg(race_.title()));
-  const QSize frame(20, 40);
-  resize(QSize(1280, 840).boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
+  resize(QSize(1280, 840).boundedTo(largest_window()));
   auto* upper = new QWidget;
   auto* column = new QVBoxLayout(upper);
   column->setContentsMargins(8, 8, 8, 4);

@@ -5,9 +5,7 @@
 
 #include <QDialogButtonBox>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QLabel>
-#include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -104,8 +102,7 @@ ShortcutSheet::ShortcutSheet(const std::vector<Group>& groups, QWidget* parent) 
   const QSize whole =
       all->sizeHint() + QSize(around.left() + around.right() + 4,
                               around.top() + around.bottom() + 4 + layout->spacing() + buttons->sizeHint().height());
-  const QSize frame(20, 40);
-  resize(whole.boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
+  resize(whole.boundedTo(largest_window()));
 }
 
 }  // namespace loopmend

@@ -3,7 +3,9 @@
 
 #include "panels/quiet_label.h"
 
+#include <QGuiApplication>
 #include <QPushButton>
+#include <QScreen>
 
 namespace loopmend {
 
@@ -30,6 +32,11 @@ void explain(QWidget* widget, const QString& name, const QString& help) {
   widget->setAccessibleName(name);
   widget->setAccessibleDescription(help);
   widget->setToolTip(help);
+}
+
+QSize largest_window() {
+  const QSize frame(20, 40);
+  return QGuiApplication::primaryScreen()->availableSize() - frame;
 }
 
 }  // namespace loopmend

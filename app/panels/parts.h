@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QDialogButtonBox>
+#include <QSize>
 #include <QString>
 
 class QLabel;
@@ -19,5 +20,8 @@ QLabel* make_note(const char* name);
 QDialogButtonBox* make_dialog_buttons(QDialogButtonBox::StandardButtons which);
 /// Tooltip, and the same words for screen readers.
 void explain(QWidget* widget, const QString& name, const QString& help);
+
+/// The largest size of a window that fits the screen with its frame.
+QSize largest_window();
 
 }  // namespace loopmend

@@ -11,6 +11,7 @@
 #include "panels/icons.h"
 #include "panels/inspect_panel.h"
 #include "panels/look_panel.h"
+#include "panels/parts.h"
 #include "panels/patch_panel.h"
 #include "panels/scene_panel.h"
 #include "panels/status_line.h"
@@ -65,8 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
   setAcceptDrops(true);
-  const QSize frame(20, 40);
-  resize(QSize(1360, 860).boundedTo(QGuiApplication::primaryScreen()->availableSize() - frame));
+  resize(QSize(1360, 860).boundedTo(largest_window()));
   build_centre();
   files_ = new FileDesk(document_, undo_, controller_, check_, visibility_, *banner_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);

@@ -98,6 +98,14 @@ TriangleSoup pierced_sphere() {
   return soup;
 }
 
+/// @returns whether the command filled every hole.
+bool fill_by_command(const QString& scan, const QString& output, const QStringList& options = {}) {
+  QProcess program;
+  program.start(QStringLiteral(LOOPMEND_PROGRAM),
+                QStringList{QStringLiteral("fill"), scan, QStringLiteral("-o"), output} + options);
+  return program.waitForFinished(240000) && program.exitCode() == 0;
+}
+
 }  // namespace
 
 class SameBitsTest : public QObject {
@@ -133,10 +141,7 @@ void SameBitsTest::where_the_flow_must_give_way() {
   window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));
   const QString by_script = folder_.filePath(QStringLiteral("by-script.ply"));
-  QProcess program;
-  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
-  QVERIFY(program.waitForFinished(120000));
-  QCOMPARE(program.exitCode(), 0);
+  QVERIFY(fill_by_command(scan, by_script));
   QVERIFY2(
       sorted(read_mesh(by_hand.toStdString()).soup.points) == sorted(read_mesh(by_script.toStdString()).soup.points),
       "window and command line do not give the same vertices");
@@ -185,9 +190,7 @@ void SameBitsTest::holes_solved_apart_are_watched() {
   window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));
   const QString by_script = folder_.filePath(QStringLiteral("apart-by-script.ply"));
-  QProcess program;
-  program.start(QStringLiteral(LOOPMEND_PROGRAM), {QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script});
-  QVERIFY(program.waitForFinished(120000));
+  QVERIFY(fill_by_command(scan, by_script));
   QFile ours(by_hand), theirs(by_script);
   QVERIFY(ours.open(QIODevice::ReadOnly) && theirs.open(QIODevice::ReadOnly));
   QVERIFY2(ours.readAll() == theirs.readAll(), "the window's file is not the command's");
@@ -271,10 +274,7 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
   const QString by_script = folder_.filePath(QStringLiteral("command.ply"));
   window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));
-  QProcess program;
-  program.start(QStringLiteral(LOOPMEND_PROGRAM),
-                QStringList{QStringLiteral("fill"), scan, QStringLiteral("-o"), by_script} + options);
-  QVERIFY(program.waitForFinished(240000));
+  QVERIFY(fill_by_command(scan, by_script, options));
   QFile ours(by_hand), theirs(by_script);
   QVERIFY(ours.open(QIODevice::ReadOnly) && theirs.open(QIODevice::ReadOnly));
   const QByteArray expected = theirs.readAll();
