@@ -100,6 +100,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("the initial patch was kept")},
       {QT_TR_NOOP("the flow could not start")},
       {QT_TR_NOOP("the flow would have folded the patch or cut the surface")},
+      {QT_TR_NOOP("the mean curvature would have jumped across the seam")},
       {QT_TR_NOOP("the flow itself did not converge")},
       {QT_TR_NOOP("with bending energy mixed in it did")},
       {QT_TR_NOOP("the patch of the flow itself was out of proportion")},

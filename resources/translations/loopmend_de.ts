@@ -2919,6 +2919,10 @@
             <source>Trim crossing triangles in the menu Patch may help</source>
             <translation>„Kreuzende Dreiecke beschneiden“ im Menü Flicken kann helfen</translation>
         </message>
+        <message>
+            <source>the mean curvature would have jumped across the seam</source>
+            <translation>die mittlere Krümmung wäre über die Naht gesprungen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>

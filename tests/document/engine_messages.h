@@ -99,6 +99,7 @@ inline constexpr const char* engine_messages[] = {
     "what it set out from",
     "the flow could not start: the surface around the hole has too few vertices to tell its curvature",
     "the flow would have folded the patch or cut the surface: the initial patch was kept",
+    "the mean curvature would have jumped across the seam: the initial patch was kept",
     "the patch of mmcvf was out of proportion: its area is 3.8 times that of the initial patch, and it reaches 1.2 "
     "diameters "
     "beyond it",
