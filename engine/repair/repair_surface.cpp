@@ -9,7 +9,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -19,6 +21,7 @@ namespace {
 /// A piece of at most so many faces and of at most this share of the largest one's extent is a crumb of the scan.
 constexpr int most_faces_of_a_crumb = 10;
 constexpr double extent_of_a_crumb = 0.05;
+constexpr int most_joins_of_separated = 10;  ///< 2 were the most in 24 scans
 
 /// For each view face whether its piece of surface is a crumb. @param pieces  is set to the number of crumbs.
 std::vector<char> in_crumbs(const TriMesh& mesh, std::size_t& pieces) {
@@ -63,42 +66,73 @@ std::size_t remove(TriangleSoup& soup, const std::vector<char>& gone) {
   return count;
 }
 
-/// Copies of a point become one where the surface round it is then one fan. Others stay: they would have to be separated again.
-/// @returns how many points lost their faces to an earlier one in the same place.
-std::size_t join_coincident(TriangleSoup& soup) {
-  const std::vector<int> merged = merged_by_place(soup.points);
+/// For each corner of the soup a point of its place: the least of those that its fan has once all copies are one, or its own where
+/// the place is `left`. Faces that the view does not hold, such as duplicates, go with some fan.
+Triangles joined_by_fan(const TriangleSoup& soup, const std::vector<int>& place, const std::vector<char>& left) {
   TriangleSoup joined;
   joined.points = soup.points;
   joined.triangles = soup.triangles;
   for (Triangle& t : joined.triangles)
-    for (int& v : t) v = merged[v];
+    for (int& v : t) v = place[v];
   const SurfaceModel model = make_surface_model(std::move(joined));
   const int none = static_cast<int>(soup.points.size());
   std::vector<int> of_fan(model.soup_vertex.size(), none), of_place(soup.points.size(), none);
   std::vector<char> in_view(soup.triangles.size(), 0);
+  Triangles result = soup.triangles;
   const auto for_each_corner = [&](const auto& visit) {
     for (const auto face : model.mesh.faces())
-      for (int& v : soup.triangles[model.soup_face[face.idx()]])
+      for (int& v : result[model.soup_face[face.idx()]])
         for (const auto w : model.mesh.fv_range(face))
-          if (model.soup_vertex[w.idx()] == merged[v]) visit(v, w.idx());
+          if (model.soup_vertex[w.idx()] == place[v]) visit(v, w.idx());
   };
   for_each_corner([&](int v, int fan) { of_fan[fan] = std::min(of_fan[fan], v); });
   for (std::size_t fan = 0; fan < of_fan.size(); ++fan) {
     int& least = of_place[model.soup_vertex[fan]];
     least = std::min(least, of_fan[fan]);
   }
-  std::vector<char> given_up(soup.points.size(), 0);
-  const auto give = [&](int& v, int point) {
-    given_up[v] |= point != v;
-    v = point;
-  };
-  for_each_corner([&](int& v, int fan) { give(v, of_fan[fan]); });
-  // Faces that the view does not hold, such as duplicates, go with some fan.
+  for_each_corner([&](int& v, int fan) {
+    if (!left[place[v]]) v = of_fan[fan];
+  });
   for (int f : model.soup_face) in_view[f] = 1;
   for (std::size_t f = 0; f < in_view.size(); ++f)
     if (!in_view[f])
-      for (int& v : soup.triangles[f]) give(v, of_place[merged[v]] == none ? merged[v] : of_place[merged[v]]);
-  return static_cast<std::size_t>(std::count(given_up.begin(), given_up.end(), 1));
+      for (int& v : result[f])
+        if (!left[place[v]]) v = of_place[place[v]] == none ? place[v] : of_place[place[v]];
+  return result;
+}
+
+/// Copies of a point become one where the surface round it is then one fan, and stays one fan. Others stay: they would have to be
+/// separated again.
+/// @returns how many points lost their faces to an earlier one in the same place.
+std::size_t join_coincident(TriangleSoup& soup) {
+  const std::vector<int> place = merged_by_place(soup.points);
+  if (std::adjacent_find(place.begin(), place.end(), std::greater_equal<>()) == place.end()) return 0;  // no copies
+  std::vector<char> left(soup.points.size(), 0);
+  // What is joined at one place decides how the surface parts at another, so that a few have to be left after all.
+  for (bool stays = false; !stays;) {
+    TriangleSoup next;
+    next.points = soup.points;
+    next.triangles = joined_by_fan(soup, place, left);
+    std::vector<char> given_up(soup.points.size(), 0), taken(soup.points.size(), 0);
+    for (std::size_t f = 0; f < next.triangles.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const int from = soup.triangles[f][k], to = next.triangles[f][k];
+        if (from != to) given_up[from] = taken[to] = 1;
+      }
+    const Triangles triangles = next.triangles;
+    const SurfaceModel model = make_surface_model(std::move(next));
+    stays = true;
+    std::vector<char> seen(soup.points.size(), 0);
+    for (int point : model.soup_vertex)
+      if (std::exchange(seen[point], 1) && taken[point]) {
+        left[place[point]] = 1;
+        stays = false;
+      }
+    if (!stays) continue;
+    soup.triangles = triangles;
+    return static_cast<std::size_t>(std::count(given_up.begin(), given_up.end(), 1));
+  }
+  return 0;
 }
 
 std::vector<char> degenerate(const Triangles& triangles) {
@@ -226,8 +260,19 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
       case Defect::intersections:
         counts.intersecting_faces = remove(result.soup, intersecting(result.soup, cancel));
         break;
-      case Defect::non_manifold: separate(result.soup, counts); break;
-      case Defect::crumbs: remove_crumbs(result.soup, counts); break;
+      case Defect::non_manifold:
+        separate(result.soup, counts);
+        // Copies that this made may be one fan with what lies beside them now. They are not counted: they were one before.
+        for (int k = 0; defects.contains(Defect::coincident_points) && k < most_joins_of_separated; ++k) {
+          RepairCounts again;
+          if (join_coincident(result.soup) == 0) break;
+          separate(result.soup, again);
+        }
+        break;
+      case Defect::crumbs:
+        remove_crumbs(result.soup, counts);
+        if (defects.contains(Defect::coincident_points)) counts.joined_points += join_coincident(result.soup);
+        break;
     }
   }
   return result;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/repair_surface.h"
 
+#include "io/read_mesh.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
 #include "mesh/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 namespace loopmend {
 namespace {
@@ -70,6 +73,19 @@ TEST(RepairSurface, AllRepairsTogetherLeaveNothingToRepair) {
   EXPECT_TRUE(find_boundary_loops(model).empty());
   EXPECT_FALSE(count_defects(once.soup).any());
   EXPECT_FALSE(repair_surface(once.soup, all).counts.any());
+}
+
+/// Their points in one place were joined and separated in turns, 193 and 36 of snowden_bust.obj.
+TEST(RepairSurface, OfEverythingIsEnoughOnceOnScans) {
+  const std::filesystem::path shared = LOOPMEND_SHARED_DIR;
+  const std::set<Defect> all{Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces,
+                             Defect::intersections,     Defect::non_manifold,     Defect::crumbs};
+  for (const char* name : {"scans2/snowden_bust.obj", "scans2/skull_scp1.ply", "scans2/adonis.obj", "data/doll.obj"}) {
+    if (!std::filesystem::exists(shared / name)) GTEST_SKIP() << shared / name << " is not here";
+    const RepairedSurface once = repair_surface(read_mesh(shared / name).soup, all);
+    EXPECT_TRUE(once.counts.any()) << name;
+    EXPECT_FALSE(count_defects(once.soup).any()) << name;
+  }
 }
 
 TEST(RepairSurface, TurnsFacesAndRemovesCrumbs) {
