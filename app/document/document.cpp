@@ -11,11 +11,16 @@ bool Document::has_scan() const {
   return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scan != nullptr; });
 }
 
-bool Document::has_work() const {
-  return !patches_.empty() || !units_.empty() || std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
-    return slot.scan && slot.scan->from == ScanOrigin::made;
+std::vector<int> Document::scans_with_work() const {
+  std::vector<int> found = scans();
+  std::erase_if(found, [this](int i) {
+    return scan(i)->from != ScanOrigin::made && units_.count(i) == 0 &&
+           std::none_of(patches_.begin(), patches_.end(), [i](const OpenPatch& patch) { return patch.scan == i; });
   });
+  return found;
 }
+
+bool Document::has_work() const { return !scans_with_work().empty(); }
 
 std::vector<int> Document::scans() const {
   std::vector<int> indices;

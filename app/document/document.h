@@ -43,7 +43,8 @@ class Document : public QObject {
   using QObject::QObject;
 
   bool has_scan() const;
-  /// Patches, surfaces that were made here, or units that were chosen: what would be lost without saving.
+  /// Those with patches or a chosen unit, or that were made here: what would be lost without saving.
+  std::vector<int> scans_with_work() const;
   bool has_work() const;
   /// Indices of the scans that are there.
   std::vector<int> scans() const;

@@ -233,7 +233,7 @@ QString hole_name(const Document& document, int loop) {
 QString holes(const Document& document, const std::set<int>& loops) {
   constexpr std::size_t spelled_out = 4;
   if (loops.size() == 1) return tr("hole %1").arg(hole_name(document, *loops.begin()));
-  if (loops.size() > spelled_out || loops.empty()) return tr("%1 holes").arg(loops.size());
+  if (loops.size() > spelled_out || loops.empty()) return tr("%L1 holes").arg(loops.size());
   QStringList names;
   for (int loop : loops) names << hole_name(document, loop);
   const QString last = names.takeLast();
@@ -312,10 +312,10 @@ QStringList faults_in_words(const Watertightness& surface) {
   const auto add = [&words](std::size_t n, const char* one_or_more) {
     if (n > 0) words << tr(one_or_more, static_cast<int>(n));
   };
-  add(surface.open_boundaries, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n open boundary loop(s)"));
-  add(surface.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n edge(s) of more than two faces"));
-  add(surface.reversed_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n edge(s) whose faces look to opposite sides"));
-  add(surface.intersections, QT_TRANSLATE_N_NOOP("loopmend::labels", "%n pair(s) of faces that intersect"));
+  add(surface.open_boundaries, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln open boundary loop(s)"));
+  add(surface.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) of more than two faces"));
+  add(surface.reversed_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) whose faces look to opposite sides"));
+  add(surface.intersections, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln pair(s) of faces that intersect"));
   if (surface.encloses() && !(surface.volume > 0)) words << tr("the surface is inside out");
   return words;
 }
@@ -338,10 +338,10 @@ QString verdict_in_full(const Watertightness& surface) {
 
 QString verdict_help(const Watertightness& surface) {
   QStringList lines = faults_in_words(surface);
-  lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%n piece(s) of surface"), static_cast<int>(surface.pieces));
+  lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln piece(s) of surface"), static_cast<int>(surface.pieces));
   if (surface.encloses()) lines << tr("volume %1, in cubic units of the scan").arg(number(surface.volume));
   if (surface.touching_edges > 0)
-    lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%n edge(s) along which it touches itself"),
+    lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) along which it touches itself"),
                 static_cast<int>(surface.touching_edges));
   for (QString& line : lines) line = sentence(line);
   return lines.join(QLatin1Char('\n'));

@@ -112,7 +112,7 @@ std::vector<Leftover> Autosave::leftovers() {
       for (const SessionScan& scan : session.scans)
         names << (scan.made ? scan.name : scan.path.isEmpty() ? tr("Sample") : QFileInfo(scan.path).fileName());
       leftover.words =
-          tr("%1, %n patch(es), %2", nullptr, static_cast<int>(session.patches.size()))
+          tr("%1, %Ln patch(es), %2", nullptr, static_cast<int>(session.patches.size()))
               .arg(names.join(QStringLiteral(", ")), QLocale().toString(file.lastModified(), QLocale::ShortFormat));
     } catch (const std::exception&) {
       continue;  // of another version, or damaged: not ours to throw away

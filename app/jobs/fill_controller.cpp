@@ -212,7 +212,7 @@ void FillController::say_fill_outcome(const FillResult& result, const std::set<i
     if (lines++ < 2 * most_lines)
       Q_EMIT logged(tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), labels::engine_words(words)));
   if (!result.failures.empty())
-    Q_EMIT failed(tr("%1 of %2 holes could not be filled. The State column says why, and what may help.")
+    Q_EMIT failed(tr("%L1 of %L2 holes could not be filled. The State column says why, and what may help.")
                       .arg(result.failures.size())
                       .arg(wanted.size()));
 }

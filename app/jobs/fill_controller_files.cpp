@@ -249,7 +249,7 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
   document_.replace({}, restored.patches);
   if (restored.view) Q_EMIT view_restored(*restored.view);
   const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;
-  Q_EMIT logged(tr("Restored %1: %2 patches, in %3 s.")
+  Q_EMIT logged(tr("Restored %1: %L2 patches, in %3 s.")
                     .arg(name)
                     .arg(restored.patches.size())
                     .arg(labels::seconds(clock_.elapsed())));

@@ -181,7 +181,7 @@ void FillController::record_run(const EvolveResult& result) {
     if (moved) log_run(before, *now);
     if (moved || !known) pairs.push_back({known, *now});
   }
-  if (lines > most_lines) Q_EMIT logged(tr("%n more", nullptr, lines - most_lines));
+  if (lines > most_lines) Q_EMIT logged(tr("%Ln more", nullptr, lines - most_lines));
   run_start_.clear();
   recorder_.reset();
   push(std::move(pairs), run_name_, run_joining_);

@@ -149,10 +149,10 @@ std::set<int> FillController::take_mended(const MendedScan& mended) {
   undo_.push(std::make_unique<ChangeGroup>(std::move(parts), mended.title));
   QString words = mended.words;
   if (mended.joined_patches > 0)
-    words += QLatin1Char(' ') + tr("%n patch(es) are a part of the scan now.", nullptr, mended.joined_patches);
+    words += QLatin1Char(' ') + tr("%Ln patch(es) are a part of the scan now.", nullptr, mended.joined_patches);
   Q_EMIT logged(words);
   if (mended.lost_patches > 0)
-    Q_EMIT notice(tr("%1 %n patch(es) of this scan were removed.", nullptr, mended.lost_patches).arg(words));
+    Q_EMIT notice(tr("%1 %Ln patch(es) of this scan were removed.", nullptr, mended.lost_patches).arg(words));
   std::set<int> to_fill;
   for (int loop : mended.to_fill) to_fill.insert(first_loop + loop);
   return to_fill;

@@ -23,7 +23,7 @@ std::optional<MendedScan> trimmed(const MendingTask& task) {
   TrimmedModel result = trim_rim(*old.model, task.loops, rounds);
   if (result.removed.empty()) return std::nullopt;
   const QString words =
-      FillController::tr("%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
+      FillController::tr("%1: %L2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
           .arg(old.name)
           .arg(result.removed.size());
   return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
@@ -37,7 +37,7 @@ std::optional<MendedScan> trimmed_where_it_crosses(const MendingTask& task) {
   const int count = static_cast<int>(result.removed.size());
   return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
                     FillController::tr("Trim crossing triangles of %1").arg(old.name),
-                    FillController::tr("%1: %n triangle(s) were removed where a boundary ran through the surface; "
+                    FillController::tr("%1: %Ln triangle(s) were removed where a boundary ran through the surface; "
                                        "Ctrl+Z brings them back.",
                                        nullptr, count)
                         .arg(old.name),
@@ -67,15 +67,15 @@ std::optional<MendedScan> repaired(const MendingTask& task) {
     if (count > 0) done << text;
   };
   const auto n = [](std::size_t count) { return static_cast<int>(count); };
-  add(counts.joined_points, FillController::tr("%n vertices joined", nullptr, n(counts.joined_points)));
-  add(counts.degenerate_faces, FillController::tr("%n degenerate faces removed", nullptr, n(counts.degenerate_faces)));
-  add(counts.duplicate_faces, FillController::tr("%n duplicate faces removed", nullptr, n(counts.duplicate_faces)));
+  add(counts.joined_points, FillController::tr("%Ln vertices joined", nullptr, n(counts.joined_points)));
+  add(counts.degenerate_faces, FillController::tr("%Ln degenerate faces removed", nullptr, n(counts.degenerate_faces)));
+  add(counts.duplicate_faces, FillController::tr("%Ln duplicate faces removed", nullptr, n(counts.duplicate_faces)));
   add(counts.intersecting_faces,
-      FillController::tr("%n intersecting faces cut out", nullptr, n(counts.intersecting_faces)));
-  add(counts.separated_edges, FillController::tr("%n edges separated", nullptr, n(counts.separated_edges)));
-  add(counts.separated_vertices, FillController::tr("%n vertices separated", nullptr, n(counts.separated_vertices)));
-  add(counts.turned_faces, FillController::tr("%n faces turned", nullptr, n(counts.turned_faces)));
-  add(counts.removed_pieces, FillController::tr("%n loose crumbs removed", nullptr, n(counts.removed_pieces)));
+      FillController::tr("%Ln intersecting faces cut out", nullptr, n(counts.intersecting_faces)));
+  add(counts.separated_edges, FillController::tr("%Ln edges separated", nullptr, n(counts.separated_edges)));
+  add(counts.separated_vertices, FillController::tr("%Ln vertices separated", nullptr, n(counts.separated_vertices)));
+  add(counts.turned_faces, FillController::tr("%Ln faces turned", nullptr, n(counts.turned_faces)));
+  add(counts.removed_pieces, FillController::tr("%Ln loose crumbs removed", nullptr, n(counts.removed_pieces)));
   const QString words =
       FillController::tr("%1: %2. Ctrl+Z takes it back.").arg(old.name, done.join(QStringLiteral(", ")));
   return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
@@ -156,7 +156,7 @@ std::optional<MendedScan> erased(const MendingTask& task) {
   const QString title = task.erased.empty() ? FillController::tr("Erase a ring of faces of %1")
                                             : FillController::tr("Erase a region of %1");
   MendedScan result{task.scan, made_scan(std::move(changed.soup), old.name, old.origin), title.arg(old.name),
-                    FillController::tr("%1: %n face(s) were erased; Ctrl+Z brings them back.", nullptr,
+                    FillController::tr("%1: %Ln face(s) were erased; Ctrl+Z brings them back.", nullptr,
                                        static_cast<int>(changed.changes))
                         .arg(old.name),
                     changed.new_points};
@@ -171,7 +171,7 @@ std::optional<MendedScan> parted(const MendingTask& task) {
   if (changed.changes == 0) return std::nullopt;
   return MendedScan{task.scan, made_scan(std::move(changed.soup), old.name, old.origin),
                     FillController::tr("Part a boundary of %1").arg(old.name),
-                    FillController::tr("%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.", nullptr,
+                    FillController::tr("%1: the boundary was parted at %Ln vertices; Ctrl+Z takes it back.", nullptr,
                                        static_cast<int>(changed.changes))
                         .arg(old.name),
                     NewPoints{}};

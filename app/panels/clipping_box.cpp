@@ -14,7 +14,7 @@ ClippingBox::ClippingBox(QWidget* parent)
     : QGroupBox(tr("Clipping plane"), parent),
       across_(new QComboBox),
       place_(new QSlider(Qt::Horizontal)),
-      near_(new QCheckBox(tr("Show the &other side"))) {
+      near_(new QCheckBox(tr("Show the other side"))) {
   using Across = Clipping::Across;
   across_->setObjectName(QStringLiteral("clipAcross"));
   for (const auto& [text, across] : {std::pair{tr("Off"), Across::nothing},

@@ -53,9 +53,9 @@ void DecisionBox::build() {
   explain(timeline_, tr("Timeline"),
           tr("Go back to any recorded state, from the initial patch on the left to the latest"));
   place_ = make_note("timelinePlace");
-  accept_ = make_button("accept", tr("&Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
-  reject_ = make_button("reject", tr("&Discard"), tr("Throw this patch away; the hole is open again (Delete)"));
-  copy_ = make_button("copyCommand", tr("&Copy command line"),
+  accept_ = make_button("accept", tr("Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
+  reject_ = make_button("reject", tr("Discard"), tr("Throw this patch away; the hole is open again (Delete)"));
+  copy_ = make_button("copyCommand", tr("Copy command line"),
                       tr("Copy the commands that fill these holes in just this way, for a terminal or a script"));
   grid->addWidget(place_, 0, 0, 1, 2);
   grid->addWidget(timeline_, 1, 0, 1, 2);
@@ -122,7 +122,7 @@ void DecisionBox::update_state() {
   const bool usable = !controller_.busy() && !chosen_patches(document_, selection_).empty();
   for (QPushButton* button : {accept_, reject_, copy_}) button->setEnabled(usable);
   const bool reopen = all_accepted();
-  accept_->setText(reopen ? tr("&Open again") : tr("&Accept"));
+  accept_->setText(reopen ? tr("Open again") : tr("Accept"));
   explain(accept_, reopen ? tr("Open again") : tr("Accept"),
           reopen ? tr("Let a flow move this patch again (A)")
                  : tr("Keep this patch as it is; no flow moves it any more (A)"));

@@ -63,35 +63,35 @@ void FillBox::build() {
   density_->setPrefix(QStringLiteral("\u00d7 "));
   density_->setKeyboardTracking(false);
   explain(density_, tr("Density"), tr("Density of the patch relative to the scan around it; 2 halves the edge length"));
-  auto* density_label = new QLabel(tr("&Density"));
+  auto* density_label = new QLabel(tr("Density"));
   density_label->setBuddy(density_);
-  preview_ = new QCheckBox(tr("Pre&view"));
+  preview_ = new QCheckBox(tr("Preview"));
   preview_->setObjectName(QStringLiteral("preview"));
   explain(preview_, tr("Preview"), tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
-  islands_ = new QCheckBox(tr("&Join islands"));
+  islands_ = new QCheckBox(tr("Join islands"));
   islands_->setObjectName(QStringLiteral("islands"));
   islands_->setChecked(true);
   explain(islands_, tr("Join islands"),
           tr("Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them"));
   trim_ = make_button(
-      "trim", tr("&Trim"),
+      "trim", tr("Trim"),
       tr("Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to "
          "three rings of them, before they are filled; Ctrl+Z brings them back"));
   stitch_ = make_button(
-      "stitch", tr("&Stitch"),
+      "stitch", tr("Stitch"),
       tr("Zip boundaries that lie within a tenth of their edges of each other, such as cracks and the seams "
          "between tiles; Ctrl+Z takes it back"));
   repair_ = make_button(
-      "repair", tr("&Repair\u2026"),
+      "repair", tr("Repair\u2026"),
       tr("What is wrong with the scan, each with its count and a button: vertices to be joined, degenerate, duplicate "
          "and intersecting faces, non-manifold edges, crumbs"));
-  whole_ = make_button("fillAndSmooth", tr("&Fill and smooth"),
+  whole_ = make_button("fillAndSmooth", tr("Fill and smooth"),
                        tr("Close the selected holes, or all holes when none is selected, and let the flow run to its "
                           "steady state (Ctrl+F)"));
   QFont strong = whole_->font();
   strong.setBold(true);
   whole_->setFont(strong);
-  fill_ = make_button("fill", tr("Initial pa&tch only"),
+  fill_ = make_button("fill", tr("Initial patch only"),
                       tr("Close the holes by their initial patches, and let no flow run yet (Ctrl+Shift+F)"));
   QSizePolicy keep = estimate_->sizePolicy();
   keep.setRetainSizeWhenHidden(true);  // nothing moves under the mouse
@@ -153,7 +153,7 @@ QString FillBox::target_words(const std::set<int>& loops) const {
   const bool chosen = !selection_.selected().empty();
   if (!loops.empty())
     return chosen ? tr("%1, selected").arg(labels::sentence(labels::holes(document_, loops)))
-                  : tr("All open holes (%1)").arg(loops.size());
+                  : tr("All open holes (%L1)").arg(loops.size());
   const auto is_cut = [this](int loop) {
     return document_.present(loop) && document_.loop(loop).kind == LoopKind::cut && !document_.patch_of(loop);
   };
@@ -196,8 +196,8 @@ QString FillBox::advice(const std::set<int>& loops) const {
   std::map<LoopKind, int> left;
   for (int loop = 0; loop < document_.loop_count(); ++loop)
     if (document_.present(loop) && document_.state(loop) == HoleState::left_out) ++left[document_.loop(loop).kind];
-  if (const int cracks = left[LoopKind::crack]) return tr("%n crack(s): press Stitch.", nullptr, cracks);
-  if (const int cuts = left[LoopKind::cut]) return tr("%n cut(s): press Repair\u2026.", nullptr, cuts);
+  if (const int cracks = left[LoopKind::crack]) return tr("%Ln crack(s): press Stitch.", nullptr, cracks);
+  if (const int cuts = left[LoopKind::cut]) return tr("%Ln cut(s): press Repair\u2026.", nullptr, cuts);
   return left.empty() ? QString() : tr("To fill one that is left out, select it.");
 }
 
@@ -231,13 +231,13 @@ void FillBox::update_state() {
   fill_->setEnabled(idle && !loops.empty());
   whole_->setEnabled(idle && (!loops.empty() || !patches_to_smooth().empty()));
   whole_->setDefault(whole_->isEnabled());
-  whole_->setText(loops.empty() && whole_->isEnabled() ? tr("S&mooth") : tr("&Fill and smooth"));
+  whole_->setText(loops.empty() && whole_->isEnabled() ? tr("Smooth") : tr("Fill and smooth"));
   density_->setEnabled(idle && document_.has_scan());
   islands_->setEnabled(idle && document_.has_scan());
   trim_->setEnabled(idle && !loops.empty());
   stitch_->setEnabled(idle && document_.has_scan());
   const int cracks = cracks_left(document_);
-  stitch_->setAccessibleName(cracks > 0 ? tr("Stitch %n crack(s)", nullptr, cracks) : tr("Stitch"));
+  stitch_->setAccessibleName(cracks > 0 ? tr("Stitch %Ln crack(s)", nullptr, cracks) : tr("Stitch"));
   repair_->setEnabled(idle && document_.has_scan());
   preview_->setEnabled(idle && !loops.empty() && loops.size() <= most_previewed);
 }

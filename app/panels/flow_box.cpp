@@ -49,11 +49,11 @@ void FlowBox::build() {
   help_ = make_note("flowHelp");
   boundary_ = make_boundary_choice("boundary");
   continuity_ = make_continuity_choice("continuity");
-  auto* boundary_label = new QLabel(tr("&Boundary"));
+  auto* boundary_label = new QLabel(tr("Boundary"));
   boundary_label->setBuddy(boundary_);
-  auto* continuity_label = new QLabel(tr("Continuit&y"));
+  auto* continuity_label = new QLabel(tr("Continuity"));
   continuity_label->setBuddy(continuity_);
-  relief_ = new QCheckBox(tr("Continue re&lief"));
+  relief_ = new QCheckBox(tr("Continue relief"));
   relief_->setObjectName(QStringLiteral("relief"));
   explain(relief_, tr("Continue relief"),
           tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
@@ -68,13 +68,13 @@ void FlowBox::build() {
   sigma_value_ = new QLabel;
   sigma_value_->setObjectName(QStringLiteral("sigmaValue"));
   sigma_value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  auto* sigma_label = new QLabel(tr("Time ste&p"));
+  auto* sigma_label = new QLabel(tr("Time step"));
   sigma_label->setBuddy(sigma_);
-  step_ = make_button("step", tr("&Step"),
+  step_ = make_button("step", tr("Step"),
                       tr("One time step of the flow itself, the boundary taken literally: on rough scans it may lead "
                          "away from the surface (S)"));
-  run_ = make_button("run", tr("&Run"), tr("The same as Smooth, every step shown for a moment; again: pause (Space)"));
-  compare_ = make_button("compareFlows", tr("Compare &flows\u2026"),
+  run_ = make_button("run", tr("Run"), tr("The same as Smooth, every step shown for a moment; again: pause (Space)"));
+  compare_ = make_button("compareFlows", tr("Compare flows\u2026"),
                          tr("Two to four flows from one start, side by side, in a window of their own (C)"));
   grid->addWidget(target_, 0, 0, 1, 2);
   grid->addWidget(flow_, 1, 0, 1, 2);
@@ -142,7 +142,7 @@ void FlowBox::update_state() {
   step_->setEnabled(idle && !to_move.empty());
   compare_->setEnabled(document_.has_scan());
   run_->setEnabled(can_pause || (idle && !to_move.empty()));
-  run_->setText(can_pause ? tr("Pau&se") : now == Activity::pausing ? tr("Pausing\u2026") : tr("&Run"));
+  run_->setText(can_pause ? tr("Pause") : now == Activity::pausing ? tr("Pausing\u2026") : tr("Run"));
 }
 
 }  // namespace loopmend

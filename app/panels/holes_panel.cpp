@@ -49,7 +49,7 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
       sorted_(new HoleFilter(document, this)),
       table_(new RowsView),
       summary_(new QLabel),
-      all_(make_button("selectAllHoles", tr("Select &all"),
+      all_(make_button("selectAllHoles", tr("Select all"),
                        tr("Select every hole; outer rims, cracks and cuts are left out"))),
       small_(new SmallHolesBox(document)) {
   setObjectName(QStringLiteral("holesPanel"));
@@ -310,9 +310,9 @@ void HolesPanel::update_summary() {
   } else if (count == 0) {
     summary_->setText(tr("No holes: closed surface"));
   } else {
-    QString text = tr("%n hole(s), %1 open", nullptr, holes).arg(open);
-    if (count > holes) text += tr("; %1 left out").arg(count - holes);
-    if (sorted_->narrowed()) text += tr("; %1 shown").arg(sorted_->rowCount());
+    QString text = tr("%Ln hole(s), %L1 open", nullptr, holes).arg(open);
+    if (count > holes) text += tr("; %L1 left out").arg(count - holes);
+    if (sorted_->narrowed()) text += tr("; %L1 shown").arg(sorted_->rowCount());
     summary_->setText(text);
   }
 }

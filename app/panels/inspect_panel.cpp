@@ -130,7 +130,7 @@ QWidget* InspectPanel::build_seam() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(sentence_);
   layout->addWidget(seam_, 1);
-  auto* copy = make_button("copySeam", tr("Cop&y"), tr("Copy the table as tab-separated text"));
+  auto* copy = make_button("copySeam", tr("Copy"), tr("Copy the table as tab-separated text"));
   connect(copy, &QPushButton::clicked, this, &InspectPanel::copy_seam);
   return titled(tr("Seam, before \u2192 now"), content, copy);
 }
@@ -165,7 +165,7 @@ QWidget* InspectPanel::build_log() {
   log_->setFrameShape(QFrame::NoFrame);
   explain(log_, tr("Log"), tr("What has happened so far"));
   log_->setToolTip({});
-  auto* copy = make_button("copyLog", tr("Cop&y log"), tr("Copy the whole log"));
+  auto* copy = make_button("copyLog", tr("Copy log"), tr("Copy the whole log"));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(log_->toPlainText()); });
   auto* box = new QWidget;
   auto* layout = new QHBoxLayout(box);

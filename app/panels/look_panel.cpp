@@ -86,10 +86,10 @@ void LookPanel::build() {
   striped_layout->addWidget(stripes_);
   striped_ = striped;
 
-  edges_ = new QCheckBox(tr("&Wireframe: the triangles' edges"));
+  edges_ = new QCheckBox(tr("Wireframe: the triangles' edges"));
   edges_->setObjectName(QStringLiteral("showEdges"));
   explain(edges_, tr("Wireframe"), tr("Draw the triangles' edges (W)"));
-  seams_ = new QCheckBox(tr("Boundaries and sea&ms as lines"));
+  seams_ = new QCheckBox(tr("Boundaries and seams as lines"));
   seams_->setObjectName(QStringLiteral("showSeams"));
   explain(seams_, tr("Boundaries and seams"), tr("Draw the boundaries of holes and the seams of patches (M)"));
   auto* overlays = new QGroupBox(tr("Drawn over it"));

@@ -38,7 +38,7 @@ void ProgressBox::build() {
   QSizePolicy keep = bar_->sizePolicy();
   keep.setRetainSizeWhenHidden(true);
   bar_->setSizePolicy(keep);
-  cancel_ = make_button("cancel", tr("Ca&ncel"), tr("Stop at once; what was accepted so far is kept (Esc)"));
+  cancel_ = make_button("cancel", tr("Cancel"), tr("Stop at once; what was accepted so far is kept (Esc)"));
   auto* row = new QHBoxLayout;
   row->addWidget(stage_, 1);
   row->addWidget(cancel_);

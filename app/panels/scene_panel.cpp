@@ -44,8 +44,8 @@ ScenePanel::ScenePanel(const Document& document, SceneVisibility& visibility, QW
       document_(document),
       visibility_(visibility),
       tree_(new QTreeWidget),
-      isolate_(make_button("sceneIsolate", tr("&Isolate"), tr("Hide everything but the chosen row (Shift+H)"))),
-      show_all_(make_button("sceneShowAll", tr("Show a&ll"), tr("Show everything that was hidden (Ctrl+H)"))),
+      isolate_(make_button("sceneIsolate", tr("Isolate"), tr("Hide everything but the chosen row (Shift+H)"))),
+      show_all_(make_button("sceneShowAll", tr("Show all"), tr("Show everything that was hidden (Ctrl+H)"))),
       note_(make_note("sceneNote")),
       unit_(new QComboBox) {
   setObjectName(QStringLiteral("scenePanel"));
@@ -77,7 +77,7 @@ ScenePanel::ScenePanel(const Document& document, SceneVisibility& visibility, QW
   for (const char* unit : length_units) unit_->addItem(labels::unit_name(unit), QLatin1String(unit));
   explain(unit_, tr("Lengths in"),
           tr("What the lengths of the scans are measured in. Nothing is converted; it is shown, and written to 3MF"));
-  auto* unit_label = new QLabel(tr("Lengths &in"));
+  auto* unit_label = new QLabel(tr("Lengths in"));
   unit_label->setBuddy(unit_);
   auto* unit_row = new QHBoxLayout;
   unit_row->addWidget(unit_label);
@@ -152,7 +152,7 @@ void ScenePanel::add_scan(int scan) {
     std::size_t triangles = 0;
     for (std::size_t k = own; k < pieces.size(); ++k) triangles += pieces[k].triangles;
     add_row(top, Row::small_pieces, scan, static_cast<int>(own),
-            tr("%n smaller piece(s)", nullptr, static_cast<int>(pieces.size() - own)), labels::count(triangles));
+            tr("%Ln smaller piece(s)", nullptr, static_cast<int>(pieces.size() - own)), labels::count(triangles));
   }
   add_patches(top, scan);
   top->setExpanded(true);
@@ -168,7 +168,7 @@ void ScenePanel::add_patches(QTreeWidgetItem* scan_row, int scan) {
     }
   if (patches.empty()) return;
   QTreeWidgetItem* all =
-      add_row(scan_row, Row::patches, scan, 0, tr("%n patch(es)", nullptr, static_cast<int>(patches.size())),
+      add_row(scan_row, Row::patches, scan, 0, tr("%Ln patch(es)", nullptr, static_cast<int>(patches.size())),
               labels::count(triangles));
   if (patches.size() > most_rows) return;
   for (const OpenPatch* patch : patches)

@@ -40,7 +40,7 @@ void SmallHolesBox::build() {
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(6);
-  auto* label = new QLabel(tr("Fill all &up to"));
+  auto* label = new QLabel(tr("Fill all up to"));
   limit_ = new QDoubleSpinBox;
   limit_->setObjectName(QStringLiteral("sizeLimit"));
   limit_->setRange(0, 1e9);
@@ -107,13 +107,13 @@ void SmallHolesBox::update_state() {
   }
   const int count = static_cast<int>(meant().size());
   const bool idle = use_ == Use::possible;
-  fill_->setText(open > 0 ? tr("Fill %1 of %2").arg(count).arg(open) : tr("Fill"));
+  fill_->setText(open > 0 ? tr("Fill %L1 of %L2").arg(count).arg(open) : tr("Fill"));
   fill_->setEnabled(idle && count > 0);
   limit_->setEnabled(idle && open > 0);
   measure_->setEnabled(idle && open > 0);
   rims_->setEnabled(idle && rims > 0);
-  rims_->setText(rims > 0 ? tr("Include outer &rims of open sheets (%1)").arg(rims)
-                          : tr("Include outer &rims of open sheets (none here)"));
+  rims_->setText(rims > 0 ? tr("Include outer rims of open sheets (%L1)").arg(rims)
+                          : tr("Include outer rims of open sheets (none here)"));
   rims_->setChecked(document_.outer_rims() == OuterRims::include);
 }
 

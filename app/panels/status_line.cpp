@@ -69,14 +69,14 @@ void StatusLine::count() {
   if (const auto& checked = check_.result(); checked && triangles > 0) {
     // Sides of a crack lie in the same place, and count as joined in the check: in files of vertices they are not.
     closed_->setText(checked->encloses() && cracks > 0
-                         ? tr("Watertight but for %n crack(s): press Stitch", nullptr, cracks)
+                         ? tr("Watertight but for %Ln crack(s): press Stitch", nullptr, cracks)
                          : labels::verdict(*checked));
     closed_->setToolTip(labels::verdict_help(*checked));
     return;
   }
   closed_->setToolTip(tr("Intersections have not been looked for yet"));
   closed_->setText(triangles == 0 ? QString()
-                   : open > 0     ? tr("Not watertight: %n open boundary loop(s)", nullptr, open)
+                   : open > 0     ? tr("Not watertight: %Ln open boundary loop(s)", nullptr, open)
                                   : tr("No open boundary loops"));
 }
 

@@ -27,9 +27,9 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   title->setFont(large);
   auto* formats = new QuietLabel(tr("PLY, STL, OBJ, OFF, glTF or 3MF; or a saved session"));
   formats->setWordWrap(false);
-  auto* open = make_button("welcomeOpen", tr("&Open\u2026"), tr("Choose a file (Ctrl+O)"));
+  auto* open = make_button("welcomeOpen", tr("Open\u2026"), tr("Choose a file (Ctrl+O)"));
   open->setDefault(true);
-  auto* sample = make_button("welcomeSample", tr("&Try the sample"), tr("A small made-up scan with five holes"));
+  auto* sample = make_button("welcomeSample", tr("Try the sample"), tr("A small made-up scan with five holes"));
   connect(open, &QPushButton::clicked, this, &Welcome::open_wanted);
   connect(sample, &QPushButton::clicked, this, &Welcome::sample_wanted);
   auto* buttons = new QHBoxLayout;

@@ -19,7 +19,7 @@ BlendBox::BlendBox(const Document& document, const HoleSelection& selection, Par
       selection_(selection),
       tool_(tool),
       chosen_(make_note("blendLoops")),
-      facing_(make_button("blendFacing", tr("Those that &face each other"),
+      facing_(make_button("blendFacing", tr("Those that face each other"),
                           tr("Select of each part the loop that looks at the others most"))),
       density_(new QDoubleSpinBox),
       part_(new QComboBox) {
@@ -42,8 +42,8 @@ BlendBox::BlendBox(const Document& document, const HoleSelection& selection, Par
   form->addRow(hint);
   form->addRow(chosen_);
   form->addRow(facing_);
-  form->addRow(tr("&Density"), density_);
-  form->addRow(tr("&Place"), part_);
+  form->addRow(tr("Density"), density_);
+  form->addRow(tr("Place"), part_);
   connect(facing_, &QPushButton::clicked, this, &BlendBox::select_facing_wanted);
   connect(density_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &BlendBox::changed);
   connect(part_, QOverload<int>::of(&QComboBox::activated), this, [this] {

@@ -24,7 +24,7 @@ MeasureBox::MeasureBox(const Document& document, MeasureTool& tool, QWidget* par
       tool_(tool),
       distance_(new QLabel),
       parts_(make_note("measureParts")),
-      copy_(make_button("measureCopy", tr("&Copy"), tr("Copy the distance to the clipboard"))) {
+      copy_(make_button("measureCopy", tr("Copy"), tr("Copy the distance to the clipboard"))) {
   auto* hint = make_note("measureHint");
   hint->setText(tr(
       "Click two points of a surface: the nearest vertices are taken. Drag beside the surface, or with Shift, to turn "

@@ -28,11 +28,11 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
       document_(document),
       tool_(tool),
       scan_(new QComboBox),
-      all_(new QRadioButton(tr("&All vertices"))),
-      picked_(new QRadioButton(tr("Only those I pic&k"))),
-      clear_(make_button("pointsClear", tr("Clea&r"), tr("No vertex is picked"))),
+      all_(new QRadioButton(tr("All vertices"))),
+      picked_(new QRadioButton(tr("Only those I pick"))),
+      clear_(make_button("pointsClear", tr("Clear"), tr("No vertex is picked"))),
       subdivide_(new QSpinBox),
-      open_(new QCheckBox(tr("Smooth &boundaries"))),
+      open_(new QCheckBox(tr("Smooth boundaries"))),
       count_(make_note("pointsCount")),
       size_(make_note("pointsSize")) {
   auto* hint = make_note("pointsHint");
@@ -63,7 +63,7 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
   form->addRow(picked_);
   form->addRow(clear_);
   form->addRow(count_);
-  form->addRow(tr("S&ubdivisions"), subdivide_);
+  form->addRow(tr("Subdivisions"), subdivide_);
   form->addRow(size_);
   form->addRow(open_);
   connect(all_, &QRadioButton::toggled, this,

@@ -19,14 +19,14 @@ ProblemBox::ProblemBox(const ProblemController& trial, QWidget* parent)
       boundary_(make_boundary_choice("trialBoundary")),
       continuity_(make_continuity_choice("trialContinuity")),
       words_(make_note("trialWords")),
-      preview_(make_button("trialPreview", tr("Pre&view"), tr("Show the start, before any flow"))),
-      evolve_(make_button("trialEvolve", tr("Evo&lve"), tr("Let the flow work on it until it converges"))),
-      compare_(make_button("trialCompare", tr("Co&mpare flows\u2026"),
+      preview_(make_button("trialPreview", tr("Preview"), tr("Show the start, before any flow"))),
+      evolve_(make_button("trialEvolve", tr("Evolve"), tr("Let the flow work on it until it converges"))),
+      compare_(make_button("trialCompare", tr("Compare flows\u2026"),
                            tr("Several flows from this start, side by side, in a window of their own"))),
-      cancel_(make_button("trialCancel", tr("Ca&ncel"), tr("Stop at once; the start is shown again (Esc)"))),
-      accept_(make_button("trialAccept", tr("Acc&ept"), tr("The result comes into the document; can be undone"))),
-      discard_(make_button("trialDiscard", tr("&Discard"), tr("Give it up; the document is as it was"))),
-      copy_(make_button("trialCopy", tr("Cop&y command line"), tr("Copy the commands that do the same"))) {
+      cancel_(make_button("trialCancel", tr("Cancel"), tr("Stop at once; the start is shown again (Esc)"))),
+      accept_(make_button("trialAccept", tr("Accept"), tr("The result comes into the document; can be undone"))),
+      discard_(make_button("trialDiscard", tr("Discard"), tr("Give it up; the document is as it was"))),
+      copy_(make_button("trialCopy", tr("Copy command line"), tr("Copy the commands that do the same"))) {
   auto* grid = new QGridLayout(this);
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(6);

@@ -19,6 +19,12 @@
 
 namespace loopmend {
 
+namespace {
+
+constexpr int most_names_in_a_question = 3;  // a banner is one line
+
+}  // namespace
+
 FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& controller, PrintCheck& check,
                    const SceneVisibility& visibility, Banner& banner, QWidget* window)
     : QObject(window),
@@ -49,11 +55,16 @@ FileDesk::FileDesk(Document& document, UndoHistory& undo, FillController& contro
 
 bool FileDesk::has_unsaved_work() const { return !undo_.is_saved() && document_.has_work(); }
 
-void FileDesk::act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act) {
+void FileDesk::act_when_safe(const std::vector<int>& scans, const QString& lose, const std::function<void()>& act) {
   if (!has_unsaved_work()) {
     act();
     return;
   }
+  QStringList names;
+  for (int scan : scans) names << document_.scan(scan)->name;
+  if (names.size() > most_names_in_a_question)
+    names = names.mid(0, most_names_in_a_question) << QStringLiteral("\u2026");
+  const QString words = tr("Work on %1 is neither saved nor exported.").arg(names.join(QStringLiteral(", ")));
   banner_.ask(words, {{tr("&Save session"), "answerSave",
                        [this, act] {
                          after_saving_ = act;
@@ -75,7 +86,7 @@ void FileDesk::open(const QStringList& paths, OpenMode mode) {
     act();
     return;
   }
-  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Open without saving"), act);
+  act_when_safe(document_.scans_with_work(), tr("&Open without saving"), act);
 }
 
 void FileDesk::open_sample() {
@@ -83,7 +94,7 @@ void FileDesk::open_sample() {
 }
 
 void FileDesk::when_safe(const std::function<void()>& act) {
-  act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Open without saving"), act);
+  act_when_safe(document_.scans_with_work(), tr("&Open without saving"), act);
 }
 
 void FileDesk::ask_open(OpenMode mode) {
@@ -133,7 +144,7 @@ void FileDesk::export_to(const QString& path, ExportContent content) {
     return;
   }
   banner_.ask(
-      tr("%n of the patches are initial patches: no flow has smoothed them yet.", nullptr,
+      tr("%Ln of the patches are initial patches: no flow has smoothed them yet.", nullptr,
          static_cast<int>(initial.size())),
       {{tr("&Smooth, then export"), "answerSmooth",
         [this, path, content, initial] {
@@ -146,21 +157,18 @@ void FileDesk::export_to(const QString& path, ExportContent content) {
             if (end == RunEnd::complete) controller_.export_to(path, content);
           });
         }},
-       {tr("&Export as they are"), "answerExport", [this, path, content] { controller_.export_to(path, content); }},
+       {tr("E&xport as they are"), "answerExport", [this, path, content] { controller_.export_to(path, content); }},
        {tr("&Cancel"), "answerCancel", [] {}}});
 }
 
 void FileDesk::close_scan(int scan) {
   const auto act = [this, scan] { controller_.close_scan(scan); };
-  const bool made = document_.scan(scan)->from == ScanOrigin::made;
-  const bool work = made || std::any_of(document_.patches().begin(), document_.patches().end(),
-                                        [scan](const OpenPatch& patch) { return patch.scan == scan; });
-  if (!work) {
+  const std::vector<int> with_work = document_.scans_with_work();
+  if (std::find(with_work.begin(), with_work.end(), scan) == with_work.end()) {
     act();
     return;
   }
-  act_when_safe(tr("%1 holds work that is neither saved nor exported.").arg(document_.scan(scan)->name),
-                tr("&Close without saving"), act);
+  act_when_safe({scan}, tr("&Close without saving"), act);
 }
 
 void FileDesk::save_session() {
@@ -185,7 +193,7 @@ bool FileDesk::may_close() {
     window_->close();
   };
   if (has_unsaved_work())
-    act_when_safe(tr("There is work that is neither saved nor exported."), tr("&Close without saving"), close);
+    act_when_safe(document_.scans_with_work(), tr("&Close without saving"), close);
   else
     banner_.ask(tr("The result of the tool was not accepted yet."),
                 {{tr("&Close without it"), "answerLose", close}, {tr("&Cancel"), "answerCancel", [] {}}});

@@ -62,7 +62,8 @@ class FileDesk : public QObject {
   void recovered(const Leftover& leftover);
 
  private:
-  void act_when_safe(const QString& words, const QString& lose, const std::function<void()>& act);
+  /// Asks first where there is unsaved work. @param scans  that it would be lost of
+  void act_when_safe(const std::vector<int>& scans, const QString& lose, const std::function<void()>& act);
   QString proposal(const QString& ending) const;
   void recover(const Leftover& leftover);
   void offer_to_locate(const SessionFile& session, const QString& scan);

@@ -192,7 +192,7 @@ void MainWindow::update_actions() {
   follow("trimCrossingAction", "trim");
   follow("stitchAction", "stitch");
   const int cracks = cracks_left(document_);
-  a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %n crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));
+  a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %Ln crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));
   follow("repairAction", "repair");
   const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
   a["eraseRingAction"]->setEnabled(idle && !loops_to_fill(document_, selection_).empty() &&

@@ -330,7 +330,7 @@ void MeshView::update_hidden_note() {
   constexpr int margin = 10;
   const int hidden = impl_->document.has_scan() ? impl_->visibility.hidden_count() : 0;
   QPushButton* note = impl_->hidden_note;
-  note->setText(tr("%n hidden: show all", nullptr, hidden));
+  note->setText(tr("%Ln hidden: show all", nullptr, hidden));
   note->setAccessibleName(note->text());
   note->resize(note->sizeHint());
   note->move(width() - note->width() - margin, height() - note->height() - margin);

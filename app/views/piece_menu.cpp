@@ -38,7 +38,7 @@ void PieceMenu::isolate() {
 }
 
 QString PieceMenu::name_of(const std::set<PieceId>& pieces) const {
-  if (pieces.size() > 1) return tr("%n piece(s)", nullptr, static_cast<int>(pieces.size()));
+  if (pieces.size() > 1) return tr("%Ln piece(s)", nullptr, static_cast<int>(pieces.size()));
   const PieceId& one = *pieces.begin();
   const QString scan = document_.scan(one.scan)->name;
   return visibility_.piece_count(one.scan) > 1 ? tr("piece %1 of %2").arg(one.piece + 1).arg(scan) : scan;

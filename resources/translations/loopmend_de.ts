@@ -170,10 +170,10 @@
             <translation>Beispiel</translation>
         </message>
         <message numerus="yes">
-            <source>%1, %n patch(es), %2</source>
+            <source>%1, %Ln patch(es), %2</source>
             <translation>
-                <numerusform>%1, %n Flicken, %2</numerusform>
-                <numerusform>%1, %n Flicken, %2</numerusform>
+                <numerusform>%1, %Ln Flicken, %2</numerusform>
+                <numerusform>%1, %Ln Flicken, %2</numerusform>
             </translation>
         </message>
     </context>
@@ -191,10 +191,6 @@
     <context>
         <name>loopmend::BlendBox</name>
         <message>
-            <source>Those that &amp;face each other</source>
-            <translation>Die ein&amp;ander zugewandten</translation>
-        </message>
-        <message>
             <source>Select of each part the loop that looks at the others most</source>
             <translation>Von jedem Teil den Rand auswählen, der am meisten zu den anderen blickt</translation>
         </message>
@@ -209,14 +205,6 @@
         <message>
             <source>This part gets a handle in the picture: arrows move it, rings turn it, the square scales it</source>
             <translation>Dieses Teil bekommt im Bild einen Griff: Pfeile verschieben, Ringe drehen, das Quadrat vergrößert</translation>
-        </message>
-        <message>
-            <source>&amp;Density</source>
-            <translation>&amp;Dichte</translation>
-        </message>
-        <message>
-            <source>&amp;Place</source>
-            <translation>&amp;Platzieren</translation>
         </message>
         <message>
             <source>no part</source>
@@ -254,16 +242,20 @@
             <source>Edges along a length, relative to the neighborhood</source>
             <translation>Kanten auf eine Länge, im Verhältnis zur Umgebung</translation>
         </message>
+        <message>
+            <source>Those that face each other</source>
+            <translation>Die einander zugewandten</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Platzieren</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ClippingBox</name>
         <message>
             <source>Clipping plane</source>
             <translation>Schnittebene</translation>
-        </message>
-        <message>
-            <source>Show the &amp;other side</source>
-            <translation>Die &amp;andere Seite zeigen</translation>
         </message>
         <message>
             <source>Off</source>
@@ -532,7 +524,7 @@
         </message>
         <message>
             <source>Save numbers</source>
-            <translation>Zahlen sichern</translation>
+            <translation>Zahlen speichern</translation>
         </message>
         <message>
             <source>CSV (*.csv)</source>
@@ -592,7 +584,7 @@
         </message>
         <message>
             <source>Save &amp;picture…</source>
-            <translation>&amp;Bild sichern…</translation>
+            <translation>&amp;Bild speichern…</translation>
         </message>
         <message>
             <source>All views as one PNG of a size you choose</source>
@@ -600,7 +592,7 @@
         </message>
         <message>
             <source>Save &amp;numbers…</source>
-            <translation>&amp;Zahlen sichern…</translation>
+            <translation>&amp;Zahlen speichern…</translation>
         </message>
         <message>
             <source>Table, energies and profiles as CSV, as loopmend compare writes them</source>
@@ -730,20 +722,12 @@
             <translation>Zeitleiste</translation>
         </message>
         <message>
-            <source>&amp;Accept</source>
-            <translation>&amp;Annehmen</translation>
-        </message>
-        <message>
             <source>Keep this patch as it is; no flow moves it any more (A)</source>
             <translation>Den Flicken so lassen; kein Fluss bewegt ihn mehr (A)</translation>
         </message>
         <message>
             <source>Throw this patch away; the hole is open again (Delete)</source>
             <translation>Den Flicken wegwerfen; das Loch ist wieder offen (Entf)</translation>
-        </message>
-        <message>
-            <source>&amp;Copy command line</source>
-            <translation>Befehlszeile &amp;kopieren</translation>
         </message>
         <message>
             <source>Copy the commands that fill these holes in just this way, for a terminal or a script</source>
@@ -756,10 +740,6 @@
         <message>
             <source>State %1 of %2: %3</source>
             <translation>Zustand %1 von %2: %3</translation>
-        </message>
-        <message>
-            <source>&amp;Open again</source>
-            <translation>Wieder ö&amp;ffnen</translation>
         </message>
         <message>
             <source>Open again</source>
@@ -790,8 +770,12 @@
             <translation>3  Zurückschauen, entscheiden</translation>
         </message>
         <message>
-            <source>&amp;Discard</source>
-            <translation>&amp;Verwerfen</translation>
+            <source>Discard</source>
+            <translation>Verwerfen</translation>
+        </message>
+        <message>
+            <source>Copy command line</source>
+            <translation>Befehlszeile kopieren</translation>
         </message>
     </context>
     <context>
@@ -2981,31 +2965,31 @@
             <source>Looking for open edges and intersections…</source>
             <translation>Offene Kanten und Überschneidungen werden gesucht…</translation>
         </message>
-        <message numerus="yes">
-            <source>%n hidden piece(s) or patch(es) are written as well.</source>
-            <translation>
-                <numerusform>%n ausgeblendetes Teil wird mitgeschrieben.</numerusform>
-                <numerusform>%n ausgeblendete Teile werden mitgeschrieben.</numerusform>
-            </translation>
-        </message>
         <message>
             <source>. Lengths are in %1.</source>
             <translation>. Längen in %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln hidden piece(s) or patch(es) are written as well.</source>
+            <translation>
+                <numerusform>%Ln ausgeblendetes Teil wird mitgeschrieben.</numerusform>
+                <numerusform>%Ln ausgeblendete Teile werden mitgeschrieben.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
         <name>loopmend::FileDesk</name>
         <message>
             <source>&amp;Save session</source>
-            <translation>Sitzung &amp;sichern</translation>
+            <translation>Sitzung &amp;speichern</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
-            <translation>&amp;Abbrechen</translation>
+            <translation>Abb&amp;rechen</translation>
         </message>
         <message>
             <source>&amp;Open without saving</source>
-            <translation>Ohne Sichern &amp;öffnen</translation>
+            <translation>Ohne Speichern &amp;öffnen</translation>
         </message>
         <message>
             <source>Add scans to the scene</source>
@@ -3017,7 +3001,7 @@
         </message>
         <message>
             <source>&amp;Close without saving</source>
-            <translation>Ohne Sichern s&amp;chließen</translation>
+            <translation>Ohne Speichern s&amp;chließen</translation>
         </message>
         <message>
             <source>Loopmend ended unexpectedly. Work was kept: %1.</source>
@@ -3025,7 +3009,7 @@
         </message>
         <message>
             <source>&amp;Recover</source>
-            <translation>&amp;Wiederherstellen</translation>
+            <translation>Wiede&amp;rherstellen</translation>
         </message>
         <message>
             <source>recovered work</source>
@@ -3056,10 +3040,6 @@
             <translation>Nichts ist offen</translation>
         </message>
         <message>
-            <source>There is work that is neither saved nor exported.</source>
-            <translation>Es gibt Arbeit, die weder gesichert noch exportiert ist.</translation>
-        </message>
-        <message>
             <source>Scans and sessions (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;All files (*)</source>
             <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;Alle Dateien (*)</translation>
         </message>
@@ -3067,24 +3047,9 @@
             <source>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</source>
             <translation>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</translation>
         </message>
-        <message numerus="yes">
-            <source>%n of the patches are initial patches: no flow has smoothed them yet.</source>
-            <translation>
-                <numerusform>%n Flicken ist noch ein erster Flicken: kein Fluss hat ihn geglättet.</numerusform>
-                <numerusform>%n Flicken sind noch erste Flicken: kein Fluss hat sie geglättet.</numerusform>
-            </translation>
-        </message>
         <message>
             <source>&amp;Smooth, then export</source>
             <translation>&amp;Glätten, dann exportieren</translation>
-        </message>
-        <message>
-            <source>&amp;Export as they are</source>
-            <translation>&amp;Exportieren, wie sie sind</translation>
-        </message>
-        <message>
-            <source>%1 holds work that is neither saved nor exported.</source>
-            <translation>%1 enthält Arbeit, die weder gespeichert noch exportiert ist.</translation>
         </message>
         <message>
             <source>Where is %1?</source>
@@ -3106,6 +3071,21 @@
             <source>&amp;Close without it</source>
             <translation>Ohne es &amp;schließen</translation>
         </message>
+        <message>
+            <source>E&amp;xport as they are</source>
+            <translation>E&amp;xportieren, wie sie sind</translation>
+        </message>
+        <message>
+            <source>Work on %1 is neither saved nor exported.</source>
+            <translation>Die Arbeit an %1 ist weder gespeichert noch exportiert.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln of the patches are initial patches: no flow has smoothed them yet.</source>
+            <translation>
+                <numerusform>%Ln Flicken ist noch ein erster Flicken: kein Fluss hat ihn geglättet.</numerusform>
+                <numerusform>%Ln Flicken sind noch erste Flicken: kein Fluss hat sie geglättet.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillBox</name>
@@ -3116,14 +3096,6 @@
         <message>
             <source>Density of the patch relative to the scan around it; 2 halves the edge length</source>
             <translation>Dichte des Flickens im Verhältnis zum Scan ringsum; 2 halbiert die Kantenlänge</translation>
-        </message>
-        <message>
-            <source>&amp;Density</source>
-            <translation>&amp;Dichte</translation>
-        </message>
-        <message>
-            <source>Pre&amp;view</source>
-            <translation>&amp;Vorschau</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -3138,10 +3110,6 @@
             <translation>%1, ausgewählt</translation>
         </message>
         <message>
-            <source>All open holes (%1)</source>
-            <translation>Alle offenen Löcher (%1)</translation>
-        </message>
-        <message>
             <source>The selection is filled already.</source>
             <translation>Die Auswahl ist schon gefüllt.</translation>
         </message>
@@ -3154,10 +3122,6 @@
             <translation>Den Flicken mit seinen Kanten zeigen, bevor er gemacht wird; für bis zu 200 Löcher auf einmal</translation>
         </message>
         <message>
-            <source>&amp;Join islands</source>
-            <translation>&amp;Inseln anschließen</translation>
-        </message>
-        <message>
             <source>Join islands</source>
             <translation>Inseln anschließen</translation>
         </message>
@@ -3166,16 +3130,8 @@
             <translation>Flächenstücke, die in einem Loch liegen, an den Flicken anschließen; sonst überdeckt er sie</translation>
         </message>
         <message>
-            <source>&amp;Trim</source>
-            <translation>&amp;Beschneiden</translation>
-        </message>
-        <message>
             <source>Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to three rings of them, before they are filled; Ctrl+Z brings them back</source>
             <translation>Hängende, gefaltete, nadelförmige und schneidende Dreiecke an den Rändern dieser Löcher entfernen, bis zu drei Ringe davon, bevor sie gefüllt werden; Strg+Z holt sie zurück</translation>
-        </message>
-        <message>
-            <source>&amp;Stitch</source>
-            <translation>&amp;Vernähen</translation>
         </message>
         <message>
             <source>Zip boundaries that lie within a tenth of their edges of each other, such as cracks and the seams between tiles; Ctrl+Z takes it back</source>
@@ -3186,28 +3142,12 @@
             <translation>1  Füllen und glätten</translation>
         </message>
         <message>
-            <source>&amp;Fill and smooth</source>
-            <translation>&amp;Füllen und glätten</translation>
-        </message>
-        <message>
             <source>Close the selected holes, or all holes when none is selected, and let the flow run to its steady state (Ctrl+F)</source>
             <translation>Die gewählten Löcher schließen, oder alle, wenn keines gewählt ist, und den Fluss laufen lassen, bis er ruht (Strg+F)</translation>
         </message>
         <message>
-            <source>Initial pa&amp;tch only</source>
-            <translation>Nur erster Fl&amp;icken</translation>
-        </message>
-        <message>
             <source>Close the holes by their initial patches, and let no flow run yet (Ctrl+Shift+F)</source>
             <translation>Die Löcher durch ihre ersten Flicken schließen und noch keinen Fluss laufen lassen (Strg+Umschalt+F)</translation>
-        </message>
-        <message>
-            <source>S&amp;mooth</source>
-            <translation>&amp;Glätten</translation>
-        </message>
-        <message>
-            <source>&amp;Repair…</source>
-            <translation>&amp;Reparieren…</translation>
         </message>
         <message>
             <source>What is wrong with the scan, each with its count and a button: vertices to be joined, degenerate, duplicate and intersecting faces, non-manifold edges, crumbs</source>
@@ -3245,34 +3185,58 @@
             <source>It cuts the surface: Discard, then Trim.</source>
             <translation>Schneidet: Verwerfen, dann Beschneiden.</translation>
         </message>
-        <message numerus="yes">
-            <source>%n crack(s): press Stitch.</source>
-            <translation>
-                <numerusform>%n Riss: Vernähen drücken.</numerusform>
-                <numerusform>%n Risse: Vernähen drücken.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n cut(s): press Repair….</source>
-            <translation>
-                <numerusform>%n Schnitt: Reparieren… drücken.</numerusform>
-                <numerusform>%n Schnitte: Reparieren… drücken.</numerusform>
-            </translation>
-        </message>
         <message>
             <source>A crease at the seam? Discard, then Trim.</source>
             <translation>Ein Knick an der Naht? Verwerfen, dann Beschneiden.</translation>
         </message>
-        <message numerus="yes">
-            <source>Stitch %n crack(s)</source>
-            <translation>
-                <numerusform>%n Riss vernähen</numerusform>
-                <numerusform>%n Risse vernähen</numerusform>
-            </translation>
-        </message>
         <message>
             <source>Stitch</source>
             <translation>Vernähen</translation>
+        </message>
+        <message>
+            <source>Trim</source>
+            <translation>Beschneiden</translation>
+        </message>
+        <message>
+            <source>Repair…</source>
+            <translation>Reparieren…</translation>
+        </message>
+        <message>
+            <source>Fill and smooth</source>
+            <translation>Füllen und glätten</translation>
+        </message>
+        <message>
+            <source>Initial patch only</source>
+            <translation>Nur erster Flicken</translation>
+        </message>
+        <message>
+            <source>Smooth</source>
+            <translation>Glätten</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln crack(s): press Stitch.</source>
+            <translation>
+                <numerusform>%Ln Riss: Vernähen drücken.</numerusform>
+                <numerusform>%Ln Risse: Vernähen drücken.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln cut(s): press Repair….</source>
+            <translation>
+                <numerusform>%Ln Schnitt: Reparieren… drücken.</numerusform>
+                <numerusform>%Ln Schnitte: Reparieren… drücken.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Stitch %Ln crack(s)</source>
+            <translation>
+                <numerusform>%Ln Riss vernähen</numerusform>
+                <numerusform>%Ln Risse vernähen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>All open holes (%L1)</source>
+            <translation>Alle offenen Löcher (%L1)</translation>
         </message>
     </context>
     <context>
@@ -3284,10 +3248,6 @@
         <message>
             <source>Trim the boundaries of %1</source>
             <translation>Ränder von %1 beschneiden</translation>
-        </message>
-        <message>
-            <source>%1: %2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.</source>
-            <translation>%1: %2 schlechte Dreiecke wurden an den Rändern entfernt; Strg+Z holt sie zurück.</translation>
         </message>
         <message>
             <source>Fill %1</source>
@@ -3374,16 +3334,12 @@
             <translation>Schließen: %1</translation>
         </message>
         <message>
-            <source>Restored %1: %2 patches, in %3 s.</source>
-            <translation>%1 wiederhergestellt: %2 Flicken, in %3 s.</translation>
-        </message>
-        <message>
             <source>Writing %1</source>
             <translation>Schreiben: %1</translation>
         </message>
         <message>
             <source>Saved the session as %1.</source>
-            <translation>Sitzung gesichert als %1.</translation>
+            <translation>Sitzung gespeichert als %1.</translation>
         </message>
         <message>
             <source>Wrote %1: %2 triangles.</source>
@@ -3449,69 +3405,6 @@
             <source>Fill and smooth %1</source>
             <translation>%1 füllen und glätten</translation>
         </message>
-        <message numerus="yes">
-            <source>%n more</source>
-            <translation>
-                <numerusform>%n weiterer</numerusform>
-                <numerusform>%n weitere</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n vertices joined</source>
-            <translation>
-                <numerusform>%n Ecke verbunden</numerusform>
-                <numerusform>%n Ecken verbunden</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n degenerate faces removed</source>
-            <translation>
-                <numerusform>%n entartete Fläche entfernt</numerusform>
-                <numerusform>%n entartete Flächen entfernt</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n duplicate faces removed</source>
-            <translation>
-                <numerusform>%n doppelte Fläche entfernt</numerusform>
-                <numerusform>%n doppelte Flächen entfernt</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n intersecting faces cut out</source>
-            <translation>
-                <numerusform>%n schneidende Fläche ausgeschnitten</numerusform>
-                <numerusform>%n schneidende Flächen ausgeschnitten</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n edges separated</source>
-            <translation>
-                <numerusform>%n Kante getrennt</numerusform>
-                <numerusform>%n Kanten getrennt</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n vertices separated</source>
-            <translation>
-                <numerusform>%n Ecke getrennt</numerusform>
-                <numerusform>%n Ecken getrennt</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n faces turned</source>
-            <translation>
-                <numerusform>%n Fläche gewendet</numerusform>
-                <numerusform>%n Flächen gewendet</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n loose crumbs removed</source>
-            <translation>
-                <numerusform>%n loser Krümel entfernt</numerusform>
-                <numerusform>%n lose Krümel entfernt</numerusform>
-            </translation>
-        </message>
         <message>
             <source>%1: %2. Ctrl+Z takes it back.</source>
             <translation>%1: %2. Strg+Z nimmt es zurück.</translation>
@@ -3524,20 +3417,6 @@
             <source>No hole was made that could be filled: what was erased lay at an outer rim, or was a whole piece.</source>
             <translation>Es entstand kein Loch, das sich füllen ließe: was gelöscht wurde, lag an einem Außenrand oder war ein ganzes Stück.</translation>
         </message>
-        <message numerus="yes">
-            <source>%n patch(es) are a part of the scan now.</source>
-            <translation>
-                <numerusform>%n Flicken ist jetzt ein Teil des Scans.</numerusform>
-                <numerusform>%n Flicken sind jetzt ein Teil des Scans.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%1 %n patch(es) of this scan were removed.</source>
-            <translation>
-                <numerusform>%1 %n Flicken dieses Scans wurde entfernt.</numerusform>
-                <numerusform>%1 %n Flicken dieses Scans wurden entfernt.</numerusform>
-            </translation>
-        </message>
         <message>
             <source>Fill a part of a hole of %1</source>
             <translation>Einen Teil eines Lochs von %1 füllen</translation>
@@ -3546,23 +3425,9 @@
             <source>Erase a region of %1</source>
             <translation>Ein Gebiet von %1 löschen</translation>
         </message>
-        <message numerus="yes">
-            <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
-            <translation>
-                <numerusform>%1: %n Fläche wurde gelöscht; Strg+Z holt sie zurück.</numerusform>
-                <numerusform>%1: %n Flächen wurden gelöscht; Strg+Z holt sie zurück.</numerusform>
-            </translation>
-        </message>
         <message>
             <source>Part a boundary of %1</source>
             <translation>Einen Rand von %1 teilen</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
-            <translation>
-                <numerusform>%1: der Rand wurde an %n Ecke geteilt; Strg+Z nimmt es zurück.</numerusform>
-                <numerusform>%1: der Rand wurde an %n Ecken geteilt; Strg+Z nimmt es zurück.</numerusform>
-            </translation>
         </message>
         <message>
             <source>No vertex was found at which the boundary could be parted.</source>
@@ -3587,10 +3452,6 @@
         <message>
             <source>Erase a ring of faces of %1</source>
             <translation>Einen Ring von Flächen von %1 löschen</translation>
-        </message>
-        <message>
-            <source>%1 of %2 holes could not be filled. The State column says why, and what may help.</source>
-            <translation>%1 von %2 Löchern ließen sich nicht füllen. Die Spalte Zustand sagt, warum und was helfen kann.</translation>
         </message>
         <message>
             <source>%1 is closed: it has no hole to fill.</source>
@@ -3637,11 +3498,114 @@
             <translation>An diesen Rändern gibt es keine schlechten Dreiecke. Ein Rechtsklick auf das Loch bietet an, einen Ring von Flächen zu löschen.</translation>
         </message>
         <message numerus="yes">
-            <source>%1: %n triangle(s) were removed where a boundary ran through the surface; Ctrl+Z brings them back.</source>
+            <source>%Ln more</source>
             <translation>
-                <numerusform>%1: %n Dreieck wurde entfernt, wo ein Rand durch die Fläche lief; Strg+Z bringt es zurück.</numerusform>
-                <numerusform>%1: %n Dreiecke wurden entfernt, wo ein Rand durch die Fläche lief; Strg+Z bringt sie zurück.</numerusform>
+                <numerusform>%Ln weiterer</numerusform>
+                <numerusform>%Ln weitere</numerusform>
             </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln patch(es) are a part of the scan now.</source>
+            <translation>
+                <numerusform>%Ln Flicken ist jetzt ein Teil des Scans.</numerusform>
+                <numerusform>%Ln Flicken sind jetzt ein Teil des Scans.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 %Ln patch(es) of this scan were removed.</source>
+            <translation>
+                <numerusform>%1 %Ln Flicken dieses Scans wurde entfernt.</numerusform>
+                <numerusform>%1 %Ln Flicken dieses Scans wurden entfernt.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %Ln triangle(s) were removed where a boundary ran through the surface; Ctrl+Z brings them back.</source>
+            <translation>
+                <numerusform>%1: %Ln Dreieck wurde entfernt, wo ein Rand durch die Fläche lief; Strg+Z bringt es zurück.</numerusform>
+                <numerusform>%1: %Ln Dreiecke wurden entfernt, wo ein Rand durch die Fläche lief; Strg+Z bringt sie zurück.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln vertices joined</source>
+            <translation>
+                <numerusform>%Ln Ecke verbunden</numerusform>
+                <numerusform>%Ln Ecken verbunden</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln degenerate faces removed</source>
+            <translation>
+                <numerusform>%Ln entartete Fläche entfernt</numerusform>
+                <numerusform>%Ln entartete Flächen entfernt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln duplicate faces removed</source>
+            <translation>
+                <numerusform>%Ln doppelte Fläche entfernt</numerusform>
+                <numerusform>%Ln doppelte Flächen entfernt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln intersecting faces cut out</source>
+            <translation>
+                <numerusform>%Ln schneidende Fläche ausgeschnitten</numerusform>
+                <numerusform>%Ln schneidende Flächen ausgeschnitten</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edges separated</source>
+            <translation>
+                <numerusform>%Ln Kante getrennt</numerusform>
+                <numerusform>%Ln Kanten getrennt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln vertices separated</source>
+            <translation>
+                <numerusform>%Ln Ecke getrennt</numerusform>
+                <numerusform>%Ln Ecken getrennt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln faces turned</source>
+            <translation>
+                <numerusform>%Ln Fläche gewendet</numerusform>
+                <numerusform>%Ln Flächen gewendet</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln loose crumbs removed</source>
+            <translation>
+                <numerusform>%Ln loser Krümel entfernt</numerusform>
+                <numerusform>%Ln lose Krümel entfernt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %Ln face(s) were erased; Ctrl+Z brings them back.</source>
+            <translation>
+                <numerusform>%1: %Ln Fläche wurde gelöscht; Strg+Z holt sie zurück.</numerusform>
+                <numerusform>%1: %Ln Flächen wurden gelöscht; Strg+Z holt sie zurück.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: the boundary was parted at %Ln vertices; Ctrl+Z takes it back.</source>
+            <translation>
+                <numerusform>%1: der Rand wurde an %Ln Ecke geteilt; Strg+Z nimmt es zurück.</numerusform>
+                <numerusform>%1: der Rand wurde an %Ln Ecken geteilt; Strg+Z nimmt es zurück.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%L1 of %L2 holes could not be filled. The State column says why, and what may help.</source>
+            <translation>%L1 von %L2 Löchern ließen sich nicht füllen. Die Spalte Zustand sagt, warum und was helfen kann.</translation>
+        </message>
+        <message>
+            <source>Restored %1: %L2 patches, in %3 s.</source>
+            <translation>%1 wiederhergestellt: %L2 Flicken, in %3 s.</translation>
+        </message>
+        <message>
+            <source>%1: %L2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.</source>
+            <translation>%1: %L2 schlechte Dreiecke wurden an den Rändern entfernt; Strg+Z holt sie zurück.</translation>
         </message>
     </context>
     <context>
@@ -3653,18 +3617,6 @@
         <message>
             <source>Time step</source>
             <translation>Zeitschritt</translation>
-        </message>
-        <message>
-            <source>Time ste&amp;p</source>
-            <translation>&amp;Zeitschritt</translation>
-        </message>
-        <message>
-            <source>&amp;Step</source>
-            <translation>&amp;Schritt</translation>
-        </message>
-        <message>
-            <source>&amp;Run</source>
-            <translation>&amp;Lauf</translation>
         </message>
         <message>
             <source>The selection is not filled yet.</source>
@@ -3679,28 +3631,12 @@
             <translation>σ = %1</translation>
         </message>
         <message>
-            <source>Pau&amp;se</source>
-            <translation>Pau&amp;se</translation>
-        </message>
-        <message>
             <source>Pausing…</source>
             <translation>Hält an…</translation>
         </message>
         <message>
-            <source>Compare &amp;flows…</source>
-            <translation>&amp;Flüsse vergleichen…</translation>
-        </message>
-        <message>
             <source>Two to four flows from one start, side by side, in a window of their own (C)</source>
             <translation>Zwei bis vier Flüsse von einem Anfang, nebeneinander in einem eigenen Fenster (C)</translation>
-        </message>
-        <message>
-            <source>&amp;Boundary</source>
-            <translation>&amp;Rand</translation>
-        </message>
-        <message>
-            <source>Continuit&amp;y</source>
-            <translation>Über&amp;gang</translation>
         </message>
         <message>
             <source>2  Flow</source>
@@ -3719,10 +3655,6 @@
             <translation>Dasselbe wie Glätten, jeder Schritt einen Augenblick lang gezeigt; noch einmal: anhalten (Leertaste)</translation>
         </message>
         <message>
-            <source>Continue re&amp;lief</source>
-            <translation>Re&amp;lief fortsetzen</translation>
-        </message>
-        <message>
             <source>When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it continues the smooth surface under the scan.</source>
             <translation>Der fertige Flicken bekommt ein zufälliges Relief, so stark wie das des Scans um das Loch. Aus: Er setzt die glatte Fläche unter dem Scan fort.</translation>
         </message>
@@ -3733,6 +3665,30 @@
         <message>
             <source>Accepted; open it again to go on.</source>
             <translation>Angenommen; erst wieder öffnen.</translation>
+        </message>
+        <message>
+            <source>Boundary</source>
+            <translation>Rand</translation>
+        </message>
+        <message>
+            <source>Continuity</source>
+            <translation>Übergang</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Schritt</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Lauf</translation>
+        </message>
+        <message>
+            <source>Compare flows…</source>
+            <translation>Flüsse vergleichen…</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>Pause</translation>
         </message>
     </context>
     <context>
@@ -4014,10 +3970,6 @@
     <context>
         <name>loopmend::HolesPanel</name>
         <message>
-            <source>Select &amp;all</source>
-            <translation>&amp;Alle wählen</translation>
-        </message>
-        <message>
             <source>Filter: number, kind, state</source>
             <translation>Filter: Nummer, Art, Zustand</translation>
         </message>
@@ -4069,21 +4021,6 @@
             <source>No holes: closed surface</source>
             <translation>Keine Löcher: geschlossene Fläche</translation>
         </message>
-        <message numerus="yes">
-            <source>%n hole(s), %1 open</source>
-            <translation>
-                <numerusform>%n Loch, %1 offen</numerusform>
-                <numerusform>%n Löcher, %1 offen</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>; %1 left out</source>
-            <translation>; %1 ausgelassen</translation>
-        </message>
-        <message>
-            <source>; %1 shown</source>
-            <translation>; %1 gezeigt</translation>
-        </message>
         <message>
             <source>&amp;Sort by</source>
             <translation>&amp;Sortieren nach</translation>
@@ -4099,6 +4036,25 @@
         <message>
             <source>Open loops</source>
             <translation>Offene Ränder</translation>
+        </message>
+        <message>
+            <source>Select all</source>
+            <translation>Alle wählen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln hole(s), %L1 open</source>
+            <translation>
+                <numerusform>%Ln Loch, %L1 offen</numerusform>
+                <numerusform>%Ln Löcher, %L1 offen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>; %L1 left out</source>
+            <translation>; %L1 ausgelassen</translation>
+        </message>
+        <message>
+            <source>; %L1 shown</source>
+            <translation>; %L1 gezeigt</translation>
         </message>
     </context>
     <context>
@@ -4140,10 +4096,6 @@
             <translation>Wie jeder Flicken an den Scan anschließt, vor dem Fluss und jetzt</translation>
         </message>
         <message>
-            <source>Cop&amp;y</source>
-            <translation>Ko&amp;pieren</translation>
-        </message>
-        <message>
             <source>Copy the table as tab-separated text</source>
             <translation>Die Tabelle als Text mit Tabulatoren kopieren</translation>
         </message>
@@ -4182,10 +4134,6 @@
         <message>
             <source>What happens is written down here.</source>
             <translation>Hier wird aufgeschrieben, was geschieht.</translation>
-        </message>
-        <message>
-            <source>Cop&amp;y log</source>
-            <translation>Protokoll ko&amp;pieren</translation>
         </message>
         <message>
             <source>Copy the whole log</source>
@@ -4234,6 +4182,14 @@
         <message>
             <source>The hole whose energy and section are drawn</source>
             <translation>Das Loch, dessen Energie und Schnitt gezeichnet sind</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy log</source>
+            <translation>Protokoll kopieren</translation>
         </message>
     </context>
     <context>
@@ -4330,10 +4286,6 @@
             <translation>Wie viele Streifen oder Bänder es gibt</translation>
         </message>
         <message>
-            <source>&amp;Wireframe: the triangles' edges</source>
-            <translation>&amp;Drahtgitter: Kanten der Dreiecke</translation>
-        </message>
-        <message>
             <source>Wireframe</source>
             <translation>Drahtgitter</translation>
         </message>
@@ -4374,10 +4326,6 @@
             <translation>Die Krümmung an den Enden der Farben</translation>
         </message>
         <message>
-            <source>Boundaries and sea&amp;ms as lines</source>
-            <translation>Ränder und &amp;Nähte als Linien</translation>
-        </message>
-        <message>
             <source>Boundaries and seams</source>
             <translation>Ränder und Nähte</translation>
         </message>
@@ -4408,6 +4356,14 @@
         <message>
             <source>How far the colours reach. The range is symmetric about 0 and comes from the scans alone, so it stays the same while a flow runs. Several scans share the widest range, or each has its own; the legend then shows that of the selected hole's scan</source>
             <translation>Wie weit die Farben reichen. Der Bereich liegt gleich weit um 0 und kommt allein von den Scans; so bleibt er gleich, während ein Fluss läuft. Mehrere Scans teilen den weitesten Bereich, oder jeder hat seinen eigenen; die Legende zeigt dann den des Scans mit dem gewählten Loch</translation>
+        </message>
+        <message>
+            <source>Wireframe: the triangles' edges</source>
+            <translation>Drahtgitter: Kanten der Dreiecke</translation>
+        </message>
+        <message>
+            <source>Boundaries and seams as lines</source>
+            <translation>Ränder und Nähte als Linien</translation>
         </message>
     </context>
     <context>
@@ -4468,24 +4424,20 @@
             <source>Scene</source>
             <translation>Szene</translation>
         </message>
-        <message numerus="yes">
-            <source>Stitc&amp;h %n crack(s)</source>
-            <translation>
-                <numerusform>%n Riss vernä&amp;hen</numerusform>
-                <numerusform>%n Risse vernä&amp;hen</numerusform>
-            </translation>
-        </message>
         <message>
             <source>Stitc&amp;h cracks</source>
             <translation>Risse &amp;vernähen</translation>
         </message>
+        <message numerus="yes">
+            <source>Stitc&amp;h %Ln crack(s)</source>
+            <translation>
+                <numerusform>%Ln Riss vernä&amp;hen</numerusform>
+                <numerusform>%Ln Risse vernä&amp;hen</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::MeasureBox</name>
-        <message>
-            <source>&amp;Copy</source>
-            <translation>&amp;Kopieren</translation>
-        </message>
         <message>
             <source>Copy the distance to the clipboard</source>
             <translation>Den Abstand in die Zwischenablage kopieren</translation>
@@ -4517,6 +4469,10 @@
         <message>
             <source>%1; in %2.</source>
             <translation>%1; in %2.</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
         </message>
     </context>
     <context>
@@ -4566,10 +4522,10 @@
             <translation>Alles Ausgeblendete einblenden (Strg+H). Gefüllt und exportiert wird es in jedem Fall</translation>
         </message>
         <message numerus="yes">
-            <source>%n hidden: show all</source>
+            <source>%Ln hidden: show all</source>
             <translation>
-                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
-                <numerusform>%n ausgeblendet: alles einblenden</numerusform>
+                <numerusform>%Ln ausgeblendet: alles einblenden</numerusform>
+                <numerusform>%Ln ausgeblendet: alles einblenden</numerusform>
             </translation>
         </message>
     </context>
@@ -4649,7 +4605,7 @@
         </message>
         <message>
             <source>&amp;Save…</source>
-            <translation>&amp;Sichern…</translation>
+            <translation>&amp;Speichern…</translation>
         </message>
         <message>
             <source>Choose a file and write the picture</source>
@@ -4702,13 +4658,6 @@
             <source>Move the mouse over the piece, or select one of its holes, and press the key again.</source>
             <translation>Die Maus auf das Stück bewegen oder eines seiner Löcher wählen und die Taste noch einmal drücken.</translation>
         </message>
-        <message numerus="yes">
-            <source>%n piece(s)</source>
-            <translation>
-                <numerusform>%n Stück</numerusform>
-                <numerusform>%n Stücke</numerusform>
-            </translation>
-        </message>
         <message>
             <source>piece %1 of %2</source>
             <translation>Stück %1 von %2</translation>
@@ -4737,6 +4686,13 @@
             <source>Show everything that was hidden</source>
             <translation>Alles Ausgeblendete einblenden</translation>
         </message>
+        <message numerus="yes">
+            <source>%Ln piece(s)</source>
+            <translation>
+                <numerusform>%Ln Stück</numerusform>
+                <numerusform>%Ln Stücke</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::PlacePart</name>
@@ -4747,18 +4703,6 @@
     </context>
     <context>
         <name>loopmend::PointsBox</name>
-        <message>
-            <source>&amp;All vertices</source>
-            <translation>&amp;Alle Ecken</translation>
-        </message>
-        <message>
-            <source>Only those I pic&amp;k</source>
-            <translation>Nur die &amp;gewählten</translation>
-        </message>
-        <message>
-            <source>Clea&amp;r</source>
-            <translation>&amp;Leeren</translation>
-        </message>
         <message>
             <source>No vertex is picked</source>
             <translation>Keine Ecke ist gewählt</translation>
@@ -4800,10 +4744,6 @@
             <translation>Jede macht aus jedem Dreieck vier</translation>
         </message>
         <message>
-            <source>S&amp;ubdivisions</source>
-            <translation>&amp;Unterteilungen</translation>
-        </message>
-        <message>
             <source>Open a polyhedron first.</source>
             <translation>Zuerst ein Polyeder öffnen.</translation>
         </message>
@@ -4836,8 +4776,8 @@
             <translation>Diese Fläche hat Löcher: sie schließen oder ihre Ränder glatt lassen, wie sie sind.</translation>
         </message>
         <message>
-            <source>Smooth &amp;boundaries</source>
-            <translation>Glatte &amp;Ränder</translation>
+            <source>Clear</source>
+            <translation>Leeren</translation>
         </message>
     </context>
     <context>
@@ -4954,32 +4894,16 @@
             <translation>Welcher Fluss daran arbeitet</translation>
         </message>
         <message>
-            <source>Pre&amp;view</source>
-            <translation>&amp;Vorschau</translation>
-        </message>
-        <message>
             <source>Show the start, before any flow</source>
             <translation>Den Anfang zeigen, vor jedem Fluss</translation>
-        </message>
-        <message>
-            <source>Evo&amp;lve</source>
-            <translation>Ent&amp;wickeln</translation>
         </message>
         <message>
             <source>Let the flow work on it until it converges</source>
             <translation>Den Fluss daran arbeiten lassen, bis er konvergiert</translation>
         </message>
         <message>
-            <source>Co&amp;mpare flows…</source>
-            <translation>Flüsse &amp;vergleichen…</translation>
-        </message>
-        <message>
             <source>Several flows from this start, side by side, in a window of their own</source>
             <translation>Mehrere Flüsse von diesem Anfang, nebeneinander in einem eigenen Fenster</translation>
-        </message>
-        <message>
-            <source>Ca&amp;ncel</source>
-            <translation>Abb&amp;rechen</translation>
         </message>
         <message>
             <source>Stop at once; the start is shown again (Esc)</source>
@@ -4990,16 +4914,8 @@
             <translation>Das Ergebnis kommt ins Dokument; lässt sich rückgängig machen</translation>
         </message>
         <message>
-            <source>&amp;Discard</source>
-            <translation>&amp;Verwerfen</translation>
-        </message>
-        <message>
             <source>Give it up; the document is as it was</source>
             <translation>Aufgeben; das Dokument ist, wie es war</translation>
-        </message>
-        <message>
-            <source>Cop&amp;y command line</source>
-            <translation>Be&amp;fehlszeile kopieren</translation>
         </message>
         <message>
             <source>Copy the commands that do the same</source>
@@ -5014,8 +4930,32 @@
             <translation>Übergang</translation>
         </message>
         <message>
-            <source>Acc&amp;ept</source>
-            <translation>Ann&amp;ehmen</translation>
+            <source>Preview</source>
+            <translation>Vorschau</translation>
+        </message>
+        <message>
+            <source>Evolve</source>
+            <translation>Entwickeln</translation>
+        </message>
+        <message>
+            <source>Compare flows…</source>
+            <translation>Flüsse vergleichen…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Annehmen</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>Verwerfen</translation>
+        </message>
+        <message>
+            <source>Copy command line</source>
+            <translation>Befehlszeile kopieren</translation>
         </message>
     </context>
     <context>
@@ -5080,75 +5020,43 @@
             <translation>Wie weit die jetzige Arbeit ist</translation>
         </message>
         <message>
-            <source>Ca&amp;ncel</source>
-            <translation>Abb&amp;rechen</translation>
-        </message>
-        <message>
             <source>Stop at once; what was accepted so far is kept (Esc)</source>
             <translation>Sofort anhalten; das Erreichte bleibt (Esc)</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
         </message>
     </context>
     <context>
         <name>loopmend::RegionBox</name>
         <message>
-            <source>&amp;Brush</source>
-            <translation>&amp;Pinsel</translation>
-        </message>
-        <message>
             <source>Paint the region with the left button</source>
             <translation>Das Gebiet mit der linken Taste malen</translation>
-        </message>
-        <message>
-            <source>La&amp;sso</source>
-            <translation>La&amp;sso</translation>
         </message>
         <message>
             <source>Draw an outline around the region</source>
             <translation>Einen Umriss um das Gebiet ziehen</translation>
         </message>
         <message>
-            <source>&amp;Add</source>
-            <translation>&amp;Dazu</translation>
-        </message>
-        <message>
             <source>What is painted joins the region; Ctrl takes away</source>
             <translation>Gemaltes kommt zum Gebiet; Strg nimmt weg</translation>
-        </message>
-        <message>
-            <source>&amp;Take away</source>
-            <translation>&amp;Weg</translation>
         </message>
         <message>
             <source>What is painted leaves the region; Ctrl adds</source>
             <translation>Gemaltes verlässt das Gebiet; Strg nimmt dazu</translation>
         </message>
         <message>
-            <source>Also what is &amp;hidden</source>
-            <translation>Auch &amp;Verdecktes</translation>
-        </message>
-        <message>
             <source>Width of the brush</source>
             <translation>Breite des Pinsels</translation>
-        </message>
-        <message>
-            <source>&amp;Grow</source>
-            <translation>W&amp;achsen</translation>
         </message>
         <message>
             <source>One ring of triangles more</source>
             <translation>Ein Ring Dreiecke mehr</translation>
         </message>
         <message>
-            <source>S&amp;hrink</source>
-            <translation>S&amp;chrumpfen</translation>
-        </message>
-        <message>
             <source>One ring of triangles less</source>
             <translation>Ein Ring Dreiecke weniger</translation>
-        </message>
-        <message>
-            <source>Clea&amp;r</source>
-            <translation>&amp;Leeren</translation>
         </message>
         <message>
             <source>Begin the region anew</source>
@@ -5175,16 +5083,8 @@
             <translation>Noch ist nichts gemalt.</translation>
         </message>
         <message>
-            <source>&amp;Erase</source>
-            <translation>&amp;Löschen</translation>
-        </message>
-        <message>
             <source>Take the painted faces away, as at a ragged boundary; Ctrl+Z brings them back</source>
             <translation>Die bemalten Flächen wegnehmen, etwa an einem ausgefransten Rand; Strg+Z holt sie zurück</translation>
-        </message>
-        <message>
-            <source>Erase and &amp;fill</source>
-            <translation>Löschen und &amp;füllen</translation>
         </message>
         <message>
             <source>Take the painted faces away, a spike or a bump, and fill and smooth the hole that this makes; one Ctrl+Z brings them back</source>
@@ -5193,6 +5093,42 @@
         <message>
             <source>Paint what shall become smooth, or be erased; everything else is held. Drag beside the surface, or with Shift, to turn the picture.</source>
             <translation>Bemalen, was glatt werden oder gelöscht werden soll; alles andere wird festgehalten. Neben der Fläche ziehen oder mit Umschalt, um das Bild zu drehen.</translation>
+        </message>
+        <message>
+            <source>Brush</source>
+            <translation>Pinsel</translation>
+        </message>
+        <message>
+            <source>Lasso</source>
+            <translation>Lasso</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Dazu</translation>
+        </message>
+        <message>
+            <source>Take away</source>
+            <translation>Weg</translation>
+        </message>
+        <message>
+            <source>Grow</source>
+            <translation>Wachsen</translation>
+        </message>
+        <message>
+            <source>Shrink</source>
+            <translation>Schrumpfen</translation>
+        </message>
+        <message>
+            <source>Clear</source>
+            <translation>Leeren</translation>
+        </message>
+        <message>
+            <source>Erase</source>
+            <translation>Löschen</translation>
+        </message>
+        <message>
+            <source>Erase and fill</source>
+            <translation>Löschen und füllen</translation>
         </message>
     </context>
     <context>
@@ -5312,16 +5248,8 @@
     <context>
         <name>loopmend::ScenePanel</name>
         <message>
-            <source>&amp;Isolate</source>
-            <translation>&amp;Nur dies</translation>
-        </message>
-        <message>
             <source>Hide everything but the chosen row (Shift+H)</source>
             <translation>Alles außer der gewählten Zeile ausblenden (Umschalt+H)</translation>
-        </message>
-        <message>
-            <source>Show a&amp;ll</source>
-            <translation>A&amp;lles einblenden</translation>
         </message>
         <message>
             <source>Show everything that was hidden (Ctrl+H)</source>
@@ -5351,20 +5279,6 @@
             <source>Piece %1, %2 across</source>
             <translation>Stück %1, Größe %2</translation>
         </message>
-        <message numerus="yes">
-            <source>%n smaller piece(s)</source>
-            <translation>
-                <numerusform>%n kleineres Stück</numerusform>
-                <numerusform>%n kleinere Stücke</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n patch(es)</source>
-            <translation>
-                <numerusform>%n Flicken</numerusform>
-                <numerusform>%n Flicken</numerusform>
-            </translation>
-        </message>
         <message>
             <source>Lengths in</source>
             <translation>Längen in</translation>
@@ -5374,8 +5288,26 @@
             <translation>Worin die Längen der Scans gemessen sind. Umgerechnet wird nichts; es wird gezeigt und in 3MF geschrieben</translation>
         </message>
         <message>
-            <source>Lengths &amp;in</source>
-            <translation>Längen &amp;in</translation>
+            <source>Isolate</source>
+            <translation>Nur dies</translation>
+        </message>
+        <message>
+            <source>Show all</source>
+            <translation>Alles einblenden</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln smaller piece(s)</source>
+            <translation>
+                <numerusform>%Ln kleineres Stück</numerusform>
+                <numerusform>%Ln kleinere Stücke</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln patch(es)</source>
+            <translation>
+                <numerusform>%Ln Flicken</numerusform>
+                <numerusform>%Ln Flicken</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -5421,7 +5353,7 @@
         <name>loopmend::SessionDialog</name>
         <message>
             <source>Save session</source>
-            <translation>Sitzung sichern</translation>
+            <translation>Sitzung speichern</translation>
         </message>
         <message>
             <source>&amp;Keep the scans in the session</source>
@@ -5542,10 +5474,6 @@
     <context>
         <name>loopmend::SmallHolesBox</name>
         <message>
-            <source>Fill all &amp;up to</source>
-            <translation>Alle füllen &amp;bis</translation>
-        </message>
-        <message>
             <source>Largest size</source>
             <translation>Größte Größe</translation>
         </message>
@@ -5578,24 +5506,28 @@
             <translation>Außenränder einschließen</translation>
         </message>
         <message>
-            <source>Fill %1 of %2</source>
-            <translation>%1 von %2 füllen</translation>
-        </message>
-        <message>
-            <source>Include outer &amp;rims of open sheets (%1)</source>
-            <translation>Außen&amp;ränder einschließen (%1)</translation>
-        </message>
-        <message>
-            <source>Include outer &amp;rims of open sheets (none here)</source>
-            <translation>Außen&amp;ränder einschließen (hier keine)</translation>
-        </message>
-        <message>
             <source>What the size of a hole is: edges along its boundary, or its diameter in the scan's unit</source>
             <translation>Was die Größe eines Lochs ist: Kanten am Rand, oder Durchmesser in der Einheit des Scans</translation>
         </message>
         <message>
             <source>The outline of an open sheet looks like a hole to a program. It is left out unless you include it here, or select it yourself</source>
             <translation>Der Rand einer offenen Fläche sieht für ein Programm wie ein Loch aus. Er bleibt aus, wenn Sie ihn nicht hier einschließen oder selbst auswählen</translation>
+        </message>
+        <message>
+            <source>Fill all up to</source>
+            <translation>Alle füllen bis</translation>
+        </message>
+        <message>
+            <source>Include outer rims of open sheets (none here)</source>
+            <translation>Außenränder einschließen (hier keine)</translation>
+        </message>
+        <message>
+            <source>Fill %L1 of %L2</source>
+            <translation>%L1 von %L2 füllen</translation>
+        </message>
+        <message>
+            <source>Include outer rims of open sheets (%L1)</source>
+            <translation>Außenränder einschließen (%L1)</translation>
         </message>
     </context>
     <context>
@@ -5620,13 +5552,6 @@
             <source> · %1 s</source>
             <translation> · %1 s</translation>
         </message>
-        <message numerus="yes">
-            <source>Not watertight: %n open boundary loop(s)</source>
-            <translation>
-                <numerusform>Nicht wasserdicht: %n offener Rand</numerusform>
-                <numerusform>Nicht wasserdicht: %n offene Ränder</numerusform>
-            </translation>
-        </message>
         <message>
             <source>Intersections have not been looked for yet</source>
             <translation>Überschneidungen wurden noch nicht gesucht</translation>
@@ -5648,10 +5573,17 @@
             <translation> · Energie %1</translation>
         </message>
         <message numerus="yes">
-            <source>Watertight but for %n crack(s): press Stitch</source>
+            <source>Watertight but for %Ln crack(s): press Stitch</source>
             <translation>
-                <numerusform>Wasserdicht bis auf %n Riss: Vernähen drücken</numerusform>
-                <numerusform>Wasserdicht bis auf %n Risse: Vernähen drücken</numerusform>
+                <numerusform>Wasserdicht bis auf %Ln Riss: Vernähen drücken</numerusform>
+                <numerusform>Wasserdicht bis auf %Ln Risse: Vernähen drücken</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Not watertight: %Ln open boundary loop(s)</source>
+            <translation>
+                <numerusform>Nicht wasserdicht: %Ln offener Rand</numerusform>
+                <numerusform>Nicht wasserdicht: %Ln offene Ränder</numerusform>
             </translation>
         </message>
     </context>
@@ -5764,19 +5696,11 @@
         </message>
         <message>
             <source>PLY, STL, OBJ, OFF, glTF or 3MF; or a saved session</source>
-            <translation>PLY, STL, OBJ, OFF, glTF oder 3MF; oder eine gesicherte Sitzung</translation>
-        </message>
-        <message>
-            <source>&amp;Open…</source>
-            <translation>&amp;Öffnen…</translation>
+            <translation>PLY, STL, OBJ, OFF, glTF oder 3MF; oder eine gespeicherte Sitzung</translation>
         </message>
         <message>
             <source>Choose a file (Ctrl+O)</source>
             <translation>Eine Datei wählen (Strg+O)</translation>
-        </message>
-        <message>
-            <source>&amp;Try the sample</source>
-            <translation>&amp;Beispiel ansehen</translation>
         </message>
         <message>
             <source>A small made-up scan with five holes</source>
@@ -5793,6 +5717,14 @@
         <message>
             <source>Examples of the paper</source>
             <translation>Beispiele des Aufsatzes</translation>
+        </message>
+        <message>
+            <source>Open…</source>
+            <translation>Öffnen…</translation>
+        </message>
+        <message>
+            <source>Try the sample</source>
+            <translation>Beispiel ansehen</translation>
         </message>
     </context>
     <context>
@@ -5839,7 +5771,7 @@
         </message>
         <message>
             <source>Save</source>
-            <translation>Sichern</translation>
+            <translation>Speichern</translation>
         </message>
         <message>
             <source>Export</source>
@@ -5879,7 +5811,7 @@
         </message>
         <message>
             <source>&amp;Save session</source>
-            <translation>Sitzung &amp;sichern</translation>
+            <translation>Sitzung &amp;speichern</translation>
         </message>
         <message>
             <source>Keep scans and patches as they are, to go on another day</source>
@@ -5887,11 +5819,11 @@
         </message>
         <message>
             <source>Save session &amp;as…</source>
-            <translation>Sitzung sichern &amp;als…</translation>
+            <translation>Sitzung speichern &amp;als…</translation>
         </message>
         <message>
             <source>Save the session under another name</source>
-            <translation>Die Sitzung unter anderem Namen sichern</translation>
+            <translation>Die Sitzung unter anderem Namen speichern</translation>
         </message>
         <message>
             <source>&amp;Export…</source>
@@ -6525,10 +6457,6 @@
             <translation>Loch %1</translation>
         </message>
         <message>
-            <source>%1 holes</source>
-            <translation>%1 Löcher</translation>
-        </message>
-        <message>
             <source>holes %1 and %2</source>
             <translation>Löcher %1 und %2</translation>
         </message>
@@ -6687,34 +6615,6 @@
             <source>display statements</source>
             <translation>Anzeigeanweisungen</translation>
         </message>
-        <message numerus="yes">
-            <source>%n open boundary loop(s)</source>
-            <translation>
-                <numerusform>%n offene Randschleife</numerusform>
-                <numerusform>%n offene Randschleifen</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n edge(s) of more than two faces</source>
-            <translation>
-                <numerusform>%n Kante mit mehr als zwei Flächen</numerusform>
-                <numerusform>%n Kanten mit mehr als zwei Flächen</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n edge(s) whose faces look to opposite sides</source>
-            <translation>
-                <numerusform>%n Kante, deren Flächen nach verschiedenen Seiten schauen</numerusform>
-                <numerusform>%n Kanten, deren Flächen nach verschiedenen Seiten schauen</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n pair(s) of faces that intersect</source>
-            <translation>
-                <numerusform>%n Paar Flächen, die sich schneiden</numerusform>
-                <numerusform>%n Paare Flächen, die sich schneiden</numerusform>
-            </translation>
-        </message>
         <message>
             <source>the surface is inside out</source>
             <translation>die Fläche ist umgestülpt</translation>
@@ -6826,6 +6726,38 @@
         <message>
             <source>The scan around the hole is too small for its seam to be measured.</source>
             <translation>Der Scan um das Loch ist zu klein, um seine Naht zu messen.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln open boundary loop(s)</source>
+            <translation>
+                <numerusform>%Ln offene Randschleife</numerusform>
+                <numerusform>%Ln offene Randschleifen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>%Ln Kante mit mehr als zwei Flächen</numerusform>
+                <numerusform>%Ln Kanten mit mehr als zwei Flächen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) whose faces look to opposite sides</source>
+            <translation>
+                <numerusform>%Ln Kante, deren Flächen nach verschiedenen Seiten schauen</numerusform>
+                <numerusform>%Ln Kanten, deren Flächen nach verschiedenen Seiten schauen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln pair(s) of faces that intersect</source>
+            <translation>
+                <numerusform>%Ln Paar Flächen, die sich schneiden</numerusform>
+                <numerusform>%Ln Paare Flächen, die sich schneiden</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%L1 holes</source>
+            <translation>%L1 Löcher</translation>
         </message>
     </context>
 </TS>

@@ -4,262 +4,234 @@
     <context>
         <name>loopmend::Autosave</name>
         <message numerus="yes">
-            <source>%1, %n patch(es), %2</source>
+            <source>%1, %Ln patch(es), %2</source>
             <translation>
-                <numerusform>%1, %n patch, %2</numerusform>
-                <numerusform>%1, %n patches, %2</numerusform>
+                <numerusform>%1, %Ln patch, %2</numerusform>
+                <numerusform>%1, %Ln patches, %2</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::ExportDialog</name>
         <message numerus="yes">
-            <source>%n hidden piece(s) or patch(es) are written as well.</source>
+            <source>%Ln hidden piece(s) or patch(es) are written as well.</source>
             <translation>
-                <numerusform>%n hidden piece or patch is written as well.</numerusform>
-                <numerusform>%n hidden pieces or patches are written as well.</numerusform>
+                <numerusform>%Ln hidden piece or patch is written as well.</numerusform>
+                <numerusform>%Ln hidden pieces or patches are written as well.</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::FileDesk</name>
         <message numerus="yes">
-            <source>%n of the patches are initial patches: no flow has smoothed them yet.</source>
+            <source>%Ln of the patches are initial patches: no flow has smoothed them yet.</source>
             <translation>
-                <numerusform>%n of the patches is an initial patch: no flow has smoothed it yet.</numerusform>
-                <numerusform>%n of the patches are initial patches: no flow has smoothed them yet.</numerusform>
+                <numerusform>%Ln of the patches is an initial patch: no flow has smoothed it yet.</numerusform>
+                <numerusform>%Ln of the patches are initial patches: no flow has smoothed them yet.</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::FillBox</name>
         <message numerus="yes">
-            <source>%n crack(s): press Stitch.</source>
+            <source>%Ln crack(s): press Stitch.</source>
             <translation>
-                <numerusform>%n crack: press Stitch.</numerusform>
-                <numerusform>%n cracks: press Stitch.</numerusform>
+                <numerusform>%Ln crack: press Stitch.</numerusform>
+                <numerusform>%Ln cracks: press Stitch.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n cut(s): press Repair….</source>
+            <source>%Ln cut(s): press Repair….</source>
             <translation>
-                <numerusform>%n cut: press Repair….</numerusform>
-                <numerusform>%n cuts: press Repair….</numerusform>
+                <numerusform>%Ln cut: press Repair….</numerusform>
+                <numerusform>%Ln cuts: press Repair….</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>Stitch %n crack(s)</source>
+            <source>Stitch %Ln crack(s)</source>
             <translation>
-                <numerusform>Stitch %n crack</numerusform>
-                <numerusform>Stitch %n cracks</numerusform>
+                <numerusform>Stitch %Ln crack</numerusform>
+                <numerusform>Stitch %Ln cracks</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::FillController</name>
         <message numerus="yes">
-            <source>%n more</source>
+            <source>%Ln more</source>
             <translation>
-                <numerusform>%n more</numerusform>
-                <numerusform>%n more</numerusform>
+                <numerusform>%Ln more</numerusform>
+                <numerusform>%Ln more</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n vertices joined</source>
+            <source>%Ln patch(es) are a part of the scan now.</source>
             <translation>
-                <numerusform>%n vertex joined</numerusform>
-                <numerusform>%n vertices joined</numerusform>
+                <numerusform>%Ln patch is a part of the scan now.</numerusform>
+                <numerusform>%Ln patches are a part of the scan now.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n degenerate faces removed</source>
+            <source>%1 %Ln patch(es) of this scan were removed.</source>
             <translation>
-                <numerusform>%n degenerate face removed</numerusform>
-                <numerusform>%n degenerate faces removed</numerusform>
+                <numerusform>%1 %Ln patch of this scan was removed.</numerusform>
+                <numerusform>%1 %Ln patches of this scan were removed.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n duplicate faces removed</source>
+            <source>%1: %Ln triangle(s) were removed where a boundary ran through the surface; Ctrl+Z brings them back.</source>
             <translation>
-                <numerusform>%n duplicate face removed</numerusform>
-                <numerusform>%n duplicate faces removed</numerusform>
+                <numerusform>%1: %Ln triangle was removed where a boundary ran through the surface; Ctrl+Z brings it back.</numerusform>
+                <numerusform>%1: %Ln triangles were removed where a boundary ran through the surface; Ctrl+Z brings them back.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n intersecting faces cut out</source>
+            <source>%Ln vertices joined</source>
             <translation>
-                <numerusform>%n intersecting face cut out</numerusform>
-                <numerusform>%n intersecting faces cut out</numerusform>
+                <numerusform>%Ln vertex joined</numerusform>
+                <numerusform>%Ln vertices joined</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n edges separated</source>
+            <source>%Ln degenerate faces removed</source>
             <translation>
-                <numerusform>%n edge separated</numerusform>
-                <numerusform>%n edges separated</numerusform>
+                <numerusform>%Ln degenerate face removed</numerusform>
+                <numerusform>%Ln degenerate faces removed</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n vertices separated</source>
+            <source>%Ln duplicate faces removed</source>
             <translation>
-                <numerusform>%n vertex separated</numerusform>
-                <numerusform>%n vertices separated</numerusform>
+                <numerusform>%Ln duplicate face removed</numerusform>
+                <numerusform>%Ln duplicate faces removed</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n faces turned</source>
+            <source>%Ln intersecting faces cut out</source>
             <translation>
-                <numerusform>%n face turned</numerusform>
-                <numerusform>%n faces turned</numerusform>
+                <numerusform>%Ln intersecting face cut out</numerusform>
+                <numerusform>%Ln intersecting faces cut out</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n loose crumbs removed</source>
+            <source>%Ln edges separated</source>
             <translation>
-                <numerusform>%n loose crumb removed</numerusform>
-                <numerusform>%n loose crumbs removed</numerusform>
+                <numerusform>%Ln edge separated</numerusform>
+                <numerusform>%Ln edges separated</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n patch(es) are a part of the scan now.</source>
+            <source>%Ln vertices separated</source>
             <translation>
-                <numerusform>%n patch is a part of the scan now.</numerusform>
-                <numerusform>%n patches are a part of the scan now.</numerusform>
+                <numerusform>%Ln vertex separated</numerusform>
+                <numerusform>%Ln vertices separated</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%1 %n patch(es) of this scan were removed.</source>
+            <source>%Ln faces turned</source>
             <translation>
-                <numerusform>%1 %n patch of this scan was removed.</numerusform>
-                <numerusform>%1 %n patches of this scan were removed.</numerusform>
+                <numerusform>%Ln face turned</numerusform>
+                <numerusform>%Ln faces turned</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%1: %n face(s) were erased; Ctrl+Z brings them back.</source>
+            <source>%Ln loose crumbs removed</source>
             <translation>
-                <numerusform>%1: %n face was erased; Ctrl+Z brings it back.</numerusform>
-                <numerusform>%1: %n faces were erased; Ctrl+Z brings them back.</numerusform>
+                <numerusform>%Ln loose crumb removed</numerusform>
+                <numerusform>%Ln loose crumbs removed</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</source>
+            <source>%1: %Ln face(s) were erased; Ctrl+Z brings them back.</source>
             <translation>
-                <numerusform>%1: the boundary was parted at %n vertex; Ctrl+Z takes it back.</numerusform>
-                <numerusform>%1: the boundary was parted at %n vertices; Ctrl+Z takes it back.</numerusform>
+                <numerusform>%1: %Ln face was erased; Ctrl+Z brings it back.</numerusform>
+                <numerusform>%1: %Ln faces were erased; Ctrl+Z brings them back.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%1: %n triangle(s) were removed where a boundary ran through the surface; Ctrl+Z brings them back.</source>
+            <source>%1: the boundary was parted at %Ln vertices; Ctrl+Z takes it back.</source>
             <translation>
-                <numerusform>%1: %n triangle was removed where a boundary ran through the surface; Ctrl+Z brings it back.</numerusform>
-                <numerusform>%1: %n triangles were removed where a boundary ran through the surface; Ctrl+Z brings them back.</numerusform>
+                <numerusform>%1: the boundary was parted at %Ln vertex; Ctrl+Z takes it back.</numerusform>
+                <numerusform>%1: the boundary was parted at %Ln vertices; Ctrl+Z takes it back.</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::HolesPanel</name>
         <message numerus="yes">
-            <source>%n hole(s), %1 open</source>
+            <source>%Ln hole(s), %L1 open</source>
             <translation>
-                <numerusform>%n hole, %1 open</numerusform>
-                <numerusform>%n holes, %1 open</numerusform>
+                <numerusform>%Ln hole, %L1 open</numerusform>
+                <numerusform>%Ln holes, %L1 open</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::MainWindow</name>
         <message numerus="yes">
-            <source>Stitc&amp;h %n crack(s)</source>
+            <source>Stitc&amp;h %Ln crack(s)</source>
             <translation>
-                <numerusform>Stitc&amp;h %n crack</numerusform>
-                <numerusform>Stitc&amp;h %n cracks</numerusform>
+                <numerusform>Stitc&amp;h %Ln crack</numerusform>
+                <numerusform>Stitc&amp;h %Ln cracks</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::MeshView</name>
         <message numerus="yes">
-            <source>%n hidden: show all</source>
+            <source>%Ln hidden: show all</source>
             <translation>
-                <numerusform>%n hidden: show all</numerusform>
-                <numerusform>%n hidden: show all</numerusform>
+                <numerusform>%Ln hidden: show all</numerusform>
+                <numerusform>%Ln hidden: show all</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::PieceMenu</name>
         <message numerus="yes">
-            <source>%n piece(s)</source>
+            <source>%Ln piece(s)</source>
             <translation>
-                <numerusform>%n piece</numerusform>
-                <numerusform>%n pieces</numerusform>
+                <numerusform>%Ln piece</numerusform>
+                <numerusform>%Ln pieces</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::ScenePanel</name>
         <message numerus="yes">
-            <source>%n smaller piece(s)</source>
+            <source>%Ln smaller piece(s)</source>
             <translation>
-                <numerusform>%n smaller piece</numerusform>
-                <numerusform>%n smaller pieces</numerusform>
+                <numerusform>%Ln smaller piece</numerusform>
+                <numerusform>%Ln smaller pieces</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n patch(es)</source>
+            <source>%Ln patch(es)</source>
             <translation>
-                <numerusform>%n patch</numerusform>
-                <numerusform>%n patches</numerusform>
+                <numerusform>%Ln patch</numerusform>
+                <numerusform>%Ln patches</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::StatusLine</name>
         <message numerus="yes">
-            <source>Not watertight: %n open boundary loop(s)</source>
+            <source>Watertight but for %Ln crack(s): press Stitch</source>
             <translation>
-                <numerusform>Not watertight: %n open boundary loop</numerusform>
-                <numerusform>Not watertight: %n open boundary loops</numerusform>
+                <numerusform>Watertight but for %Ln crack: press Stitch</numerusform>
+                <numerusform>Watertight but for %Ln cracks: press Stitch</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>Watertight but for %n crack(s): press Stitch</source>
+            <source>Not watertight: %Ln open boundary loop(s)</source>
             <translation>
-                <numerusform>Watertight but for %n crack: press Stitch</numerusform>
-                <numerusform>Watertight but for %n cracks: press Stitch</numerusform>
+                <numerusform>Not watertight: %Ln open boundary loop</numerusform>
+                <numerusform>Not watertight: %Ln open boundary loops</numerusform>
             </translation>
         </message>
     </context>
     <context>
         <name>loopmend::labels</name>
-        <message numerus="yes">
-            <source>%n open boundary loop(s)</source>
-            <translation>
-                <numerusform>%n open boundary loop</numerusform>
-                <numerusform>%n open boundary loops</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n edge(s) of more than two faces</source>
-            <translation>
-                <numerusform>%n edge of more than two faces</numerusform>
-                <numerusform>%n edges of more than two faces</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n edge(s) whose faces look to opposite sides</source>
-            <translation>
-                <numerusform>%n edge whose faces look to opposite sides</numerusform>
-                <numerusform>%n edges whose faces look to opposite sides</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n pair(s) of faces that intersect</source>
-            <translation>
-                <numerusform>%n pair of faces that intersect</numerusform>
-                <numerusform>%n pairs of faces that intersect</numerusform>
-            </translation>
-        </message>
         <message numerus="yes">
             <source>%1 triangles</source>
             <translation>
@@ -349,6 +321,34 @@
             <translation>
                 <numerusform>%1 boundary edge that lies exactly on another (the mesh is split there; Stitch joins them)</numerusform>
                 <numerusform>%1 boundary edges that lie exactly on another (the mesh is split there; Stitch joins them)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln open boundary loop(s)</source>
+            <translation>
+                <numerusform>%Ln open boundary loop</numerusform>
+                <numerusform>%Ln open boundary loops</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>%Ln edge of more than two faces</numerusform>
+                <numerusform>%Ln edges of more than two faces</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) whose faces look to opposite sides</source>
+            <translation>
+                <numerusform>%Ln edge whose faces look to opposite sides</numerusform>
+                <numerusform>%Ln edges whose faces look to opposite sides</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln pair(s) of faces that intersect</source>
+            <translation>
+                <numerusform>%Ln pair of faces that intersect</numerusform>
+                <numerusform>%Ln pairs of faces that intersect</numerusform>
             </translation>
         </message>
     </context>

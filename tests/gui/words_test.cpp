@@ -14,7 +14,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMap>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTableView>
@@ -60,6 +62,8 @@ class WordsTest : public QObject {
   void a_right_click_on_a_hole_offers_what_applies();
   void accept_and_discard_have_the_same_words_data();
   void accept_and_discard_have_the_same_words();
+  void no_two_controls_share_a_letter_data();
+  void no_two_controls_share_a_letter();
   void numbers_are_written_in_one_locale_data();
   void numbers_are_written_in_one_locale();
 
@@ -365,6 +369,51 @@ void WordsTest::accept_and_discard_have_the_same_words() {
   QVERIFY2(menu_accept.startsWith(*accept.begin()), qPrintable(menu_accept));
   QVERIFY2(menu_accept.contains(*reopen.begin(), Qt::CaseInsensitive), qPrintable(menu_accept));
   QVERIFY2(undo_reopen.startsWith(*reopen.begin()), qPrintable(undo_reopen));
+}
+
+void WordsTest::no_two_controls_share_a_letter_data() { add_languages(); }
+
+/// Alt with a letter presses one control, or opens one menu: never the one of several that happens to come first.
+void WordsTest::no_two_controls_share_a_letter() {
+  QFETCH(QString, language);
+  install_language(language);
+  QSet<QString> shared;
+  {
+    Shown shown({sample_file(folder_)});
+    MainWindow& window = shown.window;
+    const auto look = [&] {
+      settle(60);
+      QMultiMap<QString, QString> controls;
+      const auto add = [&](const QString& text) {
+        const QString letter = QKeySequence::mnemonic(text).toString();
+        if (!letter.isEmpty()) controls.insert(letter, text);
+      };
+      for (const QAction* menu : window.menuBar()->actions()) add(menu->text());
+      for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible()) continue;
+        if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) add(button->text());
+        if (const auto* label = qobject_cast<const QLabel*>(widget); label && label->buddy()) add(label->text());
+      }
+      for (const QString& letter : controls.uniqueKeys())
+        if (controls.count(letter) > 1)
+          shared << letter + QStringLiteral(": ") + controls.values(letter).join(QStringLiteral(" | "));
+    };
+    look();
+    press(window, "fillAndSmooth");
+    QVERIFY(wait_idle(window));
+    look();
+    for (const char* tool :
+         {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction", "toolMeasureAction"}) {
+      trigger(window, tool);
+      look();
+    }
+    for (const char* dock : {"lookDock", "sceneDock"}) {
+      part<QDockWidget>(window, dock)->raise();
+      look();
+    }
+  }
+  install_language(QStringLiteral("en"));
+  QVERIFY2(shared.isEmpty(), qPrintable(QStringList(shared.values()).join(QLatin1Char('\n'))));
 }
 
 void WordsTest::numbers_are_written_in_one_locale_data() { add_languages(); }
