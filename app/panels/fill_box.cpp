@@ -160,7 +160,15 @@ QString FillBox::target_words(const std::set<int>& loops) const {
   const std::set<int>& selected = selection_.selected();
   if (std::any_of(selected.begin(), selected.end(), is_cut)) return tr("A cut is no hole to be filled.");
   if (chosen) return tr("The selection is filled already.");
+  if (const int cutting = count_cutting()) return tr("%Ln patch(es) cut the surface.", nullptr, cutting);
   return tr("No open hole is left.");
+}
+
+/// Patches that are not exported.
+int FillBox::count_cutting() const {
+  return static_cast<int>(std::count_if(
+      document_.patches().begin(), document_.patches().end(),
+      [this](const OpenPatch& patch) { return document_.state(patch.loops.front()) == HoleState::cutting; }));
 }
 
 /// Of a patch that may still be discarded, whether a flow left it with an angle at the seam that the eye sees.
@@ -193,6 +201,7 @@ QString FillBox::advice(const std::set<int>& loops) const {
   if (std::any_of(selected.begin(), selected.end(), [this](int loop) { return has_crease(loop); }))
     return tr("A crease at the seam? Discard, then Trim.");
   if (!selected.empty()) return {};
+  if (count_cutting() > 0) return tr("Select one: Discard, then Trim.");
   std::map<LoopKind, int> left;
   for (int loop = 0; loop < document_.loop_count(); ++loop)
     if (document_.present(loop) && document_.state(loop) == HoleState::left_out) ++left[document_.loop(loop).kind];

@@ -45,6 +45,7 @@ class FillBox : public QGroupBox {
   std::set<int> patches_to_smooth() const;
   QString target_words(const std::set<int>& loops) const;
   bool has_crease(int loop) const;
+  int count_cutting() const;
   QString advice(const std::set<int>& loops) const;
   QString estimate(const std::set<int>& loops) const;
   void preview_soon();

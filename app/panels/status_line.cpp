@@ -57,11 +57,11 @@ void StatusLine::count() {
     vertices += static_cast<std::size_t>(patch.state->patch.free_count);
   }
   const int cracks = cracks_left(document_);
-  int open = 0;
+  int open = 0, cuts = 0;
   for (int loop = 0; loop < document_.loop_count(); ++loop) {
     // A patch that cuts the surface is left out of what is written.
     if (!document_.present(loop) || (document_.patch_of(loop) && document_.state(loop) != HoleState::cutting)) continue;
-    open += document_.loop(loop).kind != LoopKind::cut;
+    (document_.loop(loop).kind == LoopKind::cut ? cuts : open) += 1;
   }
   scan_->setText(triangles == 0
                      ? QString()
@@ -75,8 +75,10 @@ void StatusLine::count() {
     return;
   }
   closed_->setToolTip(tr("Intersections have not been looked for yet"));
+  // Whether a surface is one where it had to be cut, only the check tells.
   closed_->setText(triangles == 0 ? QString()
                    : open > 0     ? tr("Not watertight: %Ln open boundary loop(s)", nullptr, open)
+                   : cuts > 0     ? tr("Not checked yet")
                                   : tr("No open boundary loops"));
 }
 

@@ -14,18 +14,18 @@
 namespace loopmend {
 namespace {
 
-/// Sets of vertices that hang together.
-class VertexSets {
+/// Sets of vertices, or of edges, that hang together.
+class ConnectedSets {
  public:
-  explicit VertexSets(std::size_t count) : rank_(count, 0), parent_(count), sets_(rank_.data(), parent_.data()) {
+  explicit ConnectedSets(std::size_t count) : rank_(count, 0), parent_(count), sets_(rank_.data(), parent_.data()) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
   void join(int a, int b) { sets_.union_set(a, b); }
-  /// Of those that hold one of these vertices.
-  std::size_t count(std::vector<int> vertices) {
-    for (int& v : vertices) v = sets_.find_set(v);
-    std::sort(vertices.begin(), vertices.end());
-    return static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+  /// Of those that hold one of these.
+  std::size_t count(std::vector<int> members) {
+    for (int& member : members) member = sets_.find_set(member);
+    std::sort(members.begin(), members.end());
+    return static_cast<std::size_t>(std::unique(members.begin(), members.end()) - members.begin());
   }
 
  private:
@@ -36,6 +36,7 @@ class VertexSets {
 
 struct Edge {
   int low, high;
+  int triangle;
   bool forward;  ///< whether its triangle runs from low to high
   bool operator<(const Edge& other) const { return low != other.low ? low < other.low : high < other.high; }
 };
@@ -43,25 +44,73 @@ struct Edge {
 std::vector<Edge> sorted_edges(const Triangles& triangles) {
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles)
+  for (std::size_t f = 0; f < triangles.size(); ++f)
     for (int k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a < b});
+      const int a = triangles[f][k], b = triangles[f][(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), static_cast<int>(f), a < b});
     }
   std::sort(edges.begin(), edges.end());
   return edges;
 }
 
+/// The vertex of the triangle after v.
+int after(const Triangle& t, int v) { return t[(std::find(t.begin(), t.end(), v) - t.begin() + 1) % 3]; }
+
+int start_of(const Edge& edge) { return edge.forward ? edge.low : edge.high; }
+int end_of(const Edge& edge) { return edge.forward ? edge.high : edge.low; }
+
+/// The open edge at the other side of the fan of triangles at whose one side this one ends; null where it is no fan of a surface.
+const Edge* across_fan(const Edge& edge, const std::vector<Edge>& edges, const Triangles& triangles) {
+  const int pivot = end_of(edge);
+  int triangle = edge.triangle;
+  for (std::size_t steps = 0; steps < triangles.size(); ++steps) {
+    const int next = after(triangles[triangle], pivot);
+    const Edge wanted{std::min(pivot, next), std::max(pivot, next), 0, false};
+    const auto [first, last] = std::equal_range(edges.begin(), edges.end(), wanted);
+    if (last - first == 1) return &*first;
+    if (last - first != 2 || first->forward == std::next(first)->forward) return nullptr;
+    triangle = first->triangle == triangle ? std::next(first)->triangle : first->triangle;
+  }
+  return nullptr;
+}
+
+/// Two loops that touch at a vertex are two. Where more of them meet, or the triangles are no fans, they are taken for one.
+std::size_t count_loops(const std::vector<Edge>& open, const std::vector<Edge>& edges, const Triangles& triangles,
+                        std::size_t vertex_count) {
+  const auto count = static_cast<int>(open.size());
+  ConnectedSets loops(open.size() + vertex_count);  // the vertices stand for the edges at them where these are one set
+  std::vector<int> numbers(open.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::vector<char> meet(vertex_count, 0);
+  std::vector<int> arriving(vertex_count, 0), leaving(vertex_count, 0), sum_leaving(vertex_count, 0);
+  for (int i : numbers) {
+    ++arriving[end_of(open[i])];
+    ++leaving[start_of(open[i])];
+    sum_leaving[start_of(open[i])] += i;
+  }
+  for (int i : numbers) {
+    const int v = end_of(open[i]);
+    const bool two = arriving[v] == 2 && leaving[v] == 2;
+    if (const Edge* across = two ? across_fan(open[i], edges, triangles) : nullptr) {
+      const auto far_side = std::lower_bound(open.begin(), open.end(), *across) - open.begin();
+      loops.join(i, sum_leaving[v] - static_cast<int>(far_side));  // goes on at the near side of the other fan
+      continue;
+    }
+    loops.join(i, count + v);
+    meet[v] = 1;
+  }
+  for (int i : numbers)
+    if (const int v = start_of(open[i]); meet[v] || arriving[v] == 0) loops.join(i, count + v);
+  return loops.count(std::move(numbers));
+}
+
 void count_edges(const Triangles& triangles, std::size_t vertex_count, Watertightness& result) {
   const std::vector<Edge> edges = sorted_edges(triangles);
-  VertexSets boundaries(vertex_count);
-  std::vector<int> on_boundary;
+  std::vector<Edge> open;
   for (auto first = edges.begin(); first != edges.end();) {
     const auto last = std::upper_bound(first, edges.end(), *first);
     if (const std::span same(first, last); same.size() == 1) {
-      ++result.open_edges;
-      boundaries.join(first->low, first->high);
-      on_boundary.push_back(first->low);
+      open.push_back(*first);
     } else {
       const auto forward = std::count_if(same.begin(), same.end(), [](const Edge& edge) { return edge.forward; });
       const bool in_pairs = 2 * static_cast<std::size_t>(forward) == same.size();
@@ -72,7 +121,8 @@ void count_edges(const Triangles& triangles, std::size_t vertex_count, Watertigh
     }
     first = last;
   }
-  result.open_boundaries = boundaries.count(std::move(on_boundary));
+  result.open_edges = open.size();
+  result.open_boundaries = count_loops(open, edges, triangles, vertex_count);
 }
 
 /// The triangles over the first point in each place, without those that are left with two corners or fewer.
@@ -88,7 +138,7 @@ Triangles welded_by_place(const TriangleSoup& soup) {
 }
 
 std::size_t count_pieces(const Triangles& triangles, std::size_t vertex_count) {
-  VertexSets pieces(vertex_count);
+  ConnectedSets pieces(vertex_count);
   std::vector<int> used;
   used.reserve(triangles.size());
   for (const Triangle& t : triangles) {

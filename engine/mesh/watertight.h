@@ -15,7 +15,7 @@ namespace loopmend {
 /// them.
 struct Watertightness {
   std::size_t pieces = 0;              ///< parts of the surface that share no vertex
-  std::size_t open_boundaries = 0;     ///< sets of open edges that hang together
+  std::size_t open_boundaries = 0;     ///< loops of open edges; two that touch at a vertex are two
   std::size_t open_edges = 0;          ///< of one triangle
   std::size_t touching_edges = 0;      ///< of more than two, in pairs that agree: where a body touches another, or itself
   std::size_t non_manifold_edges = 0;  ///< of more than two that are not in such pairs

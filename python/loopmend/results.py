@@ -62,7 +62,7 @@ class Check:
     ready_to_print: whether nothing stands against it.
     against_it: what does, one phrase each, such as "2 open boundaries".
     pieces: parts of the surface that share no vertex.
-    open_boundaries, open_edges: sets of open edges that hang together; edges of one face.
+    open_boundaries, open_edges: loops of open edges, two that touch are two; edges of one face.
     touching_edges: of more than two faces, in pairs that agree: where a body touches another, or itself. They may stay.
     non_manifold_edges: of more than two faces that are not in such pairs.
     reversed_edges: whose two faces do not agree which side is outside.

@@ -3238,6 +3238,17 @@
             <source>All open holes (%L1)</source>
             <translation>Alle offenen Löcher (%L1)</translation>
         </message>
+        <message numerus="yes">
+            <source>%Ln patch(es) cut the surface.</source>
+            <translation>
+                <numerusform>%Ln Flicken schneidet die Fläche.</numerusform>
+                <numerusform>%Ln Flicken schneiden die Fläche.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Select one: Discard, then Trim.</source>
+            <translation>Einen wählen: Verwerfen, dann Beschneiden.</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillController</name>
@@ -5585,6 +5596,10 @@
                 <numerusform>Nicht wasserdicht: %Ln offener Rand</numerusform>
                 <numerusform>Nicht wasserdicht: %Ln offene Ränder</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>Not checked yet</source>
+            <translation>Noch nicht geprüft</translation>
         </message>
     </context>
     <context>

@@ -54,6 +54,13 @@
                 <numerusform>Stitch %Ln cracks</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%Ln patch(es) cut the surface.</source>
+            <translation>
+                <numerusform>%Ln patch cuts the surface.</numerusform>
+                <numerusform>%Ln patches cut the surface.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FillController</name>

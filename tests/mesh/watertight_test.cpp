@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,6 +48,28 @@ TEST(Watertight, HolesAreCountedByBoundaries) {
   EXPECT_FALSE(found.encloses());
   EXPECT_EQ(found.open_boundaries, 2u);
   EXPECT_EQ(faults(found), Words{"2 open boundaries"});
+}
+
+TEST(Watertight, HolesThatTouchAreCountedEach) {
+  TriangleSoup sphere = make_icosphere(3);
+  const int v = sphere.triangles.front()[0];
+  std::vector<std::size_t> around;  // v
+  for (std::size_t f = 0; f < sphere.triangles.size(); ++f)
+    if (std::find(sphere.triangles[f].begin(), sphere.triangles[f].end(), v) != sphere.triangles[f].end())
+      around.push_back(f);
+  const Triangle first = sphere.triangles[around.front()];
+  const auto shared = [&](std::size_t f) {
+    return std::count_if(first.begin(), first.end(), [&](int corner) {
+      const Triangle& t = sphere.triangles[f];
+      return std::find(t.begin(), t.end(), corner) != t.end();
+    });
+  };
+  const std::size_t second = *std::find_if(around.begin(), around.end(), [&](std::size_t f) { return shared(f) == 1; });
+  sphere.triangles.erase(sphere.triangles.begin() + static_cast<std::ptrdiff_t>(std::max(second, around.front())));
+  sphere.triangles.erase(sphere.triangles.begin() + static_cast<std::ptrdiff_t>(std::min(second, around.front())));
+  const Watertightness found = watertightness(sphere);
+  EXPECT_EQ(found.open_edges, 6u);
+  EXPECT_EQ(found.open_boundaries, 2u);
 }
 
 TEST(Watertight, TriangleTurnedRoundIsFound) {
