@@ -53,6 +53,7 @@ void DecisionBox::build() {
   explain(timeline_, tr("Timeline"),
           tr("Go back to any recorded state, from the initial patch on the left to the latest"));
   place_ = make_note("timelinePlace");
+  place_->keep_room_for({tr("Recorded states appear here.")});
   accept_ = make_button("accept", tr("Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
   reject_ = make_button("reject", tr("Discard"), tr("Throw this patch away; the hole is open again (Delete)"));
   copy_ = make_button("copyCommand", tr("Copy command line"),

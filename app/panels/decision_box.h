@@ -4,12 +4,12 @@
 
 #include <QGroupBox>
 
-class QLabel;
 class QPushButton;
 class QSlider;
 
 namespace loopmend {
 
+class QuietLabel;
 class Document;
 class HoleSelection;
 class FillController;
@@ -40,7 +40,7 @@ class DecisionBox : public QGroupBox {
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
-  QLabel* place_ = nullptr;
+  QuietLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;
   QPushButton *accept_ = nullptr, *reject_ = nullptr, *copy_ = nullptr;
   bool syncing_ = false;

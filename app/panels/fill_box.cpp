@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace loopmend {
 namespace {
@@ -202,12 +201,15 @@ QString FillBox::advice(const std::set<int>& loops) const {
     return tr("A crease at the seam? Discard, then Trim.");
   if (!selected.empty()) return {};
   if (count_cutting() > 0) return tr("Select one: Discard, then Trim.");
-  std::map<LoopKind, int> left;
-  for (int loop = 0; loop < document_.loop_count(); ++loop)
-    if (document_.present(loop) && document_.state(loop) == HoleState::left_out) ++left[document_.loop(loop).kind];
-  if (const int cracks = left[LoopKind::crack]) return tr("%Ln crack(s): press Stitch.", nullptr, cracks);
-  if (const int cuts = left[LoopKind::cut]) return tr("%Ln cut(s): press Repair\u2026.", nullptr, cuts);
-  return left.empty() ? QString() : tr("To fill one that is left out, select it.");
+  int cracks = 0, cuts = 0, others = 0;  // that are left out
+  for (int loop = 0; loop < document_.loop_count(); ++loop) {
+    if (!document_.present(loop) || document_.state(loop) != HoleState::left_out) continue;
+    const LoopKind kind = document_.loop(loop).kind;
+    ++(kind == LoopKind::crack ? cracks : kind == LoopKind::cut ? cuts : others);
+  }
+  if (cracks > 0) return tr("%Ln crack(s): press Stitch.", nullptr, cracks);
+  if (cuts > 0) return tr("%Ln cut(s): press Repair\u2026.", nullptr, cuts);
+  return others > 0 ? tr("To fill one that is left out, select it.") : QString();
 }
 
 /// From the projected areas and the mean length of the rims' edges: equilateral triangles of that size.

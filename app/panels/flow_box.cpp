@@ -47,6 +47,8 @@ void FlowBox::build() {
   target_ = make_note("flowTarget");
   flow_ = make_flow_choice("flow", tr("Which geometric flow moves the patch, and so how far the seam is matched"));
   help_ = make_note("flowHelp");
+  help_->keep_room_for({labels::flow_help(FlowKind::mcf), labels::flow_help(FlowKind::sdf),
+                        labels::flow_help(FlowKind::wf), labels::flow_help(FlowKind::mmcvf)});
   boundary_ = make_boundary_choice("boundary");
   continuity_ = make_continuity_choice("continuity");
   auto* boundary_label = new QLabel(tr("Boundary"));

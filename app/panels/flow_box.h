@@ -14,6 +14,7 @@ class QSlider;
 
 namespace loopmend {
 
+class QuietLabel;
 class HoleSelection;
 class FillController;
 
@@ -40,7 +41,8 @@ class FlowBox : public QGroupBox {
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
-  QLabel *target_ = nullptr, *help_ = nullptr, *sigma_value_ = nullptr;
+  QLabel *target_ = nullptr, *sigma_value_ = nullptr;
+  QuietLabel* help_ = nullptr;
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
   QCheckBox* relief_ = nullptr;
   QSlider* sigma_ = nullptr;

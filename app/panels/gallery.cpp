@@ -8,10 +8,14 @@
 #include <QIcon>
 #include <QToolButton>
 
+#include <algorithm>
+#include <utility>
+
 namespace loopmend {
 namespace {
 
-constexpr int columns = 5;
+constexpr int most_columns = 5;
+constexpr int spacing = 4;
 const QSize picture_size(102, 72);
 
 // So that the translations know them: the examples themselves know no Qt.
@@ -46,10 +50,9 @@ QString example_title(const PaperExample& example) {
 
 Gallery::Gallery(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("gallery"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
-  int place = 0;
+  grid_ = new QGridLayout(this);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(spacing);
   for (const PaperExample& example : paper_examples()) {
     const QString id = QString::fromLatin1(example.id);
     auto* button = new QToolButton;
@@ -63,9 +66,19 @@ Gallery::Gallery(QWidget* parent) : QWidget(parent) {
     explain(button, example_title(example),
             tr("%1. A click opens it, a second one runs it").arg(example_title(example)));
     connect(button, &QToolButton::clicked, this, [this, id] { Q_EMIT example_wanted(id); });
-    grid->addWidget(button, place / columns, place % columns);
-    ++place;
+    buttons_ << button;
   }
+  place(most_columns);
+}
+
+void Gallery::lay_out(int width) {
+  const int each = buttons_.front()->minimumWidth() + spacing;
+  place(std::clamp((width + spacing) / each, 1, most_columns));
+}
+
+void Gallery::place(int columns) {
+  if (std::exchange(columns_, columns) == columns) return;
+  for (int k = 0; k < buttons_.size(); ++k) grid_->addWidget(buttons_[k], k / columns, k % columns);
 }
 
 }  // namespace loopmend

@@ -4,7 +4,11 @@
 
 #include "problems/paper_examples.h"
 
+#include <QList>
 #include <QWidget>
+
+class QGridLayout;
+class QToolButton;
 
 namespace loopmend {
 
@@ -18,8 +22,18 @@ class Gallery : public QWidget {
  public:
   explicit Gallery(QWidget* parent = nullptr);
 
+  /// In as many columns as fit into so many pixels.
+  void lay_out(int width);
+
  Q_SIGNALS:
   void example_wanted(const QString& id);
+
+ private:
+  void place(int columns);
+
+  QGridLayout* grid_ = nullptr;
+  QList<QToolButton*> buttons_;
+  int columns_ = 0;
 };
 
 }  // namespace loopmend

@@ -7,6 +7,7 @@
 #include "panels/curve_views.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
+#include "panels/steady_label.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -21,6 +22,7 @@
 #include <QTime>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace loopmend {
@@ -113,17 +115,10 @@ QWidget* InspectPanel::build_seam() {
   seam_->setTextElideMode(Qt::ElideLeft);  // the value of now is seen whole
   seam_->verticalHeader()->hide();
   seam_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 9);
-  seam_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  // Of a width of its own: contents would be measured anew at every change of every row.
-  seam_->horizontalHeader()->setSectionResizeMode(hole, QHeaderView::Fixed);
-  seam_->horizontalHeader()->resizeSection(hole, fontMetrics().horizontalAdvance(QStringLiteral("00000  ")));
-  // Room for two numbers in each column, so that neither is cut off.
-  const int two_numbers = fontMetrics().horizontalAdvance(QStringLiteral("0.0000 \u2192 0.0000")) + cell_margin;
-  seam_->setMinimumWidth((column_count - 1) * two_numbers + seam_->horizontalHeader()->sectionSize(hole) +
-                         style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2 * seam_->frameWidth());
-  sentence_ = new QLabel;
+  sentence_ = new SteadyLabel;
   sentence_->setObjectName(QStringLiteral("seamSentence"));
-  sentence_->setWordWrap(true);
+  sentence_->keep_room_for({QStringLiteral("1\n2")});  // the table stays where it is under one line as well
+  sentence_->setAlignment(Qt::AlignTop);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -133,6 +128,33 @@ QWidget* InspectPanel::build_seam() {
   auto* copy = make_button("copySeam", tr("Copy"), tr("Copy the table as tab-separated text"));
   connect(copy, &QPushButton::clicked, this, &InspectPanel::copy_seam);
   return titled(tr("Seam, before \u2192 now"), content, copy);
+}
+
+/// The font is known once the window is.
+void InspectPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  set_seam_columns();
+}
+
+/// Room for the longest pair of numbers in each column, so that neither is cut off; the jumps with a unit share what is left.
+/// Not by their contents: these would be measured anew at every change of every row.
+void InspectPanel::set_seam_columns() {
+  constexpr const char* longest[column_count] = {"0000",
+                                                 "00.0 \u2192 0.000\u00b0",
+                                                 "000 \u2192 0.000\u00b0",
+                                                 "0.0000 \u2192 0.00000",
+                                                 "0.0000 \u2192 0.00000",
+                                                 "00.0 \u2192 0.0000"};
+  QHeaderView* header = seam_->horizontalHeader();
+  int total = style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2 * seam_->frameWidth();
+  for (int c = 0; c < column_count; ++c) {
+    const int numbers = fontMetrics().horizontalAdvance(QString::fromUtf8(longest[c])) + cell_margin;
+    const int width = std::max(numbers, header->sectionSizeHint(c));
+    header->setSectionResizeMode(c, c == jump_rms || c == jump_max ? QHeaderView::Stretch : QHeaderView::Fixed);
+    header->resizeSection(c, width);
+    total += width;
+  }
+  seam_->setMinimumWidth(total);
 }
 
 QWidget* InspectPanel::build_curves() {

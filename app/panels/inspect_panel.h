@@ -18,6 +18,7 @@ class Document;
 class EnergyView;
 class HoleSelection;
 class SectionView;
+class SteadyLabel;
 
 class InspectPanel : public QWidget {
   Q_OBJECT
@@ -30,8 +31,12 @@ class InspectPanel : public QWidget {
   /// Draws the energy of this patch's run, while it is one of those that the table shows.
   void follow_run(int patch_id);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   QWidget* build_seam();
+  void set_seam_columns();
   QWidget* build_log();
   QWidget* build_curves();
   void update_seam();
@@ -46,7 +51,7 @@ class InspectPanel : public QWidget {
   QTimer soon_;
   int run_ = no_patch;
   QTableWidget* seam_ = nullptr;
-  QLabel* sentence_ = nullptr;
+  SteadyLabel* sentence_ = nullptr;
   QPlainTextEdit* log_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   EnergyView* energy_ = nullptr;

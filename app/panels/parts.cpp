@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/parts.h"
 
-#include "panels/quiet_label.h"
-
 #include <QGuiApplication>
 #include <QPushButton>
 #include <QScreen>
@@ -16,7 +14,7 @@ QPushButton* make_button(const char* name, const QString& text, const QString& h
   return button;
 }
 
-QLabel* make_note(const char* name) {
+QuietLabel* make_note(const char* name) {
   auto* label = new QuietLabel;
   label->setObjectName(QLatin1String(name));
   return label;

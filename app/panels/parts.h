@@ -2,11 +2,12 @@
 // Small things that the panels share.
 #pragma once
 
+#include "panels/quiet_label.h"
+
 #include <QDialogButtonBox>
 #include <QSize>
 #include <QString>
 
-class QLabel;
 class QPushButton;
 class QWidget;
 
@@ -15,7 +16,7 @@ namespace loopmend {
 /// A push button with a name for tests and a tooltip, which also serves as its description for screen readers.
 QPushButton* make_button(const char* name, const QString& text, const QString& help);
 /// A quiet label with a name.
-QLabel* make_note(const char* name);
+QuietLabel* make_note(const char* name);
 /// Without the style's icons, which are made for a light ground.
 QDialogButtonBox* make_dialog_buttons(QDialogButtonBox::StandardButtons which);
 /// Tooltip, and the same words for screen readers.

@@ -3,6 +3,7 @@
 
 #include "panels/parts.h"
 #include "panels/plot_library.h"
+#include "panels/quiet_label.h"
 
 #include <QVBoxLayout>
 
@@ -37,12 +38,13 @@ Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
   plot_->plotLayout()->setRowSpacing(0);
   plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
   plot_->legend->setMargins(QMargins(4, 0, 4, 0));
-  auto* words = new QCPItemText(plot_);
-  words->setObjectName(QStringLiteral("words"));
-  words->position->setType(QCPItemPosition::ptAxisRectRatio);
-  words->position->setCoords(0.5, 0.5);
-  words->setClipToAxisRect(false);
-  words->setVisible(false);
+  words_ = new QuietLabel;  // on the plot: its own items do not break lines
+  words_->setObjectName(QStringLiteral("words"));
+  words_->setAlignment(Qt::AlignCenter);
+  words_->setMargin(8);
+  auto* over = new QVBoxLayout(plot_);
+  over->setContentsMargins(0, 0, 0, 0);
+  over->addWidget(words_);
   auto* marker = new QCPItemStraightLine(plot_);
   marker->setObjectName(QStringLiteral("marker"));
   marker->setVisible(false);
@@ -150,7 +152,7 @@ QVector<double> Plot::values(int graph) const {
 }
 
 void Plot::set_marker(double x) {
-  auto* marker = static_cast<QCPItemStraightLine*>(plot_->item(1));
+  auto* marker = static_cast<QCPItemStraightLine*>(plot_->item(0));
   marker->setVisible(true);
   marker->point1->setCoords(x, 0);
   marker->point1->setTypeY(QCPItemPosition::ptAxisRectRatio);
@@ -158,13 +160,11 @@ void Plot::set_marker(double x) {
   marker->point2->setCoords(x, 1);
 }
 
-void Plot::hide_marker() { plot_->item(1)->setVisible(false); }
+void Plot::hide_marker() { plot_->item(0)->setVisible(false); }
 
 void Plot::show_words(const QString& words) {
-  words_ = words;
-  auto* item = static_cast<QCPItemText*>(plot_->item(0));
-  item->setText(words);
-  item->setVisible(!words.isEmpty());
+  words_->setText(words);
+  words_->setVisible(!words.isEmpty());
   plot_->legend->setVisible(words.isEmpty() && key_ == Key::shown);
 }
 
@@ -210,7 +210,7 @@ void Plot::show_axes() {
   bool any = false;
   for (QCPAxis* at : {plot_->yAxis, plot_->yAxis2}) {
     const QList<QCPGraph*> graphs = at->graphs();
-    const bool shown = words_.isEmpty() && std::any_of(graphs.begin(), graphs.end(), is_drawn);
+    const bool shown = words_->text().isEmpty() && std::any_of(graphs.begin(), graphs.end(), is_drawn);
     at->setVisible(shown);
     at->grid()->setVisible(shown && at == plot_->yAxis);
     any = any || shown;
@@ -252,8 +252,7 @@ void Plot::take_colors() {
   plot_->legend->setBorderPen(Qt::NoPen);
   plot_->legend->setTextColor(ink);
   plot_->legend->setFont(font());
-  static_cast<QCPItemText*>(plot_->item(0))->setColor(ink);
-  static_cast<QCPItemStraightLine*>(plot_->item(1))->setPen(QPen(ink, 1, Qt::DashLine));
+  static_cast<QCPItemStraightLine*>(plot_->item(0))->setPen(QPen(ink, 1, Qt::DashLine));
   for (int g = 0; g < inks_.size(); ++g) {
     QColor color = plot_ink(inks_[g].ink, dark ? PlotGround::dark : PlotGround::light);
     if (inks_[g].line == Line::faint) color.setAlpha(110);

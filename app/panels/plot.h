@@ -10,6 +10,7 @@
 class QCPAxis;
 class QCPGraph;
 class QCustomPlot;
+class QLabel;
 
 namespace loopmend {
 
@@ -70,7 +71,7 @@ class Plot : public QWidget {
   };
   QCustomPlot* plot_;
   QVector<Ink> inks_;
-  QString words_;
+  QLabel* words_ = nullptr;
   enum class Key { shown, dropped } key_ = Key::shown;
 };
 

@@ -7,13 +7,10 @@
 
 namespace loopmend {
 
-QuietLabel::QuietLabel(const QString& text, QWidget* parent) : QLabel(text, parent) {
-  setWordWrap(true);
-  take_colors();
-}
+QuietLabel::QuietLabel(const QString& text, QWidget* parent) : SteadyLabel(text, parent) { take_colors(); }
 
 void QuietLabel::changeEvent(QEvent* event) {
-  QLabel::changeEvent(event);
+  SteadyLabel::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && !taking_) take_colors();
 }
 

@@ -2,11 +2,11 @@
 // Text that explains without shouting: the palette's text colour, moved towards the background.
 #pragma once
 
-#include <QLabel>
+#include "panels/steady_label.h"
 
 namespace loopmend {
 
-class QuietLabel : public QLabel {
+class QuietLabel : public SteadyLabel {
   Q_OBJECT
 
  public:

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace loopmend {
@@ -26,7 +27,10 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   large.setPointSizeF(large.pointSizeF() * 1.6);
   title->setFont(large);
   auto* formats = new QuietLabel(tr("PLY, STL, OBJ, OFF, glTF or 3MF; or a saved session"));
-  formats->setWordWrap(false);
+  for (QLabel* words : {title, static_cast<QLabel*>(formats)}) {
+    words->setWordWrap(true);
+    words->setAlignment(Qt::AlignHCenter);
+  }
   auto* open = make_button("welcomeOpen", tr("Open\u2026"), tr("Choose a file (Ctrl+O)"));
   open->setDefault(true);
   auto* sample = make_button("welcomeSample", tr("Try the sample"), tr("A small made-up scan with five holes"));
@@ -40,8 +44,8 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
     buttons->addWidget(button);
   }
   buttons->addStretch();
-  auto* gallery = new Gallery;
-  connect(gallery, &Gallery::example_wanted, this, &Welcome::example_wanted);
+  gallery_ = new Gallery;
+  connect(gallery_, &Gallery::example_wanted, this, &Welcome::example_wanted);
   auto* content = new QWidget;
   auto* scroll = new QScrollArea;  // small windows do not show all of it at once
   scroll->setFrameShape(QFrame::NoFrame);
@@ -55,8 +59,8 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   layout->addStretch(4);
   layout->addWidget(picture, 0, Qt::AlignHCenter);
   layout->addSpacing(10);
-  layout->addWidget(title, 0, Qt::AlignHCenter);
-  layout->addWidget(formats, 0, Qt::AlignHCenter);
+  layout->addWidget(title);
+  layout->addWidget(formats);
   layout->addSpacing(14);
   layout->addLayout(buttons);
   layout->addSpacing(18);
@@ -69,8 +73,15 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   auto* examples = new QuietLabel(tr("Examples of the paper"));
   examples->setWordWrap(false);
   layout->addWidget(examples, 0, Qt::AlignHCenter);
-  layout->addWidget(gallery, 0, Qt::AlignHCenter);
+  layout->addWidget(gallery_, 0, Qt::AlignHCenter);
   layout->addStretch(5);
+}
+
+void Welcome::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int margins =
+      2 * style()->pixelMetric(QStyle::PM_LayoutLeftMargin) + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  gallery_->lay_out(width() - margins);
 }
 
 void Welcome::show_recent(const QStringList& files) {

@@ -9,6 +9,8 @@ class QVBoxLayout;
 
 namespace loopmend {
 
+class Gallery;
+
 class Welcome : public QWidget {
   Q_OBJECT
 
@@ -23,7 +25,11 @@ class Welcome : public QWidget {
   void sample_wanted();
   void example_wanted(const QString& id);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  Gallery* gallery_ = nullptr;
   QWidget* recent_ = nullptr;
   QVBoxLayout* recent_layout_ = nullptr;
 };

@@ -4,6 +4,7 @@
 #include "test_main.h"
 
 #include "document/labels.h"
+#include "document/language.h"
 #include "document/preferences.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
@@ -20,6 +21,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QScreen>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -60,6 +62,7 @@ class KeepingTest : public QObject {
   void the_layout_is_kept_and_fits_a_small_screen();
   void a_window_that_was_elsewhere_comes_back_data();
   void a_window_that_was_elsewhere_comes_back();
+  void no_button_moves_under_the_mouse_data();
   void no_button_moves_under_the_mouse();
   void what_will_not_be_saved_is_told_on_opening();
 
@@ -341,16 +344,29 @@ void KeepingTest::a_window_that_was_elsewhere_comes_back() {
   QVERIFY2(screen.contains(now), qPrintable(words));
 }
 
+void KeepingTest::no_button_moves_under_the_mouse_data() {
+  QTest::addColumn<QString>("language");
+  QTest::addColumn<QSize>("size");
+  QTest::newRow("English") << QStringLiteral("en") << QSize(1380, 860);
+  QTest::newRow("German, small") << QStringLiteral("de") << QSize(1260, 680);
+}
+
 /// Whatever is filled, selected, left out or at work.
 void KeepingTest::no_button_moves_under_the_mouse() {
+  QFETCH(QString, language);
+  QFETCH(QSize, size);
+  install_language(language);
+  const auto back = qScopeGuard([] { install_language(QStringLiteral("en")); });
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
+  window.resize(size);
   QStringList moved;
   std::map<QByteArray, QPoint> first;
   const auto look = [&](const char* when) {
     settle(150);
     for (const char* name : {"fillAndSmooth", "fill", "trim", "stitch", "repair", "run", "step", "accept", "reject",
-                             "cancel", "selectAllHoles", "holesTable", "meshCanvas"}) {
+                             "cancel", "compareFlows", "sigma", "selectAllHoles", "holesTable", "seamTable", "inspectTabs",
+                             "meshCanvas"}) {
       const auto* widget = part<QWidget>(window, name);
       if (!widget) {
         moved << QStringLiteral("no widget %1").arg(QLatin1String(name));
@@ -366,6 +382,11 @@ void KeepingTest::no_button_moves_under_the_mouse() {
     }
   };
   look("opened");
+  auto* flow = part<QComboBox>(window, "flow");
+  for (int k = flow->count() - 1; k >= 0; --k) {
+    flow->setCurrentIndex(k);
+    look(qPrintable(flow->currentText()));
+  }
   const int hole = first_hole(window.document());
   window.selection().select({hole});
   look("one selected");
