@@ -39,8 +39,12 @@ DecisionBox::DecisionBox(const Document& document, const HoleSelection& selectio
   connect(accept_, &QPushButton::clicked, this, &DecisionBox::accept_or_reopen);
   connect(reject_, &QPushButton::clicked, this, &DecisionBox::reject);
   connect(copy_, &QPushButton::clicked, this, &DecisionBox::copy_command);
-  connect(&document_, &Document::patch_moved, this, &DecisionBox::update_timeline);
-  connect(&document_, &Document::timeline_changed, this, &DecisionBox::update_timeline);
+  // Thousands of patches may move at once, and each update looks at all of them.
+  soon_.setSingleShot(true);
+  soon_.setInterval(0);
+  connect(&soon_, &QTimer::timeout, this, &DecisionBox::update_timeline);
+  for (auto signal : {&Document::patch_moved, &Document::timeline_changed})
+    connect(&document_, signal, &soon_, QOverload<>::of(&QTimer::start));
 }
 
 void DecisionBox::build() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QGroupBox>
+#include <QTimer>
 
 class QPushButton;
 class QSlider;
@@ -40,6 +41,7 @@ class DecisionBox : public QGroupBox {
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
+  QTimer soon_;
   QuietLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;
   QPushButton *accept_ = nullptr, *reject_ = nullptr, *copy_ = nullptr;

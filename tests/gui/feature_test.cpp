@@ -386,13 +386,13 @@ void FeatureTest::memory_is_given_back() {
   };
   // The first time some memory stays for good: threads, graphics programs, letters, and as many buffers as holes of this number
   // need at once.
-  QVERIFY(fill_sheet(30) && back_to_sample());
+  QVERIFY(fill_sheet(20) && back_to_sample());
   const std::size_t before = megabytes();
-  QVERIFY(fill_sheet(30));
+  QVERIFY(fill_sheet(20));
   const std::size_t full = megabytes();
   QVERIFY(back_to_sample());
   const std::size_t after = megabytes();
-  std::printf("allocated: sample %zu MB, 900 filled holes with timelines %zu MB, sample again %zu MB\n", before, full,
+  std::printf("allocated: sample %zu MB, 400 filled holes with timelines %zu MB, sample again %zu MB\n", before, full,
               after);
   QVERIFY(full > before + 20);
   QVERIFY2(4 * after < full + 3 * before, "three quarters of the memory should be back");
