@@ -394,7 +394,7 @@ void FeatureTest::memory_is_given_back() {
   const std::size_t after = megabytes();
   std::printf("allocated: sample %zu MB, 400 filled holes with timelines %zu MB, sample again %zu MB\n", before, full,
               after);
-  QVERIFY(full > before + 20);
+  QVERIFY(full > before + 10);
   QVERIFY2(4 * after < full + 3 * before, "three quarters of the memory should be back");
 }
 
