@@ -196,7 +196,21 @@ void HolesPanel::show_column_menu(const QPoint& at) {
   menu.exec(at);
 }
 
-/// The state column takes what is left; it should be enough for its longest word.
+/// Takes what is left; where that is too little for its longest word, the table scrolls.
+void HolesPanel::fit_state_column() {
+  constexpr int sign_and_margins = 32;
+  int needed = 0;
+  for (int state = 0; state <= static_cast<int>(HoleState::doubtful); ++state)
+    needed = std::max(needed, fontMetrics().horizontalAdvance(labels::state(static_cast<HoleState>(state))));
+  needed += sign_and_margins;
+  int left = table_->viewport()->width();
+  for (int column = 0; column < HoleTable::state; ++column)
+    if (!table_->isColumnHidden(column)) left -= table_->columnWidth(column);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setSectionResizeMode(HoleTable::state, left < needed ? QHeaderView::Fixed : QHeaderView::Stretch);
+  if (left < needed) header->resizeSection(HoleTable::state, needed);
+}
+
 void HolesPanel::fit_columns() {
   constexpr int margin = 10, arrow = 14;
   const QFontMetrics letters(table_->horizontalHeader()->font());
@@ -210,6 +224,7 @@ void HolesPanel::fit_columns() {
     table_->setColumnWidth(column,
                            std::max(title + margin + (column == HoleTable::number ? arrow : 0), content + margin / 2));
   }
+  fit_state_column();
 }
 
 int HolesPanel::loop_at(const QModelIndex& proxy_index) const {
@@ -218,6 +233,7 @@ int HolesPanel::loop_at(const QModelIndex& proxy_index) const {
 
 bool HolesPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == table_->viewport() && event->type() == QEvent::Leave) selection_.hover(no_loop);
+  if (watched == table_->viewport() && event->type() == QEvent::Resize) fit_state_column();
   if (watched == table_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if ((key == Qt::Key_Return || key == Qt::Key_Enter) && table_->currentIndex().isValid()) {

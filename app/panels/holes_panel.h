@@ -52,6 +52,7 @@ class HolesPanel : public QWidget {
   void show_hover();
   void paint_row(int loop);
   void fit_columns();
+  void fit_state_column();
   void update_summary();
   void show_column_menu(const QPoint& at);
   int loop_at(const QModelIndex& proxy_index) const;

@@ -140,6 +140,7 @@ void MeshView::follow_document() {
   });
   connect(&document, &Document::holes_changed, this, [this] {
     if (update_loops()) redraw_at_leisure();
+    update_highlight();  // names the state
   });
   connect(&selection, &HoleSelection::selection_changed, this, [this] {
     if (legend_scan() != every_scan) update_colors();

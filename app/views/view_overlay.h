@@ -18,6 +18,7 @@ class ViewOverlay : public QWidget {
 
   void set_highlight(const QPolygonF& loop, const QString& caption);
   void clear_highlight();
+  const QString& caption() const { return caption_; }
   void set_probe(const QPointF& at, const QStringList& lines);
   void clear_probe();
   /// Columns: the axes x, y, z as seen from the eye (x right, y up).

@@ -3,6 +3,7 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "document/hole_table.h"
 #include "document/labels.h"
 #include "document/language.h"
 #include "document/preferences.h"
@@ -18,12 +19,14 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QScreen>
 #include <QSpinBox>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -64,6 +67,7 @@ class KeepingTest : public QObject {
   void a_window_that_was_elsewhere_comes_back();
   void no_button_moves_under_the_mouse_data();
   void no_button_moves_under_the_mouse();
+  void states_are_whole_with_every_column();
   void what_will_not_be_saved_is_told_on_opening();
 
  private:
@@ -364,9 +368,9 @@ void KeepingTest::no_button_moves_under_the_mouse() {
   std::map<QByteArray, QPoint> first;
   const auto look = [&](const char* when) {
     settle(150);
-    for (const char* name : {"fillAndSmooth", "fill", "trim", "stitch", "repair", "run", "step", "accept", "reject",
-                             "cancel", "compareFlows", "sigma", "selectAllHoles", "holesTable", "seamTable", "inspectTabs",
-                             "meshCanvas"}) {
+    for (const char* name :
+         {"fillAndSmooth", "fill", "trim", "stitch", "repair", "run", "step", "accept", "reject", "cancel",
+          "compareFlows", "sigma", "selectAllHoles", "holesTable", "seamTable", "inspectTabs", "meshCanvas"}) {
       const auto* widget = part<QWidget>(window, name);
       if (!widget) {
         moved << QStringLiteral("no widget %1").arg(QLatin1String(name));
@@ -404,6 +408,19 @@ void KeepingTest::no_button_moves_under_the_mouse() {
   press(window, "accept");
   look("accepted");
   QVERIFY2(moved.isEmpty(), qPrintable(moved.join(QLatin1Char('\n'))));
+}
+
+void KeepingTest::states_are_whole_with_every_column() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  auto* table = part<QTableView>(window, "holesTable");
+  for (int column = 0; column < HoleTable::column_count; ++column) table->setColumnHidden(column, false);
+  window.resize(1260, 680);
+  settle(200);
+  QVERIFY(table->horizontalHeader()->length() > table->viewport()->width());
+  for (const HoleState state : {HoleState::stepped, HoleState::converged, HoleState::cutting, HoleState::doubtful})
+    QVERIFY2(table->columnWidth(HoleTable::state) > table->fontMetrics().horizontalAdvance(labels::state(state)) + 16,
+             qPrintable(labels::state(state)));
 }
 
 void KeepingTest::what_will_not_be_saved_is_told_on_opening() {

@@ -7,6 +7,7 @@
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "views/tool_controller.h"
+#include "views/view_overlay.h"
 
 #include <QAction>
 #include <QApplication>
@@ -88,6 +89,7 @@ class PartsTest : public QObject {
   void erasing_takes_in_the_patch_that_it_meets();
   void a_boundary_is_parted_where_it_touches_itself();
   void a_ragged_bunny_hole_is_trimmed_and_filled();
+  void the_label_under_the_mouse_tells_the_state_of_now();
 
  private:
   QString file(const char* name, const TriangleSoup& soup) {
@@ -345,6 +347,21 @@ void PartsTest::a_ragged_bunny_hole_is_trimmed_and_filled() {
     for (int step = 0; step < 4; ++step) trigger(window, "undo");
     QCOMPARE(window.document().scans(), std::vector<int>{0});
   }
+}
+
+void PartsTest::the_label_under_the_mouse_tells_the_state_of_now() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const int hole = first_hole(window.document());
+  const auto* overlay = window.findChild<ViewOverlay*>();
+  window.selection().select({hole});
+  window.selection().hover(hole);
+  QVERIFY2(overlay->caption().endsWith(QStringLiteral("open")), qPrintable(overlay->caption()));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  QVERIFY2(!overlay->caption().endsWith(QStringLiteral("open")), qPrintable(overlay->caption()));
+  press(window, "accept");
+  QVERIFY2(overlay->caption().endsWith(QStringLiteral("accepted")), qPrintable(overlay->caption()));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<PartsTest>(); }
