@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -124,8 +125,8 @@ class Likelihood {
     double relief = 0, noise = 0;  ///< rms
   };
   /// Infinite where the split cannot be made: nothing then says that the neighborhood is smooth.
-  Heights heights(double w, double v) const {
-    const Split split = at(w, v, *make_spd_solver());
+  Heights heights(double w, double v, SpdSolver& solver) const {
+    const Split split = at(w, v, solver);
     if (split.value == unknown) return {unknown, 0};
     const auto rms = [&](const Eigen::VectorXd& f) {
       return f.size() > 0 ? std::sqrt(f.cwiseAbs2().dot(mass_) / mass_.sum()) : 0;
@@ -199,6 +200,37 @@ class Likelihood {
   bool valid_ = false;
 };
 
+/// Solvers for matrices of one pattern, which is analyzed once for each that works at the same time.
+class Solvers {
+ public:
+  struct GiveBack {
+    Solvers* to;
+    void operator()(SpdSolver* solver) const {
+      const std::lock_guard lock(to->mutex_);
+      to->idle_.push_back(solver);
+    }
+  };
+  using Lent = std::unique_ptr<SpdSolver, GiveBack>;
+
+  /// One that is idle, or a new one.
+  Lent one() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) {
+      idle_.reserve(all_.size() + 1);  // giving back must not fail
+      all_.push_back(make_spd_solver());
+      idle_.push_back(all_.back().get());
+    }
+    Lent lent(idle_.back(), {this});
+    idle_.pop_back();
+    return lent;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SpdSolver>> all_;
+  std::vector<SpdSolver*> idle_;
+};
+
 /// The least of a function of two wavelengths: a coarse table, then halves and doubles of the best.
 class Search {
  public:
@@ -233,6 +265,8 @@ class Search {
     return least();
   }
 
+  Likelihood::Heights heights(double w, double v) { return likelihood_.heights(w, v, *solvers_[v > 0].one()); }
+
  private:
   using Place = std::pair<double, double>;
   static constexpr int most_rounds = 4;
@@ -242,13 +276,12 @@ class Search {
     std::vector<Place> of_kind[2];
     for (const Place& place : places)
       if (!known_.contains(place)) of_kind[place.second > 0].push_back(place);
-    for (const std::vector<Place>& asked : of_kind) {
+    for (int kind : {0, 1}) {
+      const std::vector<Place>& asked = of_kind[kind];
       std::vector<double> values(asked.size(), std::numeric_limits<double>::infinity());
-      parallel_for(
-          0, static_cast<int>(asked.size()), 1, [] { return std::shared_ptr<SpdSolver>(make_spd_solver()); },
-          [&](int k, const std::shared_ptr<SpdSolver>& solver) {
-            if (!cancel_.cancelled()) values[k] = likelihood_(asked[k].first, asked[k].second, *solver);
-          });
+      parallel_for(0, static_cast<int>(asked.size()), 1, [&](int k) {
+        if (!cancel_.cancelled()) values[k] = likelihood_(asked[k].first, asked[k].second, *solvers_[kind].one());
+      });
       for (std::size_t k = 0; k < asked.size(); ++k) known_[asked[k]] = values[k];
     }
   }
@@ -262,6 +295,7 @@ class Search {
   const Likelihood& likelihood_;
   const CancelToken& cancel_;
   std::map<Place, double> known_;
+  Solvers solvers_[2];  ///< without noise, with noise
 };
 
 }  // namespace
@@ -299,8 +333,9 @@ SplitEstimate estimate_split(const Patch& patch, const CancelToken& cancel) {
     estimate.relief_height = std::numeric_limits<double>::infinity();  // nothing says that it is smooth
     return estimate;
   }
-  std::tie(estimate.relief, estimate.noise) = Search(likelihood, cancel).best();
-  const Likelihood::Heights heights = likelihood.heights(estimate.relief, estimate.noise);
+  Search search(likelihood, cancel);
+  std::tie(estimate.relief, estimate.noise) = search.best();
+  const Likelihood::Heights heights = search.heights(estimate.relief, estimate.noise);
   estimate.relief_height = heights.relief;
   estimate.noise_height = heights.noise;
   return estimate;
