@@ -3,6 +3,7 @@
 
 #include "document/labels.h"
 #include "panels/parts.h"
+#include "panels/steady_label.h"
 
 #include <QDialogButtonBox>
 #include <QGridLayout>
@@ -83,9 +84,9 @@ void RepairDialog::build() {
   grid->setContentsMargins(18, 18, 18, 14);
   grid->setHorizontalSpacing(18);
   grid->setVerticalSpacing(10);
-  summary_ = new QLabel;
+  summary_ = new SteadyLabel;
   summary_->setObjectName(QStringLiteral("repairSummary"));
-  summary_->setWordWrap(true);
+  summary_->keep_room_for({tr("Every change can be undone. Patches of a scan go when it is repaired.")});
   grid->addWidget(summary_, 0, 0, 1, 3);
   int line = 1;
   for (const Words& words : all_words) {
@@ -95,6 +96,7 @@ void RepairDialog::build() {
     row.count = new QLabel;
     row.count->setObjectName(QStringLiteral("count") + QLatin1String(words.name));
     row.count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.count->setMinimumWidth(row.count->fontMetrics().horizontalAdvance(labels::count(1'000'000)));
     const QByteArray name = QByteArray("fix") + words.name;
     row.fix = make_button(name.constData(), tr(words.fix), tr(words.help));
     row.fix->setAccessibleName(tr("%1: %2").arg(tr(words.title), tr(words.fix)));
@@ -110,10 +112,9 @@ void RepairDialog::build() {
   buttons->addButton(all_, QDialogButtonBox::ActionRole);
   all_->setDefault(true);
   connect(all_, &QPushButton::clicked, this, [this] {
-    std::set<Defect> found;
-    for (const auto& [defect, row] : rows_)
-      if (row.found > 0) found.insert(defect);
-    controller_.repair(found);
+    std::set<Defect> all;  // also those of which none was found: mending one may make another
+    for (const auto& [defect, row] : rows_) all.insert(defect);
+    controller_.repair(all);
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   grid->addWidget(buttons, line, 0, 1, 3);
@@ -160,7 +161,7 @@ void RepairDialog::show_counts(const RepairCounts& counts) {
     kinds += row.found > 0;
   }
   summary_->setText(kinds > 0 ? tr("Every change can be undone. Patches of a scan go when it is repaired.")
-                              : tr("Nothing is wrong with what is open."));
+                              : tr("None of these is left."));
   update_buttons();
 }
 

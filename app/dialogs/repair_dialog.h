@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace loopmend {
 
+class SteadyLabel;
 class RepairDialog : public QDialog {
   Q_OBJECT
 
@@ -39,7 +40,7 @@ class RepairDialog : public QDialog {
   TaskRunner tasks_;
   JobPtr job_;
   std::map<Defect, Row> rows_;
-  QLabel* summary_ = nullptr;
+  SteadyLabel* summary_ = nullptr;
   QPushButton* all_ = nullptr;
 };
 

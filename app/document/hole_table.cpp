@@ -96,7 +96,7 @@ QVariant HoleTable::text(int loop, int column) const {
   const BoundaryLoop& l = document_.loop(loop);
   switch (column) {
     case number: return QString::number(l.number);
-    case edges: return QString::number(l.edges());
+    case edges: return labels::count(static_cast<std::size_t>(l.edges()));
     case perimeter: return labels::number(l.perimeter);
     case diameter: return labels::number(l.diameter);
     case area: return labels::number(l.area);

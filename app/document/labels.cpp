@@ -21,10 +21,11 @@ constexpr double tangent_seen_deg = 2.0;
 constexpr double sharp_crease_deg = 45;
 constexpr double curvature_seen = 0.5;  ///< jump of H times the hole's diameter
 
-/// As the language writes it, but with no marks between thousands.
+/// As the language writes it; four digits have no mark that could be taken for a decimal one.
 QString in_digits(double value, char format, int digits) {
+  constexpr double five_digits = 1e4;
   QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  if (std::abs(value) < five_digits) locale.setNumberOptions(QLocale::OmitGroupSeparator);
   return locale.toString(value, format, digits);
 }
 
@@ -314,7 +315,8 @@ QStringList faults_in_words(const Watertightness& surface) {
   };
   add(surface.open_boundaries, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln open boundary loop(s)"));
   add(surface.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) of more than two faces"));
-  add(surface.reversed_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) whose faces look to opposite sides"));
+  add(surface.reversed_edges,
+      QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) whose faces look to opposite sides"));
   add(surface.intersections, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln pair(s) of faces that intersect"));
   if (surface.encloses() && !(surface.volume > 0)) words << tr("the surface is inside out");
   return words;
@@ -338,11 +340,12 @@ QString verdict_in_full(const Watertightness& surface) {
 
 QString verdict_help(const Watertightness& surface) {
   QStringList lines = faults_in_words(surface);
-  lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln piece(s) of surface"), static_cast<int>(surface.pieces));
+  // By themselves: lupdate does not see them within the call.
+  const char* const pieces = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln piece(s) of surface");
+  const char* const touching = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) along which it touches itself");
+  lines << tr(pieces, static_cast<int>(surface.pieces));
   if (surface.encloses()) lines << tr("volume %1, in cubic units of the scan").arg(number(surface.volume));
-  if (surface.touching_edges > 0)
-    lines << tr(QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) along which it touches itself"),
-                static_cast<int>(surface.touching_edges));
+  if (surface.touching_edges > 0) lines << tr(touching, static_cast<int>(surface.touching_edges));
   for (QString& line : lines) line = sentence(line);
   return lines.join(QLatin1Char('\n'));
 }

@@ -40,6 +40,17 @@ std::set<int> loops_of(const Document& document, const std::set<int>& patches) {
   return loops;
 }
 
+int open_loops(const Document& document) {
+  int open = 0;
+  for (int loop = 0; loop < document.loop_count(); ++loop) {
+    if (!document.present(loop)) continue;
+    const LoopKind kind = document.loop(loop).kind;
+    const bool closed = document.patch_of(loop) && document.state(loop) != HoleState::cutting;
+    open += !closed && kind != LoopKind::cut && kind != LoopKind::crack;
+  }
+  return open;
+}
+
 int cracks_left(const Document& document) {
   int cracks = 0;
   for (int loop = 0; loop < document.loop_count(); ++loop)

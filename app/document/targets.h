@@ -21,6 +21,9 @@ std::set<int> loops_of(const Document& document, const std::set<int>& patches);
 /// Cracks that nothing has closed: what Stitch is for.
 int cracks_left(const Document& document);
 
+/// Boundary loops but cracks and cuts that stay open in what is exported: a patch that cuts the surface is left out of it.
+int open_loops(const Document& document);
+
 enum class SizeMeasure { edges, diameter };
 /// Fillable loops without a patch that are no larger than `limit`; diameter in the scan's unit.
 std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/print_check.h"
 
+#include "document/targets.h"
 #include "jobs/export_scene.h"
 
 namespace loopmend {
@@ -48,6 +49,9 @@ void PrintCheck::start() {
       [this](const Watertightness& found) {
         job_.reset();
         result_ = found;
+        // As the table counts them: where several touch at a vertex, the check takes them for one.
+        if (const int open = open_loops(document_); open > 0 && found.open_boundaries > 0)
+          result_->open_boundaries = static_cast<std::size_t>(open);
         Q_EMIT changed();
       },
       [this](const QString&) { job_.reset(); });

@@ -8,6 +8,7 @@
 #include "jobs/fill_controller.h"
 #include "panels/parts.h"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -36,7 +37,11 @@ DecisionBox::DecisionBox(const Document& document, const HoleSelection& selectio
   build();
   connect(timeline_, &QSlider::valueChanged, this, &DecisionBox::scrub);
   connect(timeline_, &QSlider::sliderReleased, &controller_, &FillController::end_scrub);
-  connect(accept_, &QPushButton::clicked, this, &DecisionBox::accept_or_reopen);
+  // The second click of a double click would open again what the first one accepted.
+  connect(accept_, &QPushButton::clicked, this, [this] {
+    if (!clicked_.isValid() || clicked_.hasExpired(QApplication::doubleClickInterval())) accept_or_reopen();
+    clicked_.start();
+  });
   connect(reject_, &QPushButton::clicked, this, &DecisionBox::reject);
   connect(copy_, &QPushButton::clicked, this, &DecisionBox::copy_command);
   // Thousands of patches may move at once, and each update looks at all of them.

@@ -2,6 +2,7 @@
 // Third part of the patch dock: look back along the run, then keep the patch or throw it away.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QGroupBox>
 #include <QTimer>
 
@@ -42,6 +43,7 @@ class DecisionBox : public QGroupBox {
   const HoleSelection& selection_;
   FillController& controller_;
   QTimer soon_;
+  QElapsedTimer clicked_;  ///< since Accept was
   QuietLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;
   QPushButton *accept_ = nullptr, *reject_ = nullptr, *copy_ = nullptr;

@@ -53,6 +53,7 @@ void FillBox::build() {
   grid->setVerticalSpacing(6);
   target_ = make_note("fillTarget");
   estimate_ = make_note("fillEstimate");
+  estimate_->keep_room_for({QStringLiteral("1\n2")});
   density_ = new QDoubleSpinBox;
   density_->setObjectName(QStringLiteral("density"));
   density_->setRange(0.25, 4);
@@ -198,7 +199,7 @@ QString FillBox::advice(const std::set<int>& loops) const {
   if (std::any_of(selected.begin(), selected.end(), is(LoopKind::cut))) return tr("Repair\u2026 removes such edges.");
   if (all_are(selected, is_in(HoleState::cutting))) return tr("It cuts the surface: Discard, then Trim.");
   if (std::any_of(selected.begin(), selected.end(), [this](int loop) { return has_crease(loop); }))
-    return tr("A crease at the seam? Discard, then Trim.");
+    return tr("A crease at the seam? Discard, then Trim, or erase a ring of faces.");
   if (!selected.empty()) return {};
   if (count_cutting() > 0) return tr("Select one: Discard, then Trim.");
   int cracks = 0, cuts = 0, others = 0;  // that are left out
@@ -208,7 +209,7 @@ QString FillBox::advice(const std::set<int>& loops) const {
     ++(kind == LoopKind::crack ? cracks : kind == LoopKind::cut ? cuts : others);
   }
   if (cracks > 0) return tr("%Ln crack(s): press Stitch.", nullptr, cracks);
-  if (cuts > 0) return tr("%Ln cut(s): press Repair\u2026.", nullptr, cuts);
+  if (cuts > 0) return tr("%Ln cut(s): press Repair\u2026", nullptr, cuts);
   return others > 0 ? tr("To fill one that is left out, select it.") : QString();
 }
 

@@ -14,6 +14,7 @@ class QPushButton;
 
 namespace loopmend {
 
+class QuietLabel;
 class Document;
 class HoleSelection;
 class FillController;
@@ -54,7 +55,8 @@ class FillBox : public QGroupBox {
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
-  QLabel *target_ = nullptr, *estimate_ = nullptr;
+  QLabel* target_ = nullptr;
+  QuietLabel* estimate_ = nullptr;
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;
   QPushButton *whole_ = nullptr, *fill_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr, *repair_ = nullptr;

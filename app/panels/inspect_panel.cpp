@@ -23,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace loopmend {
@@ -265,7 +266,9 @@ void InspectPanel::fill_row(int row, int loop) {
     if (column == hole) {
       text = labels::hole_name(document_, loop);
     } else if (at < patch.state->seams.size()) {
-      const QString unit = column == angle_rms || column == angle_max ? QStringLiteral("\u00b0") : QString();
+      const bool is_angle = column == angle_rms || column == angle_max;
+      const bool measured = std::isfinite(value(patch.state->seams[at], column));
+      const QString unit = is_angle && measured ? QStringLiteral("\u00b0") : QString();
       const QString now = labels::number(value(patch.state->seams[at], column)) + unit;
       const QString before = labels::number(value(patch.state->seams_before[at], column)) + unit;
       text = before == now ? now : before.chopped(unit.size()) + QStringLiteral(" \u2192 ") + now;

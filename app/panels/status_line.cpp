@@ -57,12 +57,10 @@ void StatusLine::count() {
     vertices += static_cast<std::size_t>(patch.state->patch.free_count);
   }
   const int cracks = cracks_left(document_);
-  int open = 0, cuts = 0;
-  for (int loop = 0; loop < document_.loop_count(); ++loop) {
-    // A patch that cuts the surface is left out of what is written.
-    if (!document_.present(loop) || (document_.patch_of(loop) && document_.state(loop) != HoleState::cutting)) continue;
-    (document_.loop(loop).kind == LoopKind::cut ? cuts : open) += 1;
-  }
+  int cuts = 0;
+  for (int loop = 0; loop < document_.loop_count(); ++loop)
+    cuts += document_.present(loop) && document_.loop(loop).kind == LoopKind::cut;
+  const int open = open_loops(document_) + cracks;
   scan_->setText(triangles == 0
                      ? QString()
                      : tr("%1 triangles \u00b7 %2 vertices").arg(labels::count(triangles), labels::count(vertices)));

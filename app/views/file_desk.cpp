@@ -135,17 +135,17 @@ void FileDesk::ask_export() {
 
 void FileDesk::export_to(const QString& path, ExportContent content) {
   std::set<int> initial;
+  std::size_t holes = 0;
   for (const OpenPatch& patch : document_.patches()) {
     const bool movable = patch.acceptance == Acceptance::pending && patch.state->patch.free_count > 0;
-    if (movable && patch.state->recipe.runs.empty()) initial.insert(patch.id);
+    if (movable && patch.state->recipe.runs.empty() && initial.insert(patch.id).second) holes += patch.loops.size();
   }
   if (initial.empty()) {
     controller_.export_to(path, content);
     return;
   }
   banner_.ask(
-      tr("%Ln of the patches are initial patches: no flow has smoothed them yet.", nullptr,
-         static_cast<int>(initial.size())),
+      tr("%Ln hole(s) closed by an initial patch: no flow has smoothed it yet.", nullptr, static_cast<int>(holes)),
       {{tr("&Smooth, then export"), "answerSmooth",
         [this, path, content, initial] {
           if (controller_.busy()) return;
@@ -193,7 +193,7 @@ bool FileDesk::may_close() {
     window_->close();
   };
   if (has_unsaved_work())
-    act_when_safe(document_.scans_with_work(), tr("&Close without saving"), close);
+    act_when_safe(document_.scans_with_work(), tr("&Quit without saving"), close);
   else
     banner_.ask(tr("The result of the tool was not accepted yet."),
                 {{tr("&Close without it"), "answerLose", close}, {tr("&Cancel"), "answerCancel", [] {}}});

@@ -131,7 +131,10 @@ void MeshView::follow_document() {
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
   for (auto signal : {&Document::units_changed, &Document::scans_changed})
-    connect(&document, signal, this, [this] { impl_->overlay->set_unit(labels::unit_symbol(impl_->document.unit())); });
+    connect(&document, signal, this, [this] {
+      impl_->overlay->set_unit(labels::unit_symbol(impl_->document.unit()));
+      update_legend_words();
+    });
   connect(&impl_->visibility, &SceneVisibility::changed, this, &MeshView::on_visibility_changed);
   connect(&document, &Document::patch_moved, this, &MeshView::on_patch_moved);
   connect(&document, &Document::running_changed, this, [this] {
@@ -253,7 +256,9 @@ void MeshView::update_legend_words() {
   LegendWords words;
   const bool mean = impl_->look.shading != Shading::gaussian;
   words.title = (mean ? tr("Mean curvature H") : tr("Gaussian curvature K")).toStdString();
+  const QString symbol = labels::unit_symbol(impl_->document.unit());
   QString unit = mean ? tr("in 1/length") : tr("in 1/length\u00b2");
+  if (!symbol.isEmpty()) unit = (mean ? tr("in 1/%1") : tr("in 1/%1\u00b2")).arg(symbol);
   if (const int scan = legend_scan(); scan != every_scan)
     unit = elided(impl_->document.scan(scan)->name) + QStringLiteral(" \u00b7 ") + unit;
   words.unit = unit.toStdString();
@@ -282,6 +287,7 @@ void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
   drop_probe();
   impl_->scene.set_scan(0, std::move(shape));
   face_front();
+  impl_->pose_of_preview = pose_of(impl_->camera());
 }
 
 void MeshView::drop_preview() {
@@ -315,6 +321,9 @@ void MeshView::on_scans_changed() {
   const bool first_seen = !document.scans().empty() && std::exchange(impl_->fresh_scene, document.scans().empty()) &&
                           !preview && document.patches().empty();
   first_seen ? face_front() : redraw();
+  // The preview has no legend, which the scan should not lie under.
+  if (preview && document.patches().empty() && pose_of(impl_->camera()).position == impl_->pose_of_preview.position)
+    frame();
 }
 
 /// Scans that come or go tell it as well, and bring their own picture.

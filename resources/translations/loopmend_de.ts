@@ -3080,11 +3080,15 @@
             <translation>Die Arbeit an %1 ist weder gespeichert noch exportiert.</translation>
         </message>
         <message numerus="yes">
-            <source>%Ln of the patches are initial patches: no flow has smoothed them yet.</source>
+            <source>%Ln hole(s) closed by an initial patch: no flow has smoothed it yet.</source>
             <translation>
-                <numerusform>%Ln Flicken ist noch ein erster Flicken: kein Fluss hat ihn geglättet.</numerusform>
-                <numerusform>%Ln Flicken sind noch erste Flicken: kein Fluss hat sie geglättet.</numerusform>
+                <numerusform>%Ln Loch ist mit einem ersten Flicken geschlossen: kein Fluss hat ihn geglättet.</numerusform>
+                <numerusform>%Ln Löcher sind mit ersten Flicken geschlossen: kein Fluss hat sie geglättet.</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>&amp;Quit without saving</source>
+            <translation>Ohne Speichern &amp;beenden</translation>
         </message>
     </context>
     <context>
@@ -3186,10 +3190,6 @@
             <translation>Schneidet: Verwerfen, dann Beschneiden.</translation>
         </message>
         <message>
-            <source>A crease at the seam? Discard, then Trim.</source>
-            <translation>Ein Knick an der Naht? Verwerfen, dann Beschneiden.</translation>
-        </message>
-        <message>
             <source>Stitch</source>
             <translation>Vernähen</translation>
         </message>
@@ -3221,13 +3221,6 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>%Ln cut(s): press Repair….</source>
-            <translation>
-                <numerusform>%Ln Schnitt: Reparieren… drücken.</numerusform>
-                <numerusform>%Ln Schnitte: Reparieren… drücken.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
             <source>Stitch %Ln crack(s)</source>
             <translation>
                 <numerusform>%Ln Riss vernähen</numerusform>
@@ -3248,6 +3241,17 @@
         <message>
             <source>Select one: Discard, then Trim.</source>
             <translation>Einen wählen: Verwerfen, dann Beschneiden.</translation>
+        </message>
+        <message>
+            <source>A crease at the seam? Discard, then Trim, or erase a ring of faces.</source>
+            <translation>Ein Knick an der Naht? Verwerfen, dann Beschneiden oder einen Ring löschen.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln cut(s): press Repair…</source>
+            <translation>
+                <numerusform>%Ln Schnitt: Reparieren… drücken.</numerusform>
+                <numerusform>%Ln Schnitte: Reparieren… drücken.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -4539,6 +4543,14 @@
                 <numerusform>%Ln ausgeblendet: alles einblenden</numerusform>
             </translation>
         </message>
+        <message>
+            <source>in 1/%1</source>
+            <translation>in 1/%1</translation>
+        </message>
+        <message>
+            <source>in 1/%1²</source>
+            <translation>in 1/%1²</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::PictureDialog</name>
@@ -5237,8 +5249,8 @@
             <translation>Jede Änderung kann zurückgenommen werden. Die Flicken eines Scans gehen, wenn er repariert wird.</translation>
         </message>
         <message>
-            <source>Nothing is wrong with what is open.</source>
-            <translation>An dem, was offen ist, stimmt alles.</translation>
+            <source>None of these is left.</source>
+            <translation>Nichts davon ist übrig.</translation>
         </message>
     </context>
     <context>
@@ -6773,6 +6785,20 @@
         <message>
             <source>%L1 holes</source>
             <translation>%L1 Löcher</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln piece(s) of surface</source>
+            <translation>
+                <numerusform>%Ln Flächenstück</numerusform>
+                <numerusform>%Ln Flächenstücke</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) along which it touches itself</source>
+            <translation>
+                <numerusform>%Ln Kante, an der sie sich selbst berührt</numerusform>
+                <numerusform>%Ln Kanten, an denen sie sich selbst berührt</numerusform>
+            </translation>
         </message>
     </context>
 </TS>

@@ -24,10 +24,10 @@
     <context>
         <name>loopmend::FileDesk</name>
         <message numerus="yes">
-            <source>%Ln of the patches are initial patches: no flow has smoothed them yet.</source>
+            <source>%Ln hole(s) closed by an initial patch: no flow has smoothed it yet.</source>
             <translation>
-                <numerusform>%Ln of the patches is an initial patch: no flow has smoothed it yet.</numerusform>
-                <numerusform>%Ln of the patches are initial patches: no flow has smoothed them yet.</numerusform>
+                <numerusform>%Ln hole is closed by an initial patch: no flow has smoothed it yet.</numerusform>
+                <numerusform>%Ln holes are closed by initial patches: no flow has smoothed them yet.</numerusform>
             </translation>
         </message>
     </context>
@@ -38,13 +38,6 @@
             <translation>
                 <numerusform>%Ln crack: press Stitch.</numerusform>
                 <numerusform>%Ln cracks: press Stitch.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%Ln cut(s): press Repair….</source>
-            <translation>
-                <numerusform>%Ln cut: press Repair….</numerusform>
-                <numerusform>%Ln cuts: press Repair….</numerusform>
             </translation>
         </message>
         <message numerus="yes">
@@ -59,6 +52,13 @@
             <translation>
                 <numerusform>%Ln patch cuts the surface.</numerusform>
                 <numerusform>%Ln patches cut the surface.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln cut(s): press Repair…</source>
+            <translation>
+                <numerusform>%Ln cut: press Repair…</numerusform>
+                <numerusform>%Ln cuts: press Repair…</numerusform>
             </translation>
         </message>
     </context>
@@ -356,6 +356,20 @@
             <translation>
                 <numerusform>%Ln pair of faces that intersect</numerusform>
                 <numerusform>%Ln pairs of faces that intersect</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln piece(s) of surface</source>
+            <translation>
+                <numerusform>%Ln piece of surface</numerusform>
+                <numerusform>%Ln pieces of surface</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) along which it touches itself</source>
+            <translation>
+                <numerusform>%Ln edge along which it touches itself</numerusform>
+                <numerusform>%Ln edges along which it touches itself</numerusform>
             </translation>
         </message>
     </context>

@@ -33,6 +33,7 @@ TEST_F(Language, NumbersAreThoseOfTheLanguage) {
   install_language(QStringLiteral("de"));
   EXPECT_EQ(labels::number(0.1234), QStringLiteral("0,123"));
   EXPECT_EQ(labels::number(1234.4), QStringLiteral("1234")) << "no mark that could be a decimal one";
+  EXPECT_EQ(labels::number(74786), QStringLiteral("74.786"));
   EXPECT_EQ(labels::number(1.2e-7), QStringLiteral("1,20\u00b710\u207b\u2077"));
   EXPECT_EQ(labels::seconds(1500), QStringLiteral("1,5"));
 }

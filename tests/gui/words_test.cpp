@@ -355,6 +355,7 @@ void WordsTest::accept_and_discard_have_the_same_words() {
     press(window, "accept");
     accept << plain(window.undo().undo_text()).section(QLatin1Char(' '), 0, 0).remove(QLatin1Char(':'));
     reopen << plain(part<QPushButton>(window, "accept")->text());
+    settle(QApplication::doubleClickInterval() + 100);  // a double click is one
     press(window, "accept");
     undo_reopen = window.undo().undo_text();
     press(window, "reject");
