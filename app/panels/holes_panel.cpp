@@ -74,7 +74,10 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
     update_summary();
     show_selection();
   });
-  connect(&document, &Document::holes_changed, this, &HolesPanel::update_summary);
+  connect(&document, &Document::holes_changed, this, [this] {
+    fit_state_column();
+    update_summary();
+  });
   connect(model_, &QAbstractItemModel::headerDataChanged, this, &HolesPanel::fit_columns);
   connect(all_, &QPushButton::clicked, this, &HolesPanel::select_all_holes);
   connect(small_, &SmallHolesBox::fill_wanted, this, &HolesPanel::fill_wanted);
@@ -200,8 +203,10 @@ void HolesPanel::show_column_menu(const QPoint& at) {
 void HolesPanel::fit_state_column() {
   constexpr int sign_and_margins = 32;
   int needed = 0;
-  for (int state = 0; state <= static_cast<int>(HoleState::doubtful); ++state)
-    needed = std::max(needed, fontMetrics().horizontalAdvance(labels::state(static_cast<HoleState>(state))));
+  std::set<HoleState> states;
+  for (int loop = 0; loop < document_.loop_count(); ++loop)
+    if (document_.present(loop)) states.insert(document_.state(loop));
+  for (HoleState state : states) needed = std::max(needed, fontMetrics().horizontalAdvance(labels::state(state)));
   needed += sign_and_margins;
   int left = table_->viewport()->width();
   for (int column = 0; column < HoleTable::state; ++column)

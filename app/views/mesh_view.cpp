@@ -127,6 +127,7 @@ void MeshView::follow_document() {
   connect(&document, &Document::shape_changed, this, [this] {
     show_surfaces();
     update_colors();
+    frame_if_untouched();  // now there is a legend, which the scan should not lie under
     redraw();
   });
   connect(&document, &Document::patches_changed, this, &MeshView::on_patches_changed);
@@ -287,7 +288,6 @@ void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
   drop_probe();
   impl_->scene.set_scan(0, std::move(shape));
   face_front();
-  impl_->pose_of_preview = pose_of(impl_->camera());
 }
 
 void MeshView::drop_preview() {
@@ -321,9 +321,6 @@ void MeshView::on_scans_changed() {
   const bool first_seen = !document.scans().empty() && std::exchange(impl_->fresh_scene, document.scans().empty()) &&
                           !preview && document.patches().empty();
   first_seen ? face_front() : redraw();
-  // The preview has no legend, which the scan should not lie under.
-  if (preview && document.patches().empty() && pose_of(impl_->camera()).position == impl_->pose_of_preview.position)
-    frame();
 }
 
 /// Scans that come or go tell it as well, and bring their own picture.

@@ -141,6 +141,8 @@ class MeshView : public QWidget {
   void move_by_key(int key, Qt::KeyboardModifiers modifiers);
   int loop_at(const QPoint& at);
   void face_front();
+  /// Frames again what nobody has turned since: the room for it is another.
+  void frame_if_untouched();
   void redraw();
   void redraw_at_leisure();
   void redraw_at_rest();

@@ -69,7 +69,7 @@ struct MeshView::Impl {
   bool tool_has_mouse = false;
   bool drawing_elsewhere = false;      ///< into a picture, not onto the screen
   CameraPose pose_before;              ///< of the preview
-  CameraPose pose_of_preview;          ///< as it was framed
+  CameraPose framed;                   ///< as Frame left it
   std::vector<LoopStyle> loop_styles;  ///< as drawn
 
   vtkRenderer* renderer() const { return scene.renderer(); }

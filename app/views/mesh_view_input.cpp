@@ -308,7 +308,13 @@ void MeshView::frame() {
     box.max().array() += margin;
   }
   clear_of(impl_->camera(), impl_->scene.sample_points(), picture);
+  impl_->framed = pose_of(impl_->camera());
   redraw();
+}
+
+void MeshView::frame_if_untouched() {
+  const CameraPose now = pose_of(impl_->camera());
+  if (now.position == impl_->framed.position && now.focus == impl_->framed.focus) frame();
 }
 
 void MeshView::fly_to(int loop) {
@@ -417,6 +423,7 @@ void MeshView::resizeEvent(QResizeEvent* event) {
   impl_->scene.set_pixel_ratio(devicePixelRatioF());
   impl_->scene.set_size(size.width(), size.height());
   redraw();  // the canvas was drawn at its new size before the legend knew of it
+  if (impl_->document.has_scan()) frame_if_untouched();
 }
 
 void MeshView::changeEvent(QEvent* event) {

@@ -95,6 +95,8 @@ class MendingTest : public QObject {
   void export_dialog_tells_the_verdict();
   void patches_are_exported_by_themselves();
   void defects_are_listed_and_mended_one_by_one();
+  void fix_all_leaves_nothing_to_fix_data();
+  void fix_all_leaves_nothing_to_fix();
   void doll_becomes_printable();
   void dragon_is_stitched_watertight();
   void a_patch_out_of_proportion_is_amber();
@@ -186,6 +188,27 @@ void MendingTest::defects_are_listed_and_mended_one_by_one() {
   window.undo().undo();
   QVERIFY(has_counted(dialog));
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
+  dialog->close();
+}
+
+void MendingTest::fix_all_leaves_nothing_to_fix_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* name : {"snowden_bust.obj", "skull_scp1.ply"}) QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+/// Separating edges may make points in one place, of which none was found before.
+void MendingTest::fix_all_leaves_nothing_to_fix() {
+  QFETCH(QString, name);
+  const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/scans2/") + name;
+  if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
+  Shown shown({scan});
+  MainWindow& window = shown.window;
+  RepairDialog* dialog = repair_dialog(window);
+  QVERIFY(dialog && has_counted(dialog));
+  fix(dialog, "repairAll");
+  QVERIFY(wait_idle(window) && has_counted(dialog));
+  for (const char* kind : {"Coincident", "Degenerate", "Duplicate", "Intersecting", "NonManifold", "Crumbs"})
+    QCOMPARE(counted(dialog, kind), QStringLiteral("none"));
   dialog->close();
 }
 

@@ -75,6 +75,7 @@ class ViewTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void the_first_picture_is_framed();
   void the_picture_is_moved_and_asked_by_keys();
   void sides_projection_and_zoom_to_the_cursor();
   void frame_keeps_clear_of_the_legend_data();
@@ -333,6 +334,23 @@ void ViewTest::a_large_scan_is_reduced_at_first() {
   window.selection().select({first_hole(window.document())});
   QVERIFY(picture_changes(window, turned, 0.0005));
   QCOMPARE(reduced, 0);
+}
+
+/// The curvature comes a moment after the scan, and with it the legend, under which nothing should lie.
+void ViewTest::the_first_picture_is_framed() {
+  Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6)});
+  MainWindow& window = shown.window;
+  settle(600);
+  const QImage first = window.view().picture();
+  key(window, Qt::Key_F);
+  settle(600);
+  QVERIFY2(share_changed(first, window.view().picture()) < 0.002, "F frames it in another way");
+  window.resize(window.width() - 200, window.height());
+  settle(600);
+  const QImage narrow = window.view().picture();
+  key(window, Qt::Key_F);
+  settle(600);
+  QVERIFY2(share_changed(narrow, window.view().picture()) < 0.002, "a narrower window is not framed again");
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<ViewTest>(); }
