@@ -273,14 +273,17 @@ void InspectPanel::fill_row(int row, int loop) {
       const QString before = labels::number(value(patch.state->seams_before[at], column)) + unit;
       text = before == now ? now : before.chopped(unit.size()) + QStringLiteral(" \u2192 ") + now;
     }
+    // The table cuts at the left, which would take the number of "3 of head_holes.ply".
+    const QString shown =
+        column == hole ? fontMetrics().elidedText(text, Qt::ElideRight, seam_->columnWidth(hole) - cell_margin) : text;
     if (QTableWidgetItem* there = seam_->item(row, column)) {
-      if (there->text() != text) {
-        there->setText(text);
+      if (there->text() != shown || there->toolTip() != text) {
+        there->setText(shown);
         there->setToolTip(text);
       }
       continue;
     }
-    auto* item = new QTableWidgetItem(text);
+    auto* item = new QTableWidgetItem(shown);
     item->setToolTip(text);
     item->setTextAlignment(Qt::AlignVCenter | (column == hole ? Qt::AlignLeft : Qt::AlignRight));
     seam_->setItem(row, column, item);
@@ -293,7 +296,7 @@ void InspectPanel::copy_seam() const {
     QStringList cells;
     for (int column = 0; column < column_count; ++column) {
       const QTableWidgetItem* item = row < 0 ? seam_->horizontalHeaderItem(column) : seam_->item(row, column);
-      cells << (item ? item->text() : QString());
+      cells << (!item ? QString() : row < 0 ? item->text() : item->toolTip());  // whole
     }
     lines << cells.join(QLatin1Char('\t'));
   }
