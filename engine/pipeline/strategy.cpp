@@ -159,8 +159,8 @@ const Attempt flatter[] = {
     {Stage::fallback, "flatter: tangent fairing", can_fall_back, tangent_fairing},
 };
 
-constexpr double torn_jump =
-    20;  ///< of H, times the loop's diameter: 2 is that between a plane and a sphere over the loop
+/// Of H, times the loop's diameter: 2 is the jump between a plane and a sphere over the loop.
+constexpr double torn_jump = 20;
 constexpr double torn_ratio = 8;
 
 /// @returns true if the mean curvature jumps across the seam of a loop far more than it did before: a needle or a fold there.
