@@ -115,6 +115,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("the patch of linear fairing was out of proportion"),
        "the patch of linear_fairing was out of proportion"},
       {QT_TR_NOOP("the patch is out of proportion")},
+      {QT_TR_NOOP("its area is %1 times that of the initial patch")},
       {QT_TR_NOOP("its area is %1 times that of the initial patch, and it reaches %2 diameters beyond it")},
       {QT_TR_NOOP("too small to hold a free vertex")},
       {QT_TR_NOOP("closed by triangles between its own vertices")},

@@ -88,10 +88,14 @@ const Proportion* out_of_proportion(const std::vector<Proportion>& proportions) 
 }
 
 std::string describe(const Proportion& proportion) {
+  constexpr double told_depth = 0.05;
   char text[160];
-  std::snprintf(text, sizeof text,
-                "its area is %.2g times that of the initial patch, and it reaches %.2g diameters beyond it",
-                proportion.area, proportion.depth);
+  if (proportion.depth < told_depth)
+    std::snprintf(text, sizeof text, "its area is %.2g times that of the initial patch", proportion.area);
+  else
+    std::snprintf(text, sizeof text,
+                  "its area is %.2g times that of the initial patch, and it reaches %.2g diameters beyond it",
+                  proportion.area, proportion.depth);
   return text;
 }
 

@@ -26,7 +26,7 @@ bool is_out_of_proportion(const Proportion& proportion);
 /// The first that is out of proportion; null if there is none.
 const Proportion* out_of_proportion(const std::vector<Proportion>& proportions);
 
-/// "its area is 3.8 times that of the initial patch, and it reaches 1.2 diameters beyond it"
+/// "its area is 3.8 times that of the initial patch, and it reaches 1.2 diameters beyond it"; the latter only where it does.
 std::string describe(const Proportion& proportion);
 
 }  // namespace loopmend

@@ -2907,6 +2907,10 @@
             <source>the mean curvature would have jumped across the seam</source>
             <translation>die mittlere Krümmung wäre über die Naht gesprungen</translation>
         </message>
+        <message>
+            <source>its area is %1 times that of the initial patch</source>
+            <translation>seine Fläche ist das %1-Fache der des ersten Flickens</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>

@@ -115,6 +115,7 @@ inline constexpr const char* engine_messages[] = {
     "the patch of linear_fairing was out of proportion: its area is 4 times that of the initial patch, and it reaches "
     "1 "
     "diameters beyond it",
+    "the patch is out of proportion: its area is 2.6 times that of the initial patch",
     "the patch is out of proportion: its area is 4 times that of the initial patch, and it reaches 1 diameters beyond "
     "it; "
     "stopped early: no further step lowers the energy without folding the patch",
