@@ -8,9 +8,11 @@
 #include "io/write_mesh.h"
 #include "pipeline/fill_holes.h"
 #include "progress_line.h"
+#include "repair/repair_surface.h"
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,10 +59,9 @@ struct FillCommand {
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
   enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
-  /// Make an oriented manifold of the mesh first; `cut_intersections` removes faces that cut others, too.
-  enum class Repair { no, manifold, cut_intersections } repair = Repair::no;
-  std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid first
-  int trim_rounds = 0;                       ///< rings of bad boundary triangles to be removed first, 0..100
+  std::set<Defect> repair;                            ///< what is mended first; empty: nothing
+  std::vector<std::pair<int, int>> bridges;           ///< input vertices between which a strip is laid first
+  int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100
   /// Without rings: boundary triangles that run through the surface, so that their hole could not be filled, are removed first.
   enum class TrimPierced { no, yes } trim_pierced = TrimPierced::no;
   std::string report;                   ///< file or "-"; empty: none

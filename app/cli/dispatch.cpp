@@ -82,7 +82,7 @@ void add_info(CLI::App& app, InfoCommand& command) {
 struct FillWords {
   FlowWords flow;
   bool include_outer_rim = false, stitch = false, trim_crossing = false, repair = false, cut_intersections = false,
-       keep_partial = false;
+       cut_handles = false, keep_partial = false;
   std::vector<std::string> bridges;  ///< "A,B"
   std::string islands = "join", texture = "grain", materials = "copy";
 };
@@ -117,6 +117,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "degenerate and duplicate faces and crumbs");
   fill->add_flag("--cut-intersections", words.cut_intersections,
                  "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled");
+  fill->add_flag(
+      "--cut-handles", words.cut_handles,
+      "Repair as --repair does, and cut open handles of a few edges, as noise leaves them; the two holes that "
+      "each leaves are filled");
   fill->add_option(
           "--bridge", words.bridges,
           "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")
@@ -190,8 +194,9 @@ void take_words(const FillWords& words, FillCommand& command) {
   if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
   if (words.stitch) command.stitch = FillCommand::Stitch::yes;
   if (words.trim_crossing) command.trim_pierced = FillCommand::TrimPierced::yes;
-  if (words.repair) command.repair = FillCommand::Repair::manifold;
-  if (words.cut_intersections) command.repair = FillCommand::Repair::cut_intersections;
+  if (words.repair || words.cut_intersections || words.cut_handles) command.repair = harmless_repairs;
+  if (words.cut_intersections) command.repair.insert(Defect::intersections);
+  if (words.cut_handles) command.repair.insert(Defect::handles);
   for (const std::string& text : words.bridges) command.bridges.push_back(bridge_ends(text));
 }
 

@@ -125,9 +125,10 @@ void print_preparation(std::FILE* out, const Preparation& done) {
   std::fprintf(
       out,
       "Repaired: %zu edges and %zu vertices separated, %zu faces turned, %zu degenerate, %zu duplicate and %zu "
-      "intersecting faces and %zu crumbs (%zu faces) removed; the output is compared with the repaired mesh.\n",
+      "intersecting faces and %zu crumbs (%zu faces) removed, %zu tiny handles (%zu faces) cut open; the output is "
+      "compared with the repaired mesh.\n",
       c.separated_edges, c.separated_vertices, c.turned_faces, c.degenerate_faces, c.duplicate_faces,
-      c.intersecting_faces, c.removed_pieces, c.removed_faces);
+      c.intersecting_faces, c.removed_pieces, c.removed_faces, c.cut_handles, c.handle_faces);
 }
 
 nlohmann::ordered_json preparation_json(const Preparation& done) {
@@ -141,6 +142,7 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
         {"separated_edges", done.repaired->separated_edges}, {"separated_vertices", done.repaired->separated_vertices},
         {"turned_faces", done.repaired->turned_faces},       {"degenerate_faces", done.repaired->degenerate_faces},
         {"duplicate_faces", done.repaired->duplicate_faces}, {"intersecting_faces", done.repaired->intersecting_faces},
+        {"cut_handles", done.repaired->cut_handles},         {"handle_faces", done.repaired->handle_faces},
         {"removed_pieces", done.repaired->removed_pieces},   {"removed_faces", done.repaired->removed_faces}};
   if (done.bridges > 0) json["bridges"] = done.bridges;
   return json;
@@ -155,7 +157,7 @@ void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<B
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
   if (split > 0 && command.stitch == FillCommand::Stitch::no)
     std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
-  if (cut > 0 && command.repair == FillCommand::Repair::no)
+  if (cut > 0 && command.repair.empty())
     std::fprintf(
         out,
         " %td run along edges with more than two faces (%zu edges) or where the surface is one-sided: fill again with "

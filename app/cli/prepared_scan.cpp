@@ -45,10 +45,8 @@ void prepare(PreparedScan& scan, const FillCommand& command) {
     scan.done.stitched = stitch_boundaries(scan.model);
     replace(std::move(scan.done.stitched->soup));
   }
-  if (command.repair != FillCommand::Repair::no) {
-    std::set<Defect> defects = harmless_repairs;
-    if (command.repair == FillCommand::Repair::cut_intersections) defects.insert(Defect::intersections);
-    RepairedSurface repaired = repair_surface(as_read(scan.model), defects);
+  if (!command.repair.empty()) {
+    RepairedSurface repaired = repair_surface(as_read(scan.model), command.repair);
     scan.done.repaired = repaired.counts;
     replace(std::move(repaired.soup));
   }
@@ -115,8 +113,8 @@ std::vector<BoundaryLoop> PreparedScan::chosen() const {
 }
 
 bool needs_whole_view(const FillCommand& command) {
-  return command.stitch == FillCommand::Stitch::yes || command.repair != FillCommand::Repair::no ||
-         !command.bridges.empty() || trims(command);
+  return command.stitch == FillCommand::Stitch::yes || !command.repair.empty() || !command.bridges.empty() ||
+         trims(command);
 }
 
 PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command) {

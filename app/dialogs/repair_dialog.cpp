@@ -43,6 +43,12 @@ const Words all_words[] = {
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Separate"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
                        "Every edge gets two faces at most, every vertex one fan; faces are turned to agree")},
+    {Defect::handles, "Handles", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny handles; Fix all leaves them"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Cut open"),
+     QT_TRANSLATE_NOOP(
+         "loopmend::RepairDialog",
+         "Struts and tunnels of at most eight edges around: most come from noise, some may be real. Two holes "
+         "are left of each, to be filled")},
     {Defect::crumbs, "Crumbs", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny loose pieces"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
@@ -56,10 +62,13 @@ std::size_t count_of(Defect defect, const RepairCounts& counts) {
     case Defect::duplicate_faces: return counts.duplicate_faces;
     case Defect::intersections: return counts.intersecting_faces;
     case Defect::non_manifold: return counts.separated_edges + counts.separated_vertices + counts.turned_faces;
+    case Defect::handles: return counts.cut_handles;
     case Defect::crumbs: return counts.removed_pieces;
   }
   return 0;
 }
+
+bool is_defect_for_sure(Defect defect) { return defect != Defect::handles; }
 
 }  // namespace
 
@@ -113,7 +122,8 @@ void RepairDialog::build() {
   all_->setDefault(true);
   connect(all_, &QPushButton::clicked, this, [this] {
     std::set<Defect> all;  // also those of which none was found: mending one may make another
-    for (const auto& [defect, row] : rows_) all.insert(defect);
+    for (const auto& [defect, row] : rows_)
+      if (is_defect_for_sure(defect)) all.insert(defect);
     controller_.repair(all);
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -144,6 +154,7 @@ void RepairDialog::count() {
           all.separated_edges += own.separated_edges;
           all.separated_vertices += own.separated_vertices;
           all.turned_faces += own.turned_faces;
+          all.cut_handles += own.cut_handles;
           all.removed_pieces += own.removed_pieces;
         }
         return all;
@@ -170,7 +181,7 @@ void RepairDialog::update_buttons() {
   bool any = false;
   for (auto& [defect, row] : rows_) {
     row.fix->setEnabled(idle && row.found > 0);
-    any = any || row.found > 0;
+    any = any || (row.found > 0 && is_defect_for_sure(defect));
   }
   all_->setEnabled(idle && any);
 }

@@ -75,6 +75,7 @@ std::optional<MendedScan> repaired(const MendingTask& task) {
   add(counts.separated_edges, FillController::tr("%Ln edges separated", nullptr, n(counts.separated_edges)));
   add(counts.separated_vertices, FillController::tr("%Ln vertices separated", nullptr, n(counts.separated_vertices)));
   add(counts.turned_faces, FillController::tr("%Ln faces turned", nullptr, n(counts.turned_faces)));
+  add(counts.cut_handles, FillController::tr("%Ln tiny handles cut open", nullptr, n(counts.cut_handles)));
   add(counts.removed_pieces, FillController::tr("%Ln loose crumbs removed", nullptr, n(counts.removed_pieces)));
   const QString words =
       FillController::tr("%1: %2. Ctrl+Z takes it back.").arg(old.name, done.join(QStringLiteral(", ")));

@@ -5,6 +5,7 @@
 #include "mesh/pieces.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_model.h"
+#include "repair/tiny_handles.h"
 
 #include <Eigen/Geometry>
 
@@ -234,6 +235,15 @@ void separate(TriangleSoup& soup, RepairCounts& counts) {
   soup = std::move(result);
 }
 
+void cut_handles(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
+  const SurfaceModel model = make_surface_model(soup);
+  const TinyHandles handles = find_tiny_handles(model.mesh, cancel);
+  std::vector<char> gone(soup.triangles.size(), 0);
+  for (int face : handles.faces) gone[model.soup_face[face]] = 1;
+  counts.cut_handles = static_cast<std::size_t>(handles.count);
+  counts.handle_faces = remove(soup, gone);
+}
+
 void remove_crumbs(TriangleSoup& soup, RepairCounts& counts) {
   const SurfaceModel model = make_surface_model(soup);
   const std::vector<char> crumb = in_crumbs(model.mesh, counts.removed_pieces);
@@ -269,6 +279,7 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
           separate(result.soup, again);
         }
         break;
+      case Defect::handles: cut_handles(result.soup, counts, cancel); break;
       case Defect::crumbs:
         remove_crumbs(result.soup, counts);
         if (defects.contains(Defect::coincident_points)) counts.joined_points += join_coincident(result.soup);
@@ -286,6 +297,9 @@ RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel) 
   const RepairCounts crumbs = alone(Defect::crumbs);
   counts.removed_pieces = crumbs.removed_pieces;
   counts.removed_faces = crumbs.removed_faces;
+  const RepairCounts handles = alone(Defect::handles);
+  counts.cut_handles = handles.cut_handles;
+  counts.handle_faces = handles.handle_faces;
   counts.joined_points = alone(Defect::coincident_points).joined_points;
   counts.degenerate_faces = alone(Defect::degenerate_faces).degenerate_faces;
   counts.duplicate_faces = alone(Defect::duplicate_faces).duplicate_faces;

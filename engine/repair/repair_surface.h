@@ -16,6 +16,7 @@ enum class Defect {
   duplicate_faces,    ///< over the vertices of an earlier one: removed; the earlier one too where they cancel out
   intersections,      ///< faces that cut another: removed, which leaves holes to be filled
   non_manifold,  ///< edges of more than two faces, fans that meet at a vertex: separated; faces are turned to agree
+  handles,       ///< of a few edges: cut open, which leaves two holes each to be filled
   crumbs,        ///< tiny pieces of surface: removed
 };
 
@@ -33,12 +34,14 @@ struct RepairCounts {
   /// Fans that lie side by side, as where two holes touch, keep their vertex in common.
   std::size_t separated_vertices = 0;  ///< became several at one place: ends of such edges, and where sheets touch
   std::size_t turned_faces = 0;        ///< to agree with their neighbors
+  std::size_t cut_handles = 0;         ///< tiny
+  std::size_t handle_faces = 0;        ///< removed to cut them
   std::size_t removed_pieces = 0;      ///< of surface, tiny
   std::size_t removed_faces = 0;       ///< of these pieces
 
   bool any() const {
     return joined_points + degenerate_faces + duplicate_faces + intersecting_faces + separated_edges +
-               separated_vertices + turned_faces + removed_pieces >
+               separated_vertices + turned_faces + cut_handles + removed_pieces >
            0;
   }
 };

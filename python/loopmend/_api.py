@@ -73,6 +73,7 @@ def fill(
     stitch: bool = False,
     repair: bool = False,
     cut_intersections: bool = False,
+    cut_handles: bool = False,
     bridges: Sequence[Tuple[int, int]] = (),
     trim_boundary: int = 0,
     trim_crossing: bool = False,
@@ -114,6 +115,7 @@ def fill(
         stitch: joins boundaries that lie within a tenth of their edges of each other first.
         repair: makes an oriented manifold of the mesh first.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
+        cut_handles: the same as repair, and cuts open handles of a few edges; the two holes that each leaves are filled.
         bridges: pairs of boundary vertices between which a strip is laid first, to part a complex hole.
         trim_boundary: removes up to so many rings of bad boundary faces first; 0 to 100.
         trim_crossing: removes the boundary faces that run through the surface first, where no patch could be valid; nothing else.
@@ -147,7 +149,7 @@ def fill(
         **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed), "loops": _numbers(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
-        "cut_intersections": cut_intersections, "bridges": [(int(a), int(b)) for a, b in bridges],
+        "cut_intersections": cut_intersections, "cut_handles": cut_handles, "bridges": [(int(a), int(b)) for a, b in bridges],
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
         "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,
     }

@@ -65,8 +65,11 @@ FillCommand fill_command(const py::dict& options) {
   command.max_memory_mb = limit<double>(options, "max_memory");
   if (option<bool>(options, "include_outer_rim")) command.outer_rim = FillCommand::OuterRim::include;
   if (option<bool>(options, "stitch")) command.stitch = FillCommand::Stitch::yes;
-  if (option<bool>(options, "repair")) command.repair = FillCommand::Repair::manifold;
-  if (option<bool>(options, "cut_intersections")) command.repair = FillCommand::Repair::cut_intersections;
+  const bool cut_intersections = option<bool>(options, "cut_intersections");
+  const bool cut_handles = option<bool>(options, "cut_handles");
+  if (option<bool>(options, "repair") || cut_intersections || cut_handles) command.repair = harmless_repairs;
+  if (cut_intersections) command.repair.insert(Defect::intersections);
+  if (cut_handles) command.repair.insert(Defect::handles);
   command.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
   if (option<bool>(options, "trim_crossing")) command.trim_pierced = FillCommand::TrimPierced::yes;
   command.trim_rounds = whole_number(options, "trim_boundary", 100);

@@ -23,6 +23,7 @@ FILLS = [
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
     (["--trim-crossing"], {"trim_crossing": True}),
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
+    (["--cut-handles", "--loops", "6"], {"cut_handles": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
     (["--patches-only"], {"patches_only": True}),
     (["--patches-only", "--loops", "6", "--trim-boundary", "3"], {"patches_only": True, "loops": 6, "trim_boundary": 3}),

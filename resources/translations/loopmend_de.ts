@@ -3626,6 +3626,13 @@
             <source>%1: %L2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.</source>
             <translation>%1: %L2 schlechte Dreiecke wurden an den Rändern entfernt; Strg+Z holt sie zurück.</translation>
         </message>
+        <message numerus="yes">
+            <source>%Ln tiny handles cut open</source>
+            <translation>
+                <numerusform>%Ln winziger Henkel aufgeschnitten</numerusform>
+                <numerusform>%Ln winzige Henkel aufgeschnitten</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::FlowBox</name>
@@ -5255,6 +5262,18 @@
         <message>
             <source>None of these is left.</source>
             <translation>Nichts davon ist übrig.</translation>
+        </message>
+        <message>
+            <source>Tiny handles; Fix all leaves them</source>
+            <translation>Winzige Henkel; „Alles beheben“ lässt sie</translation>
+        </message>
+        <message>
+            <source>Cut open</source>
+            <translation>Aufschneiden</translation>
+        </message>
+        <message>
+            <source>Struts and tunnels of at most eight edges around: most come from noise, some may be real. Two holes are left of each, to be filled</source>
+            <translation>Streben und Tunnel mit höchstens acht Kanten Umfang: die meisten kommen vom Rauschen, manche mögen echt sein. Von jedem bleiben zwei Löcher, die gefüllt werden können</translation>
         </message>
     </context>
     <context>

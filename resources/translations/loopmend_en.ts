@@ -162,6 +162,13 @@
                 <numerusform>%1: the boundary was parted at %Ln vertices; Ctrl+Z takes it back.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%Ln tiny handles cut open</source>
+            <translation>
+                <numerusform>%Ln tiny handle cut open</numerusform>
+                <numerusform>%Ln tiny handles cut open</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>loopmend::HolesPanel</name>

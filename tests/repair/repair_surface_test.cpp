@@ -79,7 +79,8 @@ TEST(RepairSurface, AllRepairsTogetherLeaveNothingToRepair) {
 TEST(RepairSurface, OfEverythingIsEnoughOnceOnScans) {
   const std::filesystem::path shared = LOOPMEND_SHARED_DIR;
   const std::set<Defect> all{Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces,
-                             Defect::intersections,     Defect::non_manifold,     Defect::crumbs};
+                             Defect::intersections,     Defect::non_manifold,     Defect::handles,
+                             Defect::crumbs};
   for (const char* name : {"scans2/snowden_bust.obj", "scans2/skull_scp1.ply", "scans2/adonis.obj", "data/doll.obj"}) {
     if (!std::filesystem::exists(shared / name)) GTEST_SKIP() << shared / name << " is not here";
     const RepairedSurface once = repair_surface(read_mesh(shared / name).soup, all);
