@@ -193,12 +193,15 @@ void MendingTest::defects_are_listed_and_mended_one_by_one() {
 
 void MendingTest::fix_all_leaves_nothing_to_fix_data() {
   QTest::addColumn<QString>("name");
-  for (const char* name : {"snowden_bust.obj", "skull_scp1.ply"}) QTest::newRow(name) << QString::fromLatin1(name);
+  QTest::addColumn<bool>("has_handles");
+  QTest::newRow("snowden_bust.obj") << QStringLiteral("snowden_bust.obj") << false;
+  QTest::newRow("skull_scp1.ply") << QStringLiteral("skull_scp1.ply") << true;
 }
 
 /// Separating edges may make points in one place, of which none was found before.
 void MendingTest::fix_all_leaves_nothing_to_fix() {
   QFETCH(QString, name);
+  QFETCH(bool, has_handles);
   const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/scans2/") + name;
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
   Shown shown({scan});
@@ -209,6 +212,11 @@ void MendingTest::fix_all_leaves_nothing_to_fix() {
   QVERIFY(wait_idle(window) && has_counted(dialog));
   for (const char* kind : {"Coincident", "Degenerate", "Duplicate", "Intersecting", "NonManifold", "Crumbs"})
     QCOMPARE(counted(dialog, kind), QStringLiteral("none"));
+  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled());
+  QCOMPARE(counted(dialog, "Handles").toInt() > 0, has_handles);  // they may be real
+  if (has_handles) fix(dialog, "fixHandles");
+  QVERIFY(wait_idle(window) && has_counted(dialog));
+  QCOMPARE(counted(dialog, "Handles"), QStringLiteral("none"));
   dialog->close();
 }
 
