@@ -5265,7 +5265,7 @@
         </message>
         <message>
             <source>Tiny handles; Fix all leaves them</source>
-            <translation>Winzige Henkel; „Alles beheben“ lässt sie</translation>
+            <translation>Winzige Henkel; „Alles beheben“ lässt sie stehen</translation>
         </message>
         <message>
             <source>Cut open</source>
