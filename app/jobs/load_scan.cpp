@@ -67,7 +67,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
 
   say(stages.stage, tr("Looking for holes"));
   scan->fingerprint = fingerprint_of(imported.soup);
-  scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(imported.soup)));
+  scan->model = make_shared_surface_model(std::move(imported.soup));
   if (cancel.cancelled()) return nullptr;
   scan->loops = find_boundary_loops(*scan->model);
   scan->pieces = scan_pieces(scan->model->mesh);
@@ -91,7 +91,7 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
   scan->import.has_colors = !surface.colors.empty();
   scan->origin = origin;
   scan->fingerprint = fingerprint_of(surface);
-  scan->model = std::make_shared<SurfaceModel>(make_surface_model(std::move(surface)));
+  scan->model = make_shared_surface_model(std::move(surface));
   scan->loops = find_boundary_loops(*scan->model);
   scan->pieces = scan_pieces(scan->model->mesh);
   scan->shape = std::make_shared<SurfaceShape>(

@@ -46,7 +46,7 @@ ProblemBase make_base(const BaseParts& parts) {
     return base;
   }
   if (parts.parts.size() == 1) {
-    base.model = std::make_shared<const SurfaceModel>(make_surface_model(filled(first)));
+    base.model = make_shared_surface_model(filled(first));
     base.first_point = {0, base.model->soup.points.size()};
   } else {
     std::vector<TriangleSoup> soups;

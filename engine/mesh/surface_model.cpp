@@ -170,6 +170,10 @@ SurfaceModel make_surface_model(TriangleSoup soup) {
   return model;
 }
 
+std::shared_ptr<const SurfaceModel> make_shared_surface_model(TriangleSoup soup) {
+  return std::shared_ptr<const SurfaceModel>(new SurfaceModel(make_surface_model(std::move(soup))));
+}
+
 SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around) {
   check_indices(soup);
   SurfaceModel model;

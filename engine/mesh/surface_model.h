@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct SurfaceBeyond {
 };
 
 /// `soup` is what is written back: its points and the order of its triangles never change; filling only appends.
+/// To move a model copies its mesh, since OpenMesh's meshes have no move.
 struct SurfaceModel {
   TriangleSoup soup;
   TriMesh mesh;                  ///< #V' vertices; isolated points are left out
@@ -51,6 +53,8 @@ struct SurfaceModel {
 /// Builds the view. Deterministic.
 /// @throws InvalidArgument if an index is out of range or no usable face is left.
 SurfaceModel make_surface_model(TriangleSoup soup);
+/// The same, made in place.
+std::shared_ptr<const SurfaceModel> make_shared_surface_model(TriangleSoup soup);
 
 /// What a view around the boundary loops holds: all faces at points that are up to `rings` edges from a boundary, or from a
 /// point in one of the boxes.
