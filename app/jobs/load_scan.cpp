@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/load_scan.h"
 
+#include "core/threads.h"
 #include "samples/sample_scan.h"
 
 #include <QCoreApplication>
@@ -69,12 +70,16 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   scan->fingerprint = fingerprint_of(imported.soup);
   scan->model = make_shared_surface_model(std::move(imported.soup));
   if (cancel.cancelled()) return nullptr;
-  scan->loops = find_boundary_loops(*scan->model);
-  scan->pieces = scan_pieces(scan->model->mesh);
-  if (cancel.cancelled()) return nullptr;
-  if (!view_is_file(*scan->model))
-    scan->shape =
-        std::make_shared<SurfaceShape>(with_reduced(shape_of(scan->model->mesh, CurvatureField{}, scan->origin)));
+  parallel_invoke(
+      [&scan] {
+        scan->loops = find_boundary_loops(*scan->model);
+        scan->pieces = scan_pieces(scan->model->mesh);
+      },
+      [&scan] {
+        if (!view_is_file(*scan->model))
+          scan->shape =
+              std::make_shared<SurfaceShape>(with_reduced(shape_of(scan->model->mesh, CurvatureField{}, scan->origin)));
+      });
   if (cancel.cancelled()) return nullptr;
   add_colors(*scan, cancel);
   if (cancel.cancelled()) return nullptr;
@@ -101,9 +106,10 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
 }
 
 std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel) {
-  const CurvatureField field = curvature_field(scan.model->mesh);
+  std::optional<CurvatureField> field = curvature_field(scan.model->mesh);
   if (cancel.cancelled()) return nullptr;
-  SurfaceShape shape = shape_of(scan.model->mesh, field, scan.origin);
+  SurfaceShape shape = shape_of(scan.model->mesh, *field, scan.origin);
+  field.reset();  // a large scan needs the memory
   shape.colors = scan.shape->colors;
   return std::make_shared<SurfaceShape>(with_reduced(std::move(shape)));
 }

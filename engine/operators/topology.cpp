@@ -18,6 +18,7 @@ Topology::Topology(int vertex_count, const Triangles& triangles)
     for (int v : triangles[f]) face_[cursor[v]++] = static_cast<int>(f);
 
   std::vector<int> ring;
+  neighbor_.reserve(face_.size() + static_cast<std::size_t>(vertex_count) / 8);  // as many, and one more on boundaries
   for (int v = 0; v < vertex_count; ++v) {
     ring.clear();
     for (int f : faces(v))
