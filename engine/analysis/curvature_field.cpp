@@ -17,9 +17,9 @@ constexpr int fits_at_a_time = 1024;  ///< by a thread
 
 CurvatureField field_of(const Points& points, Triangles triangles) {
   const int n = static_cast<int>(points.size());
+  const Topology topology(n, triangles);
   CurvatureField field;
   field.normals = angle_weighted_normals(points, triangles);
-  const Topology topology(n, triangles);
   Triangles().swap(triangles);  // a large scan needs the memory
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   field.H.assign(n, nan);

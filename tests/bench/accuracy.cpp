@@ -122,11 +122,25 @@ void add_rows(const Comparison& comparison, Table& markdown, Table& csv) {
   row.push_back(met_in_words(comparison));
   markdown.add(row);
   for (const Measured& m : comparison.measured)
-    csv.add({comparison.problem.name, to_string(comparison.mesh), m.method, number(comparison.removed),
-             number(static_cast<int>(m.filling.points.size())), number(m.figures.d_rms), number(m.figures.d_max),
-             number(m.figures.d_faces), number(m.figures.g1), number(m.figures.g2), number(m.figures.min_angle),
-             number(m.figures.folds), number(m.figures.cuts), number(m.filling.steps), m.filling.status,
-             m.filling.message, number(m.filling.seconds), target_in_words(comparison.problem),
+    csv.add({comparison.problem.name,
+             to_string(comparison.mesh),
+             m.method,
+             number(comparison.removed),
+             number(static_cast<int>(m.filling.points.size())),
+             number(m.figures.d_rms),
+             number(m.figures.d_max),
+             number(m.figures.d_faces),
+             number(m.figures.g1),
+             number(m.figures.g2),
+             number(m.figures.min_angle),
+             number(m.figures.folds),
+             number(m.figures.cuts),
+             number(m.filling.steps),
+             m.filling.status,
+             m.filling.attempt,
+             m.filling.message,
+             number(m.filling.seconds),
+             target_in_words(comparison.problem),
              &m == &comparison.ours() ? met_in_words(comparison) : ""});
 }
 
@@ -167,8 +181,8 @@ std::vector<MeshKind> mesh_kinds(const std::string& which) {
 int run(const Arguments& arguments) {
   Table results({"problem", "removed", "new", "d", "max", "g1", "g2", "smallest angle", "steps", "status", "s",
                  "d CGAL C1", "d CGAL C2", "d k = 2", "d k = 3", "best peer's g2", "target", "met"});
-  Table csv({"problem", "mesh", "method", "removed", "new", "d", "d_max", "d_faces", "g1", "g2", "min_angle", "folds",
-             "cuts", "steps", "status", "message", "seconds", "target", "met"});
+  Table csv({"problem",   "mesh",  "method", "removed", "new",    "d",       "d_max",   "d_faces", "g1",     "g2",
+             "min_angle", "folds", "cuts",   "steps",   "status", "attempt", "message", "seconds", "target", "met"});
   Table densities({});
   int met = 0, missed = 0;
   for (const AccuracyCase& accuracy_case : accuracy_cases()) {

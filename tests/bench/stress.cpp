@@ -4,6 +4,8 @@
 #include "filling_result.h"
 #include "io/write_mesh.h"
 #include "isolated_runs.h"
+#include "mesh/mesh_arrays.h"
+#include "output_check.h"
 #include "region_cut.h"
 #include "scans.h"
 #include "stress_problem.h"
@@ -54,6 +56,19 @@ struct Outcome {
   std::string attempt = "none";  ///< Filling::attempt
 };
 
+/// Where the surface turns back by more than 150 degrees, though the smallest triangulation of the boundary does not.
+int count_folds_of_its_own(const HoleProblem& problem, const Filling& filling) {
+  TriangleSoup given;
+  given.points = points_of(problem.model.mesh);
+  given.triangles = triangles_of(problem.model.mesh);
+  TriangleSoup filled = given;
+  filled.points.insert(filled.points.end(), filling.points.begin(), filling.points.end());
+  filled.triangles.insert(filled.triangles.end(), filling.triangles.begin(), filling.triangles.end());
+  int folds = 0;
+  for (const FilledPart& part : check_output(given, filled).parts) folds += part.folds;
+  return folds;
+}
+
 /// Empty if the patch is what a user may be given.
 std::string what_is_invalid(const HoleProblem& problem, const Filling& filling, const PatchFigures& figures) {
   constexpr double farthest = 2.5;      // loop diameters
@@ -61,11 +76,10 @@ std::string what_is_invalid(const HoleProblem& problem, const Filling& filling, 
   if (!filling.exterior_unchanged) return "the neighborhood was changed";
   if (!(figures.reach < farthest)) return "unbounded: " + number(figures.reach) + " diameters away";
   if (figures.cuts > 0) return number(figures.cuts) + " self-intersections";
-  if (figures.folds > 0) return number(figures.folds) + " folded edges";
+  if (figures.folds > 0)
+    if (const int folds = count_folds_of_its_own(problem, filling)) return number(folds) + " folded edges";
   const double unit = problem.diameter() * problem.diameter();
-  // With bending blended in, what falls is the blend.
-  if (filling.bending == 0 && filling.energy_after > filling.energy_before * (1 + 1e-9) &&
-      filling.energy_after * unit > tiny_energy)
+  if (filling.energy_after > filling.energy_before * (1 + 1e-9) && filling.energy_after * unit > tiny_energy)
     return "the energy rose from " + number(filling.energy_before * unit) + " to " +
            number(filling.energy_after * unit);
   return "";

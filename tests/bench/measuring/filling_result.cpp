@@ -44,6 +44,20 @@ int severity(PatchStatus status) {
   }
 }
 
+/// Of the flow its energy, of the split flow J. Fairings lower neither.
+void add_lowered_energy(const PatchResult& result, Filling& filling) {
+  if (result.method == Method::flow) {
+    filling.energy_before += result.energy.initial;
+    filling.energy_after += result.energy.final;
+  } else if (result.method == Method::split_flow) {
+    const auto has_j = [](const StepRecord& step) { return step.split.total() > 0; };
+    const auto first = std::find_if(result.history.begin(), result.history.end(), has_j);
+    if (first == result.history.end()) return;
+    filling.energy_before += first->split.total();
+    filling.energy_after += result.history.back().split.total();
+  }
+}
+
 /// The worst of the loops' ends stands for the whole.
 void take_results(const std::vector<HoleResult>& results, Filling& filling) {
   filling.complete = !results.empty();
@@ -53,8 +67,7 @@ void take_results(const std::vector<HoleResult>& results, Filling& filling) {
   for (const HoleResult& result : results) {
     filling.steps = std::max(filling.steps, result.steps());
     filling.bending = std::max(filling.bending, result.outcome().bending);
-    filling.energy_before += result.outcome().energy.initial;
-    filling.energy_after += result.outcome().energy.final;
+    add_lowered_energy(result.outcome(), filling);
     if (result.status == PatchStatus::failed || result.status == PatchStatus::skipped) filling.complete = false;
     if (severity(result.status) <= severity(worst)) continue;
     worst = result.status;

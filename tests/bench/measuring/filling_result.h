@@ -2,8 +2,8 @@
 // What a program made of a hole problem, and how good it is: the same figures for everybody.
 #pragma once
 
-#include "pipeline/fill_holes.h"
 #include "hole_problem.h"
+#include "pipeline/fill_holes.h"
 
 #include <string>
 
@@ -11,15 +11,15 @@ namespace loopmend::bench {
 
 /// Patches for all loops of a problem together.
 struct Filling {
-  Points points;                               ///< new vertices, mesh units
-  Triangles triangles;                         ///< over the vertices of the problem's view, then the new ones
-  bool complete = false;                       ///< every loop got a patch
-  std::string status;                          ///< one word for the whole problem
-  std::string message;                         ///< the reason, where there is one
-  std::string attempt;                         ///< the strategy's attempt that made the worst loop's patch; empty for others
-  int steps = 0;                               ///< of the flow, the most over the loops; 0 for others
-  double bending = 0;                          ///< HoleResult::bending, the most over the loops
-  double energy_before = 0, energy_after = 0;  ///< summed over the loops (mmcvf: 1/length²)
+  Points points;          ///< new vertices, mesh units
+  Triangles triangles;    ///< over the vertices of the problem's view, then the new ones
+  bool complete = false;  ///< every loop got a patch
+  std::string status;     ///< one word for the whole problem
+  std::string message;    ///< the reason, where there is one
+  std::string attempt;    ///< the strategy's attempt that made the worst loop's patch; empty for others
+  int steps = 0;          ///< of the flow, the most over the loops; 0 for others
+  double bending = 0;     ///< HoleResult::bending, the most over the loops
+  double energy_before = 0, energy_after = 0;  ///< that the steps lower, summed over the loops; 0: none
   double seconds = 0;                          ///< of the filling call alone
   bool exterior_unchanged = true;              ///< input points and triangles, bit for bit
 };
