@@ -51,12 +51,15 @@ class Part {
   }
 
   /// The shortest loop that does not part the surface, as vertices of the mesh. Empty: it has more than `most` edges.
-  std::vector<int> shortest_loop(int most) const {
+  /// @param is_root  of a vertex of the mesh: whether loops through it are looked for
+  template <class IsRoot>
+  std::vector<int> shortest_loop(int most, const IsRoot& is_root) const {
     Edges around(vertex_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e)
       for (int v : {edges_[e].a, edges_[e].b}) around[v].push_back(static_cast<int>(e));
     std::vector<int> best;
     for (int root = 0; root < vertices(); ++root) {
+      if (!is_root(vertex_[root])) continue;
       std::vector<int> loop = shortest_loop_from(root, most, around);
       if (loop.empty()) continue;
       most = static_cast<int>(loop.size()) - 1;
@@ -237,11 +240,11 @@ class Balls {
   std::vector<int> around(TriMesh::VertexHandle center, int reach) {
     vertices_.assign(1, center);
     distance_[center.idx()] = 0;
-    for (std::size_t i = 0; i < vertices_.size() && distance(i) < reach; ++i)
+    for (std::size_t i = 0; i < vertices_.size() && distance(vertices_[i].idx()) < reach; ++i)
       for (const auto h : mesh_.voh_range(vertices_[i])) {
         const auto v = mesh_.to_vertex_handle(h);
         if (distance_[v.idx()] >= 0 || (is_gone(h) && is_gone(mesh_.opposite_halfedge_handle(h)))) continue;
-        distance_[v.idx()] = distance(i) + 1;
+        distance_[v.idx()] = distance(vertices_[i].idx()) + 1;
         vertices_.push_back(v);
       }
     std::vector<int> faces;
@@ -258,17 +261,19 @@ class Balls {
     return faces;
   }
 
+  /// Of a vertex in the last ball, in edges from its center.
+  int distance(int vertex) const { return distance_[vertex]; }
+
   /// visit(vertex, edges from the center) for the last ball, which is forgotten then.
   template <class Visit>
   void leave(const Visit& visit) {
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      visit(vertices_[i], distance(i));
-      distance_[vertices_[i].idx()] = -1;
+    for (const auto v : vertices_) {
+      visit(v, distance(v.idx()));
+      distance_[v.idx()] = -1;
     }
   }
 
  private:
-  int distance(std::size_t i) const { return distance_[vertices_[i].idx()]; }
   bool is_gone(TriMesh::HalfedgeHandle h) const {
     const auto face = mesh_.face_handle(h);
     return !face.is_valid() || gone_[face.idx()];
@@ -309,7 +314,10 @@ TinyHandles find_tiny_handles(const TriMesh& mesh, const CancelToken& cancel) {
     for (bool more = true; std::exchange(more, false);) {
       const std::vector<int> faces = balls.around(center, rings);
       std::vector<int> loop;
-      if (const Part ball(mesh, faces, number); ball.genus() > 0) loop = ball.shortest_loop(most_edges);
+      if (const Part ball(mesh, faces, number); ball.genus() > 0) {
+        loop = ball.shortest_loop(most_edges, [&](int v) { return balls.distance(v) <= most_edges; });
+        if (!loop.empty()) loop = ball.shortest_loop(static_cast<int>(loop.size()), [](int /*v*/) { return true; });
+      }
       balls.leave([&](TriMesh::VertexHandle v, int distance) { seen[v.idx()] |= distance <= most_edges; });
       if (loop.empty() || length_of(mesh, loop) > most_of_a_piece * box[piece[faces.front()]].diagonal().norm())
         continue;
