@@ -119,8 +119,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
                  "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled");
   fill->add_flag(
       "--cut-handles", words.cut_handles,
-      "Repair as --repair does, and cut open handles of a few edges, as noise leaves them; the two holes that "
-      "each leaves are filled");
+      "Repair as --repair does, and cut open handles of at most eight edges, as noise leaves them, for their holes to "
+      "be filled");
   fill->add_option(
           "--bridge", words.bridges,
           "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")

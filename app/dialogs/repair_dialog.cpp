@@ -47,8 +47,8 @@ const Words all_words[] = {
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Cut open"),
      QT_TRANSLATE_NOOP(
          "loopmend::RepairDialog",
-         "Struts and tunnels of at most eight edges around: most come from noise, some may be real. Two holes "
-         "are left of each, to be filled")},
+         "Struts and tunnels of at most eight edges around: most come from noise, some may be real. Holes are "
+         "left of each, to be filled")},
     {Defect::crumbs, "Crumbs", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny loose pieces"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
@@ -117,7 +117,8 @@ void RepairDialog::build() {
   }
   grid->setColumnStretch(0, 1);
   auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
-  all_ = make_button("repairAll", tr("&Fix all"), tr("Mend everything that was found, in this order"));
+  all_ = make_button("repairAll", tr("&Fix all"),
+                     tr("Mend everything that was found but the tiny handles, in this order"));
   buttons->addButton(all_, QDialogButtonBox::ActionRole);
   all_->setDefault(true);
   connect(all_, &QPushButton::clicked, this, [this] {

@@ -70,6 +70,7 @@ void FillController::run_mending(Mending what, std::vector<MendingTask> tasks,
       if (patch.scan == task.scan) task.patches.push_back(patch);
   }
   const JobPtr job = begin(Activity::filling, mending_title(what));
+  for (MendingTask& task : tasks) task.cancel = job->token();
   tasks_.run(
       job,
       [what, tasks] {

@@ -59,7 +59,7 @@ std::optional<MendedScan> stitched(const MendingTask& task) {
 
 std::optional<MendedScan> repaired(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
-  RepairedSurface result = repair_surface(old.model->soup, task.defects);
+  RepairedSurface result = repair_surface(old.model->soup, task.defects, task.cancel);
   const RepairCounts& counts = result.counts;
   if (!counts.any()) return std::nullopt;
   QStringList done;

@@ -31,6 +31,7 @@ struct MendingTask {
   std::set<Defect> defects = harmless_repairs;  ///< to be repaired
   std::vector<OpenPatch> patches{};             ///< all of the scan
   int first_loop = 0;                           ///< of the scan, in the numbers of the patches' loops
+  CancelToken cancel{};
 };
 
 struct MendedScan {

@@ -22,6 +22,9 @@ namespace {
 constexpr int bridge_remesh_rounds = 5;
 constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart
 constexpr int fairing_rounds = 4;
+/// A fairing that takes so many times the area is a bubble: it would be remeshed into millions of triangles. Those of 64 blends and of
+/// the islands of 20 scans take at most a tenth more.
+constexpr double bubble = 3;
 constexpr double most_vertices = 2e6;
 /// Folds and intersections for each triangle of a first bridge. Small ones that have more can be mended; those of so many vertices
 /// took up to a minute, and never were.
@@ -183,12 +186,24 @@ struct Start {
   double unfair;
 };
 
+double area_of(const Patch& bridge) {
+  double area = 0;
+  for (int f = 0; f < bridge.patch_triangles; ++f) {
+    const Triangle& t = bridge.triangles[f];
+    area +=
+        (bridge.positions[t[1]] - bridge.positions[t[0]]).cross(bridge.positions[t[2]] - bridge.positions[t[0]]).norm();
+  }
+  return area / 2;
+}
+
 /// Linear fairing of third order, remeshed under guard, as often as it makes the patch fairer; first without regard to
 /// the triangles' shapes, which pinched necks have spoilt.
 Start faired(Start best, const CancelToken& cancel) {
+  const double largest = bubble * area_of(best.patch);
   const auto take = [&](Points positions) {
     Patch next = best.patch;
     next.positions = std::move(positions);
+    if (area_of(next) > largest) return false;
     try_phase(next, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
       remesh_once(mesh);
@@ -207,18 +222,12 @@ Start faired(Start best, const CancelToken& cancel) {
 
 /// Vertices of equilateral triangles over the area of the first triangulation.
 double expected_vertices(const Patch& bridge, double density) {
-  double area = 0;
-  for (int f = 0; f < bridge.patch_triangles; ++f) {
-    const Triangle& t = bridge.triangles[f];
-    area +=
-        (bridge.positions[t[1]] - bridge.positions[t[0]]).cross(bridge.positions[t[2]] - bridge.positions[t[0]]).norm();
-  }
   double edges = 0, length = 0;
   for (const auto& loop : bridge.loops)
     for (std::size_t i = 0; i < loop.size(); ++i, ++edges)
       length += (bridge.positions[loop[i]] - bridge.positions[loop[(i + 1) % loop.size()]]).norm();
   const double size = length / edges / density;
-  return area / 2 / (0.866 * size * size);
+  return area_of(bridge) / (0.866 * size * size);
 }
 
 std::string faults(const Validity& quality) {

@@ -153,11 +153,7 @@ const Attempt attempts[] = {
     {Stage::fallback, "tangent fairing", flow_fallback, tangent_fairing},
 };
 
-/// In place of a patch out of proportion, if it is in proportion and valid.
-const Attempt flatter[] = {
-    {Stage::fallback, "flatter: robust fairing", can_fall_back, robust_fairing},
-    {Stage::fallback, "flatter: tangent fairing", can_fall_back, tangent_fairing},
-};
+constexpr const char* flatter = "flatter: robust fairing";
 
 /// Of H, times the loop's diameter: 2 is the jump between a plane and a sphere over the loop.
 constexpr double torn_jump = 20;
@@ -215,24 +211,21 @@ double total_energy(const PatchResult& result) {
   return energy;
 }
 
-/// @returns false if nothing flatter may be kept.
+/// Of a patch out of proportion, by one that is in proportion and valid. @returns false if there is none to be kept.
 bool replace_by_flatter(const Situation& s, PatchResult& result) {
-  for (const Attempt& attempt : flatter) {
-    PatchResult next;
-    if (!attempt.applies(s)) continue;
-    result.attempts.emplace_back(attempt.name);
-    if (!attempt.run(s, next)) continue;
-    next.proportions = proportions_of(next.patch, s.initial());
-    if (total_energy(next) > worth_its_area * total_energy(result)) continue;
-    if (out_of_proportion(next.proportions) || !next.validity.is_clean()) continue;
-    next.reason = "the patch of " + method_name(result.method, s.options.flow) +
-                  " was out of proportion: " + describe(*out_of_proportion(result.proportions));
-    next.attempts = std::move(result.attempts);
-    next.made_by = attempt.name;
-    result = std::move(next);
-    return true;
-  }
-  return false;
+  if (!can_fall_back(s)) return false;
+  result.attempts.emplace_back(flatter);
+  PatchResult next;
+  if (!robust_fairing(s, next)) return false;
+  next.proportions = proportions_of(next.patch, s.initial());
+  if (total_energy(next) > worth_its_area * total_energy(result)) return false;
+  if (out_of_proportion(next.proportions) || !next.validity.is_clean()) return false;
+  next.reason = "the patch of " + method_name(result.method, s.options.flow) +
+                " was out of proportion: " + describe(*out_of_proportion(result.proportions));
+  next.attempts = std::move(result.attempts);
+  next.made_by = flatter;
+  result = std::move(next);
+  return true;
 }
 
 PatchResult in_proportion(Situation& s, PatchResult result) {

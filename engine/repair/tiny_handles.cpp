@@ -14,8 +14,12 @@ namespace loopmend {
 namespace {
 
 constexpr int most_edges = 8;  ///< of the shortest loop; and how far the handle reaches from one of its vertices
+constexpr std::size_t most_faces_of_a_scrap = 10;
+/// Of a ball, and at a vertex within it: hubs of thousands of edges would make a ball of the whole surface at each of its vertices.
+constexpr std::size_t most_vertices = 4000;
+constexpr unsigned most_neighbors = 64;
 constexpr int rings = 2 * most_edges;     ///< of a ball: it holds each handle near its center
-constexpr double most_of_a_piece = 0.05;  ///< length of the loop, in extents of the piece of surface
+constexpr double most_of_a_piece = 0.04;  ///< length of the loop, in extents of the piece of surface
 
 using Sets = boost::disjoint_sets_with_storage<>;
 
@@ -52,16 +56,17 @@ class Part {
 
   /// The shortest loop that does not part the surface, as vertices of the mesh. Empty: it has more than `most` edges.
   /// @param is_root  of a vertex of the mesh: whether loops through it are looked for
-  template <class IsRoot>
-  std::vector<int> shortest_loop(int most, const IsRoot& is_root) const {
+  /// @param accept  of a loop: whether it counts
+  template <class IsRoot, class Accept>
+  std::vector<int> shortest_loop(int most, const IsRoot& is_root, const Accept& accept) const {
     Edges around(vertex_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e)
       for (int v : {edges_[e].a, edges_[e].b}) around[v].push_back(static_cast<int>(e));
     std::vector<int> best;
-    for (int root = 0; root < vertices(); ++root) {
+    for (int root = 0; root < vertices() && most >= 3; ++root) {
       if (!is_root(vertex_[root])) continue;
       std::vector<int> loop = shortest_loop_from(root, most, around);
-      if (loop.empty()) continue;
+      if (loop.empty() || !accept(loop)) continue;
       most = static_cast<int>(loop.size()) - 1;
       best = std::move(loop);
     }
@@ -229,7 +234,8 @@ class Part {
   int holes_ = 0;
 };
 
-/// The faces all of whose vertices are so few edges from a center, over faces that are not `gone`.
+/// The faces all of whose vertices are so few edges from a center, over faces that are not `gone`; fewer where that would be very
+/// many.
 class Balls {
  public:
   Balls(const TriMesh& mesh, const std::vector<char>& gone)
@@ -240,13 +246,16 @@ class Balls {
   std::vector<int> around(TriMesh::VertexHandle center, int reach) {
     vertices_.assign(1, center);
     distance_[center.idx()] = 0;
-    for (std::size_t i = 0; i < vertices_.size() && distance(vertices_[i].idx()) < reach; ++i)
+    for (std::size_t i = 0; i < vertices_.size() && distance(vertices_[i].idx()) < reach; ++i) {
+      if (vertices_.size() > most_vertices) break;
+      if (mesh_.valence(vertices_[i]) > most_neighbors) continue;
       for (const auto h : mesh_.voh_range(vertices_[i])) {
         const auto v = mesh_.to_vertex_handle(h);
         if (distance_[v.idx()] >= 0 || (is_gone(h) && is_gone(mesh_.opposite_halfedge_handle(h)))) continue;
         distance_[v.idx()] = distance(vertices_[i].idx()) + 1;
         vertices_.push_back(v);
       }
+    }
     std::vector<int> faces;
     for (const auto v : vertices_)
       for (const auto face : mesh_.vf_range(v)) {
@@ -285,6 +294,27 @@ class Balls {
   std::vector<TriMesh::VertexHandle> vertices_;
 };
 
+/// Marks all faces at the vertices, and what hangs on nothing else. @returns whether any was not gone before.
+bool remove_around(const TriMesh& mesh, const std::vector<int>& vertices, std::vector<char>& gone) {
+  std::vector<TriMesh::FaceHandle> removed;
+  for (int v : vertices)
+    for (const auto face : mesh.vf_range(TriMesh::VertexHandle(v)))
+      if (!std::exchange(gone[face.idx()], 1)) removed.push_back(face);
+  for (const auto face : removed)
+    for (const auto beside : mesh.ff_range(face)) {
+      std::vector<TriMesh::FaceHandle> scrap;
+      const auto reach = [&](TriMesh::FaceHandle f) {
+        if (!gone[f.idx()] && std::find(scrap.begin(), scrap.end(), f) == scrap.end()) scrap.push_back(f);
+      };
+      reach(beside);
+      for (std::size_t k = 0; k < scrap.size() && scrap.size() <= most_faces_of_a_scrap; ++k)
+        for (const auto f : mesh.ff_range(scrap[k])) reach(f);
+      if (scrap.size() > most_faces_of_a_scrap) continue;
+      for (const auto f : scrap) gone[f.idx()] = 1;
+    }
+  return !removed.empty();
+}
+
 double length_of(const TriMesh& mesh, const std::vector<int>& loop) {
   double result = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -315,15 +345,18 @@ TinyHandles find_tiny_handles(const TriMesh& mesh, const CancelToken& cancel) {
       const std::vector<int> faces = balls.around(center, rings);
       std::vector<int> loop;
       if (const Part ball(mesh, faces, number); ball.genus() > 0) {
-        loop = ball.shortest_loop(most_edges, [&](int v) { return balls.distance(v) <= most_edges; });
-        if (!loop.empty()) loop = ball.shortest_loop(static_cast<int>(loop.size()), [](int /*v*/) { return true; });
+        const double longest = most_of_a_piece * box[piece[faces.front()]].diagonal().norm();
+        const auto is_short = [&](const std::vector<int>& l) { return length_of(mesh, l) <= longest; };
+        loop = ball.shortest_loop(
+            most_edges, [&](int v) { return balls.distance(v) <= most_edges && !cancel.cancelled(); }, is_short);
+        if (!loop.empty())
+          loop = ball.shortest_loop(
+              static_cast<int>(loop.size()), [](int /*v*/) { return true; }, is_short);
       }
       balls.leave([&](TriMesh::VertexHandle v, int distance) { seen[v.idx()] |= distance <= most_edges; });
-      if (loop.empty() || length_of(mesh, loop) > most_of_a_piece * box[piece[faces.front()]].diagonal().norm())
-        continue;
+      if (loop.empty()) continue;
       ++result.count;
-      for (int v : loop)
-        for (const auto face : mesh.vf_range(TriMesh::VertexHandle(v))) more |= !std::exchange(gone[face.idx()], 1);
+      more = remove_around(mesh, loop, gone);
     }
   }
   for (std::size_t f = 0; f < gone.size(); ++f)

@@ -12,12 +12,12 @@ namespace loopmend {
 
 struct TinyHandles {
   int count = 0;
-  /// View faces, ascending: those around the shortest loop of each handle. Without them the surface still hangs together, and
-  /// has two holes in place of each handle.
+  /// View faces, ascending: those at the shortest loop of each handle, and scraps that hang on nothing else. Without them there
+  /// are holes in place of each handle, mostly two.
   std::vector<int> faces;
 };
 
-/// Handles that lie within eight edges of one of their vertices, and whose shortest loop has eight edges and a twentieth of the
+/// Handles that lie within eight edges of one of their vertices, and whose shortest loop has eight edges and a 25th of the
 /// extent of its piece of surface at most.
 /// Source: tree and cotree, after Erickson and Whittlesey, Greedy optimal homotopy and homology generators (2005); that noise
 /// shows as a ball of positive genus, after Guskov and Wood, Topological noise removal (2001).

@@ -115,7 +115,8 @@ def fill(
         stitch: joins boundaries that lie within a tenth of their edges of each other first.
         repair: makes an oriented manifold of the mesh first.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
-        cut_handles: the same as repair, and cuts open handles of a few edges; the two holes that each leaves are filled.
+        cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
+            the extent of their piece of surface, for their holes to be filled.
         bridges: pairs of boundary vertices between which a strip is laid first, to part a complex hole.
         trim_boundary: removes up to so many rings of bad boundary faces first; 0 to 100.
         trim_crossing: removes the boundary faces that run through the surface first, where no patch could be valid; nothing else.

@@ -23,7 +23,6 @@ FILLS = [
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
     (["--trim-crossing"], {"trim_crossing": True}),
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
-    (["--cut-handles", "--loops", "6"], {"cut_handles": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
     (["--patches-only"], {"patches_only": True}),
     (["--patches-only", "--loops", "6", "--trim-boundary", "3"], {"patches_only": True, "loops": 6, "trim_boundary": 3}),
@@ -93,3 +92,19 @@ def test_a_hole_with_an_island(program, tmp_path, islands):
     result = check_same(program, tmp_path, tmp_path / "island.ply", ["--islands", islands], {"islands": islands})
     assert result.holes[0].is_filled
     assert (result.holes[1].status == result.holes[0].status) == (islands == "join")
+
+
+def test_a_tiny_handle(program, tmp_path):
+    """Two triangles of a sphere become the ends of a strut of three edges around."""
+    vertices, faces = icosphere(5)
+    middles = vertices[faces].mean(axis=1)
+    first, second = (int(np.argmin(np.linalg.norm(middles - place, axis=1))) for place in ([0, 0, 1], [0.15, 0, 0.99]))
+    (a, b, c), (d, f, e) = faces[first], faces[second]
+    strut = [(a, b, d), (d, b, e), (b, c, e), (e, c, f), (c, a, f), (f, a, d)]
+    scan = tmp_path / "handle.ply"
+    loopmend.write(scan, vertices, np.vstack([np.delete(faces, [first, second], axis=0), strut]))
+    result = check_same(program, tmp_path, scan, ["--cut-handles"], {"cut_handles": True})
+    assert result.prepared["repaired"]["cut_handles"] == 1
+    assert [hole.status for hole in result.holes] == ["converged"] * 2
+    used, edges = np.unique(result.faces).size, len(result.faces) * 3 // 2
+    assert used - edges + len(result.faces) == 2  # a sphere again

@@ -5244,10 +5244,6 @@
             <translation>&amp;Alles beheben</translation>
         </message>
         <message>
-            <source>Mend everything that was found, in this order</source>
-            <translation>Alles Gefundene beheben, in dieser Reihenfolge</translation>
-        </message>
-        <message>
             <source>Looking for defects…</source>
             <translation>Fehler werden gesucht…</translation>
         </message>
@@ -5272,8 +5268,12 @@
             <translation>Aufschneiden</translation>
         </message>
         <message>
-            <source>Struts and tunnels of at most eight edges around: most come from noise, some may be real. Two holes are left of each, to be filled</source>
-            <translation>Streben und Tunnel mit höchstens acht Kanten Umfang: die meisten kommen vom Rauschen, manche mögen echt sein. Von jedem bleiben zwei Löcher, die gefüllt werden können</translation>
+            <source>Struts and tunnels of at most eight edges around: most come from noise, some may be real. Holes are left of each, to be filled</source>
+            <translation>Streben und Tunnel mit höchstens acht Kanten Umfang: die meisten kommen vom Rauschen, manche mögen echt sein. Von jedem bleiben Löcher, die gefüllt werden können</translation>
+        </message>
+        <message>
+            <source>Mend everything that was found but the tiny handles, in this order</source>
+            <translation>Alles Gefundene außer den winzigen Henkeln beheben, in dieser Reihenfolge</translation>
         </message>
     </context>
     <context>

@@ -67,7 +67,7 @@ TEST(TinyHandles, AreFoundAndBecomeTwoHolesEach) {
   EXPECT_EQ(count_defects(soup).cut_handles, 2u);
 }
 
-TEST(TinyHandles, AreFoundBesideHolesAndOnBoundaries) {
+TEST(TinyHandles, AreFoundInOpenSurfaces) {
   TriangleSoup soup = make_icosphere(5);
   add_strut(soup, top, near_top);
   soup = cut(soup, [](const Vec3& p) { return p.z() < -0.5 || (p - Vec3(0.3, 0, 0.95)).norm() < 0.1; });

@@ -44,18 +44,11 @@ int severity(PatchStatus status) {
   }
 }
 
-/// Of the flow its energy, of the split flow J. Fairings lower neither.
+/// Of the flow alone: fairings do not lower it, and the split flow lowers J instead, by construction.
 void add_lowered_energy(const PatchResult& result, Filling& filling) {
-  if (result.method == Method::flow) {
-    filling.energy_before += result.energy.initial;
-    filling.energy_after += result.energy.final;
-  } else if (result.method == Method::split_flow) {
-    const auto has_j = [](const StepRecord& step) { return step.split.total() > 0; };
-    const auto first = std::find_if(result.history.begin(), result.history.end(), has_j);
-    if (first == result.history.end()) return;
-    filling.energy_before += first->split.total();
-    filling.energy_after += result.history.back().split.total();
-  }
+  if (result.method != Method::flow) return;
+  filling.energy_before += result.energy.initial;
+  filling.energy_after += result.energy.final;
 }
 
 /// The worst of the loops' ends stands for the whole.

@@ -19,7 +19,7 @@ struct Filling {
   std::string attempt;    ///< the strategy's attempt that made the worst loop's patch; empty for others
   int steps = 0;          ///< of the flow, the most over the loops; 0 for others
   double bending = 0;     ///< HoleResult::bending, the most over the loops
-  double energy_before = 0, energy_after = 0;  ///< that the steps lower, summed over the loops; 0: none
+  double energy_before = 0, energy_after = 0;  ///< of patches of the flow, summed over the loops (mmcvf: 1/length²)
   double seconds = 0;                          ///< of the filling call alone
   bool exterior_unchanged = true;              ///< input points and triangles, bit for bit
 };
