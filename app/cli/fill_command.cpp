@@ -303,12 +303,12 @@ int run_fill(const FillCommand& command) {
   SoupRecord as_read = record_of(opened.soup);
   SurfaceModel model =
       model_of(command.input, std::move(opened.soup), needs_whole_view(command) ? View::whole : View::filling);
-  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), command);
-  const std::vector<BadRimFace> bad = bad_rim_faces(scan.model, scan.to_trim);
-  TriangleSoup& soup = scan.model.soup;
   const CancelToken cancel;
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);
+  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), command, cancel);
+  const std::vector<BadRimFace> bad = bad_rim_faces(scan.model, scan.to_trim);
+  TriangleSoup& soup = scan.model.soup;
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
   const bool stopped = cancel.cancelled();
   const Outcome outcome = outcome_of(results, scan.choices);

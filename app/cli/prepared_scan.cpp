@@ -34,7 +34,7 @@ TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
   }
 }
 
-void prepare(PreparedScan& scan, const FillCommand& command) {
+void prepare(PreparedScan& scan, const FillCommand& command, const CancelToken& cancel) {
   scan.done.before = scan.model.repairs;
   const auto replace = [&](TriangleSoup soup) {
     scan.done.turned_faces += scan.model.repairs.reoriented_faces;
@@ -46,7 +46,7 @@ void prepare(PreparedScan& scan, const FillCommand& command) {
     replace(std::move(scan.done.stitched->soup));
   }
   if (!command.repair.empty()) {
-    RepairedSurface repaired = repair_surface(as_read(scan.model), command.repair);
+    RepairedSurface repaired = repair_surface(as_read(scan.model), command.repair, cancel);
     scan.done.repaired = repaired.counts;
     replace(std::move(repaired.soup));
   }
@@ -117,11 +117,12 @@ bool needs_whole_view(const FillCommand& command) {
          trims(command);
 }
 
-PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command) {
+PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command,
+                          const CancelToken& cancel) {
   PreparedScan scan;
   scan.given = std::move(as_read);
   scan.model = std::move(model);
-  prepare(scan, command);
+  prepare(scan, command, cancel);
   scan.loops = find_boundary_loops(scan.model);
   scan.choices = choose_loops(scan.model, scan.loops, command);
   if (widen_filling_view(scan.model, scan.loops, scan.chosen())) {  // the same loops, of other view vertices

@@ -41,10 +41,11 @@ struct PreparedScan {
 
 /// Stitches, repairs, bridges and trims as the command asks, then finds and chooses the loops.
 /// @param as_read  of the mesh, before any face was turned. @param model  made of it; a view that is not whole must be one for
-/// filling, and serves only where needs_whole_view() does not say otherwise.
+/// filling, and serves only where needs_whole_view() does not say otherwise. Cancelled, repairs may be left undone.
 /// @throws ReadError or InvalidArgument where no usable face is left (the former where the command names a file); UsageError,
 /// InvalidArgument for loops, vertices or bridges that there are not.
-PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command);
+PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command,
+                          const CancelToken& cancel = {});
 
 /// Whether what the command asks for first walks over the whole surface.
 bool needs_whole_view(const FillCommand& command);

@@ -117,7 +117,7 @@ FilledScan filled(FillJob& job, const OnFillProgress& progress, const CancelToke
   FilledScan done;
   SoupRecord as_read = record_of(job.soup);
   SurfaceModel model = make_surface_model(std::move(job.soup));
-  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), job.command);
+  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), job.command, cancel);
   done.holes = fill_chosen(scan, job.command, deadline, progress, cancel);
   done.stopped = cancel.cancelled();
   done.turned_faces = scan.turned_faces();

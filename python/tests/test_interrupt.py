@@ -63,7 +63,7 @@ def test_a_second_ctrl_c_is_raised():
     before = signal.signal(signal.SIGALRM, handler)
     try:
         with pytest.raises(KeyboardInterrupt):
-            signal.setitimer(signal.ITIMER_REAL, 0.3, 0.01)
+            signal.setitimer(signal.ITIMER_REAL, 0.3, 0.001)  # again before the work has ended
             loopmend.fill(scan.vertices, scan.faces, density=4, flow="wf", mode="steps", steps=1000, sigma=1e-3,
                           keep_partial=True)
     finally:
