@@ -108,6 +108,25 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
   return outcome;
 }
 
+/// What was done, and how often; empty: nothing.
+std::string words_of(const RepairCounts& counts) {
+  std::string words;
+  const auto add = [&words](std::size_t count, const char* one, const char* many) {
+    if (count > 0) words += (words.empty() ? "" : ", ") + counted(count, one, many);
+  };
+  add(counts.degenerate_faces, "degenerate face removed", "degenerate faces removed");
+  add(counts.duplicate_faces, "duplicate face removed", "duplicate faces removed");
+  add(counts.intersecting_faces, "intersecting face removed", "intersecting faces removed");
+  add(counts.separated_edges, "edge separated", "edges separated");
+  add(counts.separated_vertices, "vertex separated", "vertices separated");
+  add(counts.turned_faces, "face turned", "faces turned");
+  add(counts.cut_handles, "tiny handle cut open", "tiny handles cut open");
+  if (counts.cut_handles > 0) words += " (" + counted(counts.handle_faces, "face", "faces") + ")";
+  add(counts.removed_pieces, "crumb removed", "crumbs removed");
+  if (counts.removed_pieces > 0) words += " (" + counted(counts.removed_faces, "face", "faces") + ")";
+  return words;
+}
+
 void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.stitched)
     std::fprintf(out, "Stitched: %s joined to others, %s split; the output is compared with the stitched mesh.\n",
@@ -117,18 +136,11 @@ void print_preparation(std::FILE* out, const Preparation& done) {
     std::fprintf(out, "%zu %s laid across holes; the output is compared with the mesh that has them.\n", done.bridges,
                  done.bridges == 1 ? "strip was" : "strips were");
   if (!done.repaired) return;
-  const RepairCounts& c = *done.repaired;
-  if (!c.any()) {
+  const std::string repaired = words_of(*done.repaired);
+  if (repaired.empty())
     std::fprintf(out, "Repair: nothing to do.\n");
-    return;
-  }
-  std::fprintf(
-      out,
-      "Repaired: %zu edges and %zu vertices separated, %zu faces turned, %zu degenerate, %zu duplicate and %zu "
-      "intersecting faces and %zu crumbs (%zu faces) removed, %zu tiny handles (%zu faces) cut open; the output is "
-      "compared with the repaired mesh.\n",
-      c.separated_edges, c.separated_vertices, c.turned_faces, c.degenerate_faces, c.duplicate_faces,
-      c.intersecting_faces, c.removed_pieces, c.removed_faces, c.cut_handles, c.handle_faces);
+  else
+    std::fprintf(out, "Repaired: %s; the output is compared with the repaired mesh.\n", repaired.c_str());
 }
 
 nlohmann::ordered_json preparation_json(const Preparation& done) {

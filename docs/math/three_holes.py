@@ -11,29 +11,8 @@ import tempfile
 
 import numpy as np
 
-
-def sphere(level):
-    """An icosahedron whose triangles are divided into four, level times, on the unit sphere."""
-    g = (1 + 5**0.5) / 2
-    points = [(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
-              (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)]
-    points = [np.array(p) / np.linalg.norm(p) for p in points]
-    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6),
-             (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7),
-             (9, 8, 1)]
-    for _ in range(level):
-        middles = {}
-
-        def middle(a, b):
-            key = (min(a, b), max(a, b))
-            if key not in middles:
-                middles[key] = len(points)
-                points.append((points[a] + points[b]) / np.linalg.norm(points[a] + points[b]))
-            return middles[key]
-
-        faces = [f for a, b, c in faces for ab, bc, ca in [(middle(a, b), middle(b, c), middle(c, a))]
-                 for f in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))]
-    return np.array(points), np.array(faces)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "data"))
+from make_scans import icosphere  # noqa: E402
 
 
 def heights(kind, points, edge, random):
@@ -58,7 +37,7 @@ def write(path, points, faces):
 
 def main():
     program, pictures = sys.argv[1], pathlib.Path(sys.argv[2])
-    points, faces = sphere(5)
+    points, faces = map(np.array, icosphere(5))
     edge = np.mean(np.linalg.norm(points[faces[:, 0]] - points[faces[:, 1]], axis=1))
     faces = faces[~(points[faces] @ np.array([0.36, 0.48, 0.8]) > 0.93).any(axis=1)]  # the hole is a cap
     print("| scan | relief, edges | noise, edges | method | distance | with `--boundary exact` |")
@@ -74,14 +53,16 @@ def main():
                 subprocess.run([program, "fill", given, "-o", filled, "--report", report, "--quiet", "--boundary", boundary],
                                check=True)
                 loop = json.loads(pathlib.Path(report).read_text())["loops"][0]
-                rows = [line.split()[1:4] for line in open(filled, encoding="ascii") if line.startswith("v ")]
-                new = np.array(rows[len(points):], float)
+                lines = pathlib.Path(filled).read_text(encoding="ascii").splitlines()
+                new = np.array([line.split()[1:4] for line in lines if line.startswith("v ")][len(points):], float)
                 distances.append(np.sqrt(np.mean((np.linalg.norm(new, axis=1) - 1) ** 2)) / edge)
                 if boundary == "auto":
                     rim, method = loop["rim"], loop["method"]
                     subprocess.run([program, "render", given, filled, "--color", "plain", "--direction", "0.36,0.48,0.8",
                                     "--size", "900x450", "-o", str(pictures / f"{kind}.png")], check=True)
-        print("| %s | %.2g | %.2g | `%s` | %.2g | %.2g |" % (kind, rim["relief_per_edge"] or 0, rim["noise_per_edge"] or 0, method, *distances))
+        figures = (rim["relief_per_edge"] or 0, rim["noise_per_edge"] or 0, method, *distances)
+        print("| %s | %.2g | %.2g | `%s` | %.2g | %.2g |" % (kind, *figures))
 
 
-main()
+if __name__ == "__main__":
+    main()

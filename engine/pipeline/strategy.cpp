@@ -211,7 +211,7 @@ double total_energy(const PatchResult& result) {
   return energy;
 }
 
-/// Of a patch out of proportion, by one that is in proportion and valid. @returns false if there is none to be kept.
+/// Replaces a patch out of proportion by a valid one in proportion. @returns false if none was found.
 bool replace_by_flatter(const Situation& s, PatchResult& result) {
   if (!can_fall_back(s)) return false;
   result.attempts.emplace_back(flatter);

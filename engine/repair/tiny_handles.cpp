@@ -244,29 +244,11 @@ class Balls {
         distance_(mesh.n_vertices(), -1) {}
 
   std::vector<int> around(TriMesh::VertexHandle center, int reach) {
-    vertices_.assign(1, center);
-    distance_[center.idx()] = 0;
-    for (std::size_t i = 0; i < vertices_.size() && distance(vertices_[i].idx()) < reach; ++i) {
-      if (vertices_.size() > most_vertices) break;
-      if (mesh_.valence(vertices_[i]) > most_neighbors) continue;
-      for (const auto h : mesh_.voh_range(vertices_[i])) {
-        const auto v = mesh_.to_vertex_handle(h);
-        if (distance_[v.idx()] >= 0 || (is_gone(h) && is_gone(mesh_.opposite_halfedge_handle(h)))) continue;
-        distance_[v.idx()] = distance(vertices_[i].idx()) + 1;
-        vertices_.push_back(v);
-      }
-    }
+    grow(center, reach);
     std::vector<int> faces;
     for (const auto v : vertices_)
-      for (const auto face : mesh_.vf_range(v)) {
-        if (gone_[face.idx()]) continue;
-        bool inside = true, first = true;
-        for (const auto w : mesh_.fv_range(face)) {
-          inside = inside && distance_[w.idx()] >= 0;
-          first = first && v.idx() <= w.idx();
-        }
-        if (inside && first) faces.push_back(face.idx());
-      }
+      for (const auto face : mesh_.vf_range(v))
+        if (!gone_[face.idx()] && is_first_of(v, face)) faces.push_back(face.idx());
     return faces;
   }
 
@@ -283,6 +265,28 @@ class Balls {
   }
 
  private:
+  void grow(TriMesh::VertexHandle center, int reach) {
+    vertices_.assign(1, center);
+    distance_[center.idx()] = 0;
+    for (std::size_t i = 0; i < vertices_.size() && distance(vertices_[i].idx()) < reach; ++i) {
+      if (vertices_.size() > most_vertices) break;
+      if (mesh_.valence(vertices_[i]) > most_neighbors) continue;
+      for (const auto h : mesh_.voh_range(vertices_[i])) {
+        const auto v = mesh_.to_vertex_handle(h);
+        if (distance_[v.idx()] >= 0 || (is_gone(h) && is_gone(mesh_.opposite_halfedge_handle(h)))) continue;
+        distance_[v.idx()] = distance(vertices_[i].idx()) + 1;
+        vertices_.push_back(v);
+      }
+    }
+  }
+
+  /// Whether the face lies in the ball, and the vertex is its lowest.
+  bool is_first_of(TriMesh::VertexHandle v, TriMesh::FaceHandle face) const {
+    for (const auto w : mesh_.fv_range(face))
+      if (distance_[w.idx()] < 0 || w.idx() < v.idx()) return false;
+    return true;
+  }
+
   bool is_gone(TriMesh::HalfedgeHandle h) const {
     const auto face = mesh_.face_handle(h);
     return !face.is_valid() || gone_[face.idx()];

@@ -2,6 +2,7 @@
 #include "repair/tiny_handles.h"
 
 #include "mesh/boundary_loops.h"
+#include "mesh/pieces.h"
 #include "mesh/surface_model.h"
 #include "repair/repair_surface.h"
 #include "samples/analytic_surfaces.h"
@@ -64,6 +65,8 @@ TEST(TinyHandles, AreFoundAndBecomeTwoHolesEach) {
   EXPECT_EQ(find_boundary_loops(opened).size(), 4u);
   EXPECT_EQ(euler_characteristic(opened.mesh), 2 - 4);
   EXPECT_EQ(find_tiny_handles(opened.mesh).count, 0);
+  const std::vector<int> piece = pieces_of(opened.mesh);
+  EXPECT_EQ(std::count(piece.begin(), piece.end(), 0), static_cast<int>(piece.size()));  // nothing falls off
   EXPECT_EQ(count_defects(soup).cut_handles, 2u);
 }
 
