@@ -16,9 +16,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <poll.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -203,6 +200,7 @@ void take_words(const FillWords& words, FillCommand& command) {
 /// @throws UsageError unless `loopmend fill` takes these options, and batch leaves them to the caller.
 void check_fill_options(const std::vector<std::string>& options) {
   CLI::App app("", "loopmend");
+  app.allow_windows_style_options(false);
   FillCommand fill;
   FillWords words;
   add_fill(app, fill, words);
@@ -296,6 +294,7 @@ int words_before_those_of_fill(int argc, char** argv) {
 int run(int argc, char** argv) {
   CLI::App app("Loopmend closes holes in scanned meshes with patches whose curvature runs through the seam.",
                "loopmend");
+  app.allow_windows_style_options(false);  // the same words on every system; there, "/name" would be an option
   app.set_version_flag("--version", std::string("loopmend ") + version());
   app.require_subcommand(1);
   app.footer("'loopmend COMMAND --help' tells more about a command, with examples.");
@@ -337,12 +336,6 @@ int run(int argc, char** argv) {
     take_words(words, fill);
     return run_fill(fill);
   });
-}
-
-/// True where standard output leads to a pipe that nobody reads any more, as behind `| head`: no fault worth a word.
-bool reader_has_gone() {
-  pollfd output{STDOUT_FILENO, POLLOUT, 0};
-  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
 }  // namespace

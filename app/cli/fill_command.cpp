@@ -9,11 +9,10 @@
 #include "report.h"
 #include "verdict.h"
 
+#include "core/system_memory.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
-#include "rim/trim_rim.h"
-
-#include <sys/resource.h>
+#include "neighborhood/trim_boundary.h"
 
 #include <algorithm>
 #include <chrono>
@@ -26,12 +25,6 @@
 namespace loopmend {
 
 namespace {
-
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 /// "0.1234 -> 0.0056", or a dash where the surface has too few vertices to measure it.
 std::string before_and_after(double before, double after) {
@@ -103,7 +96,7 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
     }
     const bool no_hole = choices[k].left == LoopChoice::Left::no_hole;
     ++(no_hole ? outcome.no_hole : outcome.left);
-    outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_rim);
+    outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_boundary);
   }
   return outcome;
 }
@@ -215,7 +208,7 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
   std::fprintf(out, "%d failed, %d left as asked", outcome.failed, outcome.left);
   if (outcome.unfinished > 0) std::fprintf(out, ", %d not finished", outcome.unfinished);
   if (outcome.no_hole > 0) std::fprintf(out, ", %d left because they are no holes", outcome.no_hole);
-  std::fprintf(out, "; %s written in %.2f s\n", command.output.c_str(), seconds);
+  std::fprintf(out, "; %s written in %.2f s\n", command.output.string().c_str(), seconds);
 }
 
 /// Fills the chosen loops, and shows how far it has come.
@@ -228,16 +221,16 @@ std::vector<HoleResult> fill_and_show(PreparedScan& scan, const FillCommand& com
   return fill_chosen(scan, command, deadline, show, cancel);
 }
 
-nlohmann::ordered_json faces_json(const std::vector<BadRimFace>& faces) {
+nlohmann::ordered_json faces_json(const std::vector<BadBoundaryFace>& faces) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const BadRimFace& bad : faces)
+  for (const BadBoundaryFace& bad : faces)
     json.push_back({{"face", bad.face}, {"fault", to_string(bad.fault)}, {"ring", bad.ring}});
   return json;
 }
 
 /// @param bad  triangles that are left at the boundaries of the loops that are filled
 nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const PreparedScan& scan,
-                                   const std::vector<BadRimFace>& bad, const std::vector<HoleResult>& results) {
+                                   const std::vector<BadBoundaryFace>& bad, const std::vector<HoleResult>& results) {
   nlohmann::ordered_json json;
   json["schema_version"] = report_schema_version;
   json["version"] = version();
@@ -273,7 +266,7 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
 
 /// What was done to the scan before it was filled.
 void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const PreparedScan& scan,
-                   const std::vector<BadRimFace>& bad) {
+                   const std::vector<BadBoundaryFace>& bad) {
   if (command.coincident == CoincidentVertices::weld)
     std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
                  counted(import.vertices_welded, "vertex was", "vertices were").c_str());
@@ -319,7 +312,7 @@ int run_fill(const FillCommand& command) {
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);
   PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), command, cancel);
-  const std::vector<BadRimFace> bad = bad_rim_faces(scan.model, scan.to_trim);
+  const std::vector<BadBoundaryFace> bad = bad_boundary_faces(scan.model, scan.to_trim);
   TriangleSoup& soup = scan.model.soup;
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
   const bool stopped = cancel.cancelled();
@@ -329,7 +322,7 @@ int run_fill(const FillCommand& command) {
   if (command.content == FillCommand::Content::patches) {
     if (outcome.filled == 0) {
       std::fprintf(stderr, "loopmend: no loop was filled, so there are no patches and %s was not written%s.\n",
-                   command.output.c_str(), why_open(results).c_str());
+                   command.output.string().c_str(), why_open(results).c_str());
       return interrupt_exit_code() != 0 ? interrupt_exit_code() : exit_loops_failed;
     }
     options.written.assign(scan.given.triangles, 0);
@@ -353,14 +346,15 @@ int run_fill(const FillCommand& command) {
   json["output"]["remarks"] = written.remarks;
   if (verdict) json["check"] = verdict_json(*verdict);
   json["stopped"] = stopped;
-  json["peak_memory_mb"] = peak_memory_mb();
+  json["peak_memory_mb"] = peak_memory_of_process() / (1 << 20);
   json["total_seconds"] = seconds;
   commit_with_report(outputs, command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
     print_changes(out, command, opened.report, scan, bad);
     if (scan.loops.empty())
-      std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n", command.output.c_str());
+      std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n",
+                   command.output.string().c_str());
     else
       print_summary(out, results, outcome, command, seconds);
     if (verdict) print_verdict(out, *verdict);

@@ -117,7 +117,7 @@ int run_info(const InfoCommand& command) {
     commit_with_report(outputs, command.json, json);
     return exit_done;
   }
-  std::printf("%s: %s, %zu vertices, %zu faces\n", command.input.c_str(), opened.import.format.c_str(),
+  std::printf("%s: %s, %zu vertices, %zu faces\n", command.input.string().c_str(), opened.import.format.c_str(),
               opened.import.vertices, opened.import.faces);
   print_import(opened.import, model.repairs);
   print_not_kept(opened);

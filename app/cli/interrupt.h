@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signals: end the process at once with nothing half-written, or ask it to finish early.
+// Signals: end the process at once with nothing half-written, or ask it to finish early. In interrupt_posix.cpp and
+// interrupt_windows.cpp.
 #pragma once
 
 #include "core/cancel.h"
@@ -13,6 +14,7 @@ namespace loopmend {
 /// - a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) removes unfinished files, says so, and goes on as it would have;
 /// - SIGXFSZ and SIGPIPE do nothing: the write fails, and who writes tells why;
 /// - standard streams that were closed lead to /dev/null, so that no output file takes their numbers.
+/// Windows has Ctrl-C, Ctrl-Break and the closed window of a console in place of the first group; they end the process with 130.
 /// @param at_the_end  said last, a line of its own; lives as long as the process.
 void handle_signals(const char* at_the_end = "");
 
@@ -21,5 +23,9 @@ void cancel_on_interrupt(const CancelToken& token);
 
 /// 128 + the signal that has cancelled the token, as a shell tells it; 0: none has.
 int interrupt_exit_code();
+
+/// True where standard output leads to a pipe that nobody reads any more, as behind `| head`: no fault worth a word. Not known on
+/// Windows: false.
+bool reader_has_gone();
 
 }  // namespace loopmend

@@ -35,8 +35,7 @@ void deliver_interrupts() {
   const timespec now{};
   siginfo_t from{};
   bool interrupted = false;
-  while (sigtimedwait(&set, &from, &now) == SIGINT)
-    interrupted = interrupted || from.si_pid != getpid();
+  while (sigtimedwait(&set, &from, &now) == SIGINT) interrupted = interrupted || from.si_pid != getpid();
   sigprocmask(SIG_SETMASK, &mask_at_start, nullptr);
   if (interrupted) raise(SIGINT);
 }

@@ -9,8 +9,13 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
 
-int main(int argc, char** argv) {
+namespace {
+
+int run_program(int argc, char** argv) {
   loopmend::keep_freed_memory();
   std::setlocale(LC_NUMERIC, "C");
   loopmend::handle_signals();
@@ -20,3 +25,22 @@ int main(int argc, char** argv) {
   std::fflush(nullptr);
   std::_Exit(code);
 }
+
+}  // namespace
+
+#ifdef _WIN32
+/// Arguments in UTF-8, as everywhere in this program.
+int wmain(int argc, wchar_t** argv) {
+  std::vector<std::string> arguments;
+  for (int i = 0; i < argc; ++i) {
+    const std::u8string text = std::filesystem::path(argv[i]).u8string();
+    arguments.emplace_back(text.begin(), text.end());
+  }
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  return run_program(argc, pointers.data());
+}
+#else
+int main(int argc, char** argv) { return run_program(argc, argv); }
+#endif

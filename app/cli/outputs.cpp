@@ -86,7 +86,7 @@ void CommandFiles::check() const {
   check_identity();
   for (const NamedFile& output : outputs_) {
     if (const std::size_t names = other_names(output.path); names > 0)
-      std::fprintf(stderr, "loopmend: %s has %s; %s the old file.\n", output.path.c_str(),
+      std::fprintf(stderr, "loopmend: %s has %s; %s the old file.\n", output.path.string().c_str(),
                    counted(names, "other name (hard link)", "other names (hard links)").c_str(),
                    names == 1 ? "that keeps" : "those keep");
     if (output.kind == NamedFile::Kind::picture) require_picture_name(output.path);
@@ -139,7 +139,7 @@ nlohmann::ordered_json losses_json(const OutputLosses& losses) {
 
 void print_losses(std::FILE* out, const std::filesystem::path& output, const OutputLosses& losses) {
   if (!losses.not_kept.empty())
-    std::fprintf(out, "Not in %s: %s.\n", output.c_str(), to_string(losses.not_kept).c_str());
+    std::fprintf(out, "Not in %s: %s.\n", output.string().c_str(), to_string(losses.not_kept).c_str());
   if (losses.largest_rounding > 0 && is_stl(output))
     std::fprintf(
         out,

@@ -56,17 +56,17 @@ void prepare(PreparedScan& scan, const FillCommand& command, const CancelToken& 
   }
 }
 
-/// Choices among the loops of a trimmed scan: what grew out of those chosen before. The rim of a crumb that only touches one of
+/// Choices among the loops of a trimmed scan: what grew out of those chosen before. The boundary of a crumb that only touches one of
 /// these is not chosen for that.
 std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loops,
                                            const std::vector<BoundaryLoop>& chosen,
                                            const std::vector<BoundaryLoop>& grown, const FillCommand& command) {
   const bool named = command.loops != "all" || command.at_vertices;
-  const bool rims = std::any_of(chosen.begin(), chosen.end(),
-                                [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; });
+  const bool boundaries = std::any_of(chosen.begin(), chosen.end(),
+                                      [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; });
   std::vector<LoopChoice> choices(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const bool can_be_filled = loops[k].kind == LoopKind::hole || (rims && loops[k].kind == LoopKind::outer_rim);
+    const bool can_be_filled = loops[k].kind == LoopKind::hole || (boundaries && loops[k].kind == LoopKind::outer_rim);
     choices[k].fill = can_be_filled && std::any_of(grown.begin(), grown.end(), [&](const BoundaryLoop& loop) {
                         return loop.number == loops[k].number;
                       });
@@ -80,14 +80,14 @@ std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loop
 /// Trims the boundaries of the loops that are to be filled, and chooses anew: what grew out of them.
 void trim(PreparedScan& scan, const FillCommand& command) {
   const std::vector<BoundaryLoop> chosen = scan.chosen();
-  TrimmedModel trimmed =
-      command.trim_rounds > 0 ? trim_rim(scan.model, chosen, command.trim_rounds) : trim_pierced(scan.model, chosen);
+  TrimmedModel trimmed = command.trim_rounds > 0 ? trim_boundary(scan.model, chosen, command.trim_rounds)
+                                                 : trim_pierced(scan.model, chosen);
   scan.trimmed = std::move(trimmed.removed);
   scan.to_trim = trimmed.loops;
   if (scan.trimmed.empty()) return;
   TriangleSoup given = as_read(std::move(scan.model));
   std::vector<char> gone(given.triangles.size(), 0);
-  for (const BadRimFace& bad : scan.trimmed) gone[static_cast<std::size_t>(bad.face)] = 1;
+  for (const BadBoundaryFace& bad : scan.trimmed) gone[static_cast<std::size_t>(bad.face)] = 1;
   Triangles left;
   for (std::size_t f = 0; f < gone.size(); ++f)
     if (!gone[f]) left.push_back(given.triangles[f]);

@@ -30,9 +30,9 @@ struct PreparedScan {
   SurfaceModel model;
   Preparation done;
   std::vector<BoundaryLoop> loops;
-  std::vector<LoopChoice> choices;    ///< one for each loop
-  std::vector<BadRimFace> trimmed;    ///< faces of the mesh as it was before --trim-boundary
-  std::vector<BoundaryLoop> to_trim;  ///< the loops that are filled, and those that trimming left no hole
+  std::vector<LoopChoice> choices;       ///< one for each loop
+  std::vector<BadBoundaryFace> trimmed;  ///< faces of the mesh as it was before --trim-boundary
+  std::vector<BoundaryLoop> to_trim;     ///< the loops that are filled, and those that trimming left no hole
 
   std::vector<BoundaryLoop> chosen() const;
   /// Faces turned to agree with their neighbours: in the mesh as it was read, and in what was made of it.

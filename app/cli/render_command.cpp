@@ -63,7 +63,7 @@ int run_render(const RenderCommand& command) {
   OutputTransaction outputs;
   add_text(outputs, command.output, png);
   outputs.commit();
-  std::printf("%s: %d x %d pixels\n", command.output.c_str(), options.width, options.height);
+  std::printf("%s: %d x %d pixels\n", command.output.string().c_str(), options.width, options.height);
   return exit_done;
 }
 

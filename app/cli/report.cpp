@@ -66,21 +66,21 @@ Json loop_json(const BoundaryLoop& loop) {
 
 namespace {
 
-Json rim_json(const HoleResult& result) {
-  const RimSummary rim = result.neighborhood();
-  return {{"surroundings", to_string(rim.split.kind())},
-          {"relief", json_number(rim.relief)},
-          {"relief_per_edge", json_number(rim.relief_per_edge)},
-          {"noise", json_number(rim.noise)},
-          {"noise_per_edge", json_number(rim.noise_per_edge)},
-          {"relief_wavelength", json_number(2 * std::numbers::pi * rim.split.relief)},
-          {"noise_wavelength", json_number(2 * std::numbers::pi * rim.split.noise)},
-          {"normal_sigma_deg", json_number(rim.normal_sigma_deg)},
-          {"h_rms", json_number(rim.H)},
-          {"h_sigma", json_number(rim.H_sigma)},
-          {"gradient_h_rms", json_number(rim.gradient)},
-          {"gradient_h_sigma", json_number(rim.gradient_sigma)},
-          {"fitted_vertices", rim.fitted}};
+Json boundary_json(const HoleResult& result) {
+  const BoundarySummary boundary = result.neighborhood();
+  return {{"surroundings", to_string(boundary.split.kind())},
+          {"relief", json_number(boundary.relief)},
+          {"relief_per_edge", json_number(boundary.relief_per_edge)},
+          {"noise", json_number(boundary.noise)},
+          {"noise_per_edge", json_number(boundary.noise_per_edge)},
+          {"relief_wavelength", json_number(2 * std::numbers::pi * boundary.split.relief)},
+          {"noise_wavelength", json_number(2 * std::numbers::pi * boundary.split.noise)},
+          {"normal_sigma_deg", json_number(boundary.normal_sigma_deg)},
+          {"h_rms", json_number(boundary.H)},
+          {"h_sigma", json_number(boundary.H_sigma)},
+          {"gradient_h_rms", json_number(boundary.gradient)},
+          {"gradient_h_sigma", json_number(boundary.gradient_sigma)},
+          {"fitted_vertices", boundary.fitted}};
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ Json loop_json(const HoleResult& result) {
   json["free_vertices"] = result.free_vertices;
   json["steps"] = patch.steps;
   json["bending"] = patch.bending;
-  json["rim"] = rim_json(result);
+  json["rim"] = boundary_json(result);
   json["seconds"] = {{"initial_patch", patch.seconds.initial_patch},
                      {"assemble", patch.seconds.assemble},
                      {"solve", patch.seconds.solve},

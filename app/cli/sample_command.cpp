@@ -16,7 +16,7 @@ int run_sample(const std::filesystem::path& output) {
   OutputTransaction outputs;
   write_mesh(outputs, output, soup);
   outputs.commit();
-  std::printf("%s: the embedded sample, %zu vertices, %zu triangles\n", output.c_str(), soup.points.size(),
+  std::printf("%s: the embedded sample, %zu vertices, %zu triangles\n", output.string().c_str(), soup.points.size(),
               soup.triangles.size());
   return exit_done;
 }

@@ -10,8 +10,8 @@
 namespace loopmend {
 namespace {
 
-/// The lane as a patch of the document: the start and where the flow has led.
-OpenPatch patch_of(const ComparedRun& start, const ComparedRun& lane, double density) {
+/// The run as a patch of the document: the start and where the flow has led.
+OpenPatch patch_of(const ComparedRun& start, const ComparedRun& flow_run, double density) {
   auto initial = std::make_shared<PatchState>();
   static_cast<PatchResult&>(*initial) = start;
   initial->status = PatchStatus::filled;
@@ -19,14 +19,14 @@ OpenPatch patch_of(const ComparedRun& start, const ComparedRun& lane, double den
   initial->seams_before = start.seams;
   initial->recipe.density = density;
   auto now = std::make_shared<PatchState>(*initial);
-  static_cast<PatchResult&>(*now) = lane;
+  static_cast<PatchResult&>(*now) = flow_run;
   now->history.clear();
   now->seams_before = start.seams;
-  now->shape = lane.shape;
+  now->shape = flow_run.shape;
   // `loopmend fill` would solve several holes one by one.
-  const bool nameable = start.patch.loops.size() == 1 && lane.stage == ComparedRun::Stage::ended;
-  RunRecipe run = recipe_of(lane.options);
-  run.steps = lane.steps;
+  const bool nameable = start.patch.loops.size() == 1 && flow_run.stage == ComparedRun::Stage::ended;
+  RunRecipe run = recipe_of(flow_run.options);
+  run.steps = flow_run.steps;
   if (!nameable) run.end = RunRecipe::End::unnamed;
   now->recipe.runs.push_back(run);
   OpenPatch patch;
@@ -86,17 +86,17 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
   task.source.neighborhood = opened->shape;
   task.source.origin = document_.origin();
   task.accept_help = tr("Put this patch into the holes, in place of what is there; can be undone");
-  task.accept = [this, scan, model = opened->model, density](const ComparedRun& start, const ComparedRun& lane) {
+  task.accept = [this, scan, model = opened->model, density](const ComparedRun& start, const ComparedRun& flow_run) {
     const auto now = document_.scan(scan);
     if (!now || now->model != model) return tr("The scan of this comparison is no longer open.");
     if (controller_.busy()) return tr("The main window is busy. Try again when it is done.");
-    OpenPatch patch = patch_of(start, lane, density);
+    OpenPatch patch = patch_of(start, flow_run, density);
     patch.scan = scan;
-    for (int number : lane.patch.loop_numbers)
+    for (int number : flow_run.patch.loop_numbers)
       for (int loop = document_.first_loop_of(scan); loop < document_.loop_count(); ++loop)
         if (document_.scan_of(loop) == scan && document_.loop(loop).number == number) patch.loops.push_back(loop);
     controller_.adopt(std::move(patch));
-    return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(lane.flow));
+    return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(flow_run.flow));
   };
   return compare(std::move(task), look);
 }
@@ -104,20 +104,20 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
 CompareWindow* CompareController::compare_trial(ProblemController& trial, const Look& look) {
   if (!trial.can_compare()) return nullptr;
   CompareTask task;
-  task.source = trial.race_source();
+  task.source = trial.comparison_source();
   task.command = trial.command();
   task.accept_help = tr("Put this surface into the document, in place of what it came from; can be undone");
-  task.accept = [at = QPointer<ProblemController>(&trial)](const ComparedRun&, const ComparedRun& lane) {
-    return at ? at->adopt(lane) : QString();
+  task.accept = [at = QPointer<ProblemController>(&trial)](const ComparedRun&, const ComparedRun& flow_run) {
+    return at ? at->adopt(flow_run) : QString();
   };
   return compare(std::move(task), look);
 }
 
 CompareWindow* CompareController::compare(CompareTask task, const Look& look) {
-  auto race = std::make_unique<ComparisonController>(task.source);
-  auto* window = new CompareWindow(*race, std::move(task), look, window_);
+  auto flow_comparison = std::make_unique<ComparisonController>(task.source);
+  auto* window = new CompareWindow(*flow_comparison, std::move(task), look, window_);
   window->setAttribute(Qt::WA_DeleteOnClose);
-  open_.emplace_back(window, std::move(race));
+  open_.emplace_back(window, std::move(flow_comparison));
   connect(window, &QObject::destroyed, this, &CompareController::bury);
   window->show();
   Q_EMIT opened(window);
@@ -126,17 +126,18 @@ CompareWindow* CompareController::compare(CompareTask task, const Look& look) {
 
 /// A closed comparison goes when its last worker has looked at its token.
 void CompareController::bury() {
-  for (auto& [window, race] : open_)
-    if (!window) closed_.push_back(std::move(race));
+  for (auto& [window, flow_comparison] : open_)
+    if (!window) closed_.push_back(std::move(flow_comparison));
   std::erase_if(open_, [](const auto& entry) { return entry.second == nullptr; });
-  std::erase_if(closed_, [](const auto& race) { return race->shut_down(std::chrono::milliseconds(0)); });
+  std::erase_if(closed_,
+                [](const auto& flow_comparison) { return flow_comparison->shut_down(std::chrono::milliseconds(0)); });
   closed_.empty() ? undertaker_.stop() : undertaker_.start();
 }
 
 bool CompareController::shut_down(std::chrono::milliseconds at_most) {
   bool all = true;
-  for (auto& [window, race] : open_) all = race->shut_down(at_most) && all;
-  for (auto& race : closed_) all = race->shut_down(at_most) && all;
+  for (auto& [window, flow_comparison] : open_) all = flow_comparison->shut_down(at_most) && all;
+  for (auto& flow_comparison : closed_) all = flow_comparison->shut_down(at_most) && all;
   return all;
 }
 

@@ -39,16 +39,17 @@ QImage CompareWindow::picture(const PictureOptions& options) {
   painter.setRenderHint(QPainter::Antialiasing);
   const double legend = words && legend_->isVisible() ? legend_->sizeHint().width() * scale : 0;
   const bool wiping = pages_->currentIndex() == 1;
-  const int count = wiping ? 1 : race_.lanes(), columns = count == 4 ? 2 : count, rows = count == 4 ? 2 : 1;
+  const int count = wiping ? 1 : flow_comparison_.flow_runs(), columns = count == 4 ? 2 : count,
+            rows = count == 4 ? 2 : 1;
   const double width = (size.width() - legend) / columns, height = static_cast<double>(size.height()) / rows;
   const double title = wiping || !words ? 0 : 2 * fontMetrics().height() * scale;
   QFont letters = font();
   letters.setPixelSize(std::max(6, static_cast<int>(fontInfo().pixelSize() * scale)));
-  for (int lane = 0; lane < count; ++lane) {
-    const QRectF cell(lane % columns * width, lane / columns * height, width, height);
+  for (int flow_run = 0; flow_run < count; ++flow_run) {
+    const QRectF cell(flow_run % columns * width, flow_run / columns * height, width, height);
     const QSize drawn(static_cast<int>(cell.width() - 3 * scale), static_cast<int>(cell.height() - title - 3 * scale));
     if (drawn.isEmpty()) return {};
-    FlowView& shown = *panes_[static_cast<std::size_t>(lane)];
+    FlowView& shown = *flow_views_[static_cast<std::size_t>(flow_run)];
     const QImage view = (wiping ? *wipe_ : shown.canvas()).picture(drawn, options.ground);
     if (view.isNull()) return {};
     painter.drawImage(QPointF(cell.left(), cell.top() + title), view);
@@ -69,10 +70,10 @@ QImage CompareWindow::picture(const PictureOptions& options) {
 QString CompareWindow::save_numbers(const QString& path) const {
   const QFileInfo file(path);
   const QString base = file.dir().filePath(file.completeBaseName());
-  write(path, csv_of(table_rows(race_)));
-  write(base + QStringLiteral("-energies.csv"), curves_csv(race_));
-  if (race_.comparison() && !race_.comparison()->profiles.empty())
-    write(base + QStringLiteral("-profile.csv"), profile_csv(*race_.comparison()));
+  write(path, csv_of(table_rows(flow_comparison_)));
+  write(base + QStringLiteral("-energies.csv"), curves_csv(flow_comparison_));
+  if (flow_comparison_.comparison() && !flow_comparison_.comparison()->profiles.empty())
+    write(base + QStringLiteral("-profile.csv"), profile_csv(*flow_comparison_.comparison()));
   return tr("Wrote %1, and beside it energies and profile.").arg(QDir::toNativeSeparators(path));
 }
 

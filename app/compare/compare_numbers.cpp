@@ -67,18 +67,18 @@ QString status_words(const std::string& status) {
   return QString::fromStdString(status);
 }
 
-std::vector<std::string> live_row(const ComparedRun& lane) {
+std::vector<std::string> live_row(const ComparedRun& flow_run) {
   std::string status;
-  if (lane.stage == ComparedRun::Stage::ended) status = to_string(lane.status);
-  return comparison_row(upper_name(lane.flow), status, lane.steps, lane.energies, lane.seams, lane.wide_jump,
-                        lane.validity);
+  if (flow_run.stage == ComparedRun::Stage::ended) status = to_string(flow_run.status);
+  return comparison_row(upper_name(flow_run.flow), status, flow_run.steps, flow_run.energies, flow_run.seams,
+                        flow_run.wide_jump, flow_run.validity);
 }
 
 }  // namespace
 
-CompareNumbers::CompareNumbers(const ComparisonController& race, QWidget* parent)
+CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWidget* parent)
     : QWidget(parent),
-      race_(race),
+      flow_comparison_(flow_comparison),
       table_(new QTableWidget),
       which_(new QComboBox),
       energies_(new Plot("compareEnergies", tr("Energy of each flow against the step"))),
@@ -147,7 +147,7 @@ void CompareNumbers::fill_row(int row, const std::vector<std::string>& cells) {
 }
 
 void CompareNumbers::update_all() {
-  const auto rows_now = table_rows(race_);
+  const auto rows_now = table_rows(flow_comparison_);
   table_->setRowCount(static_cast<int>(rows_now.size()));
   for (std::size_t row = 0; row < rows_now.size(); ++row) fill_row(static_cast<int>(row), rows_now[row]);
   constexpr int rows = flows + 1;
@@ -159,8 +159,8 @@ void CompareNumbers::update_all() {
   update_profiles();
 }
 
-void CompareNumbers::update_lane(int lane) {
-  fill_row(lane + 1, live_row(*race_.lane(lane)));
+void CompareNumbers::update_flow_run(int flow_run) {
+  fill_row(flow_run + 1, live_row(*flow_comparison_.flow_run(flow_run)));
   update_energies();
   update_profiles();
 }
@@ -169,9 +169,9 @@ void CompareNumbers::update_energies() {
   bool moved = false, positive = true;
   double low = 1e300, high = 0;
   for (int graph = 0; graph < flows; ++graph) energies_->set_data(graph, {}, {});
-  for (int lane = 0; lane < race_.lanes(); ++lane) {
+  for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run) {
     QVector<double> step, value;
-    for (const ComparisonPoint& point : race_.curve(lane)) {
+    for (const ComparisonPoint& point : flow_comparison_.curve(flow_run)) {
       step << point.step;
       value << energy_of(point.energies, which_->currentIndex());
       positive = positive && value.last() > 0;
@@ -179,7 +179,7 @@ void CompareNumbers::update_energies() {
       high = std::max(high, value.last());
     }
     moved = moved || step.size() > 1;
-    if (step.size() > 1) energies_->set_data(static_cast<int>(race_.flow(lane)), step, value);
+    if (step.size() > 1) energies_->set_data(static_cast<int>(flow_comparison_.flow(flow_run)), step, value);
   }
   constexpr double wide = 20;  // from here on a straight scale shows nothing of the end
   energies_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
@@ -190,9 +190,9 @@ void CompareNumbers::update_energies() {
 void CompareNumbers::update_profiles() {
   bool any = false;
   for (int graph = 0; graph < flows; ++graph) profiles_->set_data(graph, {}, {});
-  for (int lane = 0; race_.start() && lane < race_.lanes(); ++lane) {
+  for (int flow_run = 0; flow_comparison_.start() && flow_run < flow_comparison_.flow_runs(); ++flow_run) {
     QVector<double> distance, H;
-    for (const ProfilePoint& point : race_.lane(lane)->profile) {
+    for (const ProfilePoint& point : flow_comparison_.flow_run(flow_run)->profile) {
       if (!distance.isEmpty() && distance.last() == point.distance) {  // at the seam, once from either side
         distance << point.distance;
         H << std::nan("");
@@ -201,29 +201,31 @@ void CompareNumbers::update_profiles() {
       H << point.H;
     }
     any = any || !distance.isEmpty();
-    profiles_->set_data(static_cast<int>(race_.flow(lane)), distance, H);
+    profiles_->set_data(static_cast<int>(flow_comparison_.flow(flow_run)), distance, H);
   }
   profiles_->show_words(any ? QString() : tr("There is no seam to look across."));
   profiles_->redraw();
 }
 
 /// Of a finished comparison in its own words, so that they are those of the command line to the last digit.
-std::vector<std::vector<std::string>> table_rows(const ComparisonController& race) {
-  if (race.comparison()) return comparison_rows(*race.comparison());
+std::vector<std::vector<std::string>> table_rows(const ComparisonController& flow_comparison) {
+  if (flow_comparison.comparison()) return comparison_rows(*flow_comparison.comparison());
   std::vector<std::vector<std::string>> rows;
-  if (!race.start()) return rows;
-  rows.push_back(comparison_row("start", "", 0, race.start()->energies, race.start()->seams, std::nan(""), {}));
-  for (int lane = 0; lane < race.lanes(); ++lane) rows.push_back(live_row(*race.lane(lane)));
+  if (!flow_comparison.start()) return rows;
+  rows.push_back(comparison_row("start", "", 0, flow_comparison.start()->energies, flow_comparison.start()->seams,
+                                std::nan(""), {}));
+  for (int flow_run = 0; flow_run < flow_comparison.flow_runs(); ++flow_run)
+    rows.push_back(live_row(*flow_comparison.flow_run(flow_run)));
   return rows;
 }
 
-std::string curves_csv(const ComparisonController& race) {
+std::string curves_csv(const ComparisonController& flow_comparison) {
   std::string text = "flow,step,int |grad H|^2,int H^2,area\n";
   char line[160];
-  for (int lane = 0; lane < race.lanes(); ++lane)
-    for (const ComparisonPoint& point : race.curve(lane)) {
-      std::snprintf(line, sizeof line, "%s,%d,%.17g,%.17g,%.17g\n", upper_name(race.flow(lane)).c_str(), point.step,
-                    point.energies.variation, point.energies.bending, point.energies.area);
+  for (int flow_run = 0; flow_run < flow_comparison.flow_runs(); ++flow_run)
+    for (const ComparisonPoint& point : flow_comparison.curve(flow_run)) {
+      std::snprintf(line, sizeof line, "%s,%d,%.17g,%.17g,%.17g\n", upper_name(flow_comparison.flow(flow_run)).c_str(),
+                    point.step, point.energies.variation, point.energies.bending, point.energies.area);
       text += line;
     }
   return text;

@@ -17,11 +17,11 @@ class CompareNumbers : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CompareNumbers(const ComparisonController& race, QWidget* parent = nullptr);
+  explicit CompareNumbers(const ComparisonController& flow_comparison, QWidget* parent = nullptr);
 
   /// Everything anew.
   void update_all();
-  void update_lane(int lane);
+  void update_flow_run(int flow_run);
   Plot& energies() { return *energies_; }
   Plot& profiles() { return *profiles_; }
 
@@ -30,15 +30,15 @@ class CompareNumbers : public QWidget {
   void update_profiles();
   void fill_row(int row, const std::vector<std::string>& cells);
 
-  const ComparisonController& race_;
+  const ComparisonController& flow_comparison_;
   QTableWidget* table_;
   QComboBox* which_;
   Plot *energies_, *profiles_;
 };
 
 /// The table as it stands: of the finished comparison, or of what was reached.
-std::vector<std::vector<std::string>> table_rows(const ComparisonController& race);
+std::vector<std::vector<std::string>> table_rows(const ComparisonController& flow_comparison);
 /// flow, step, the three energies: a line for each step.
-std::string curves_csv(const ComparisonController& race);
+std::string curves_csv(const ComparisonController& flow_comparison);
 
 }  // namespace loopmend

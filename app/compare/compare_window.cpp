@@ -80,14 +80,14 @@ Look comparable(Look look) {
 
 }  // namespace
 
-CompareWindow::CompareWindow(ComparisonController& race, CompareTask task, const Look& look, QWidget* parent)
+CompareWindow::CompareWindow(ComparisonController& flow_comparison, CompareTask task, const Look& look, QWidget* parent)
     : QWidget(parent, Qt::Window),
-      race_(race),
+      flow_comparison_(flow_comparison),
       task_(std::move(task)),
       look_(comparable(look)),
       clock_(new PictureClock(this)) {
   setObjectName(QStringLiteral("compareWindow"));
-  setWindowTitle(tr("Compare flows: %1").arg(race_.title()));
+  setWindowTitle(tr("Compare flows: %1").arg(flow_comparison_.title()));
   resize(QSize(1280, 840).boundedTo(largest_window()));
   auto* upper = new QWidget;
   auto* column = new QVBoxLayout(upper);
@@ -96,7 +96,7 @@ CompareWindow::CompareWindow(ComparisonController& race, CompareTask task, const
   column->addWidget(build_run_bar());
   column->addWidget(build_look_bar());
   column->addWidget(build_views(), 1);
-  numbers_ = new CompareNumbers(race_);
+  numbers_ = new CompareNumbers(flow_comparison_);
   auto* splitter = new QSplitter(Qt::Vertical);
   splitter->addWidget(upper);
   splitter->addWidget(numbers_);
@@ -120,7 +120,7 @@ QWidget* CompareWindow::build_run_bar() {
   count_->setObjectName(QStringLiteral("compareCount"));
   explain(count_, tr("Number of views"), tr("How many flows are compared"));
   for (int n = 2; n <= most_views; ++n) count_->addItem(tr("%1 views").arg(n), n);
-  count_->setCurrentIndex(race_.lanes() - 2);
+  count_->setCurrentIndex(flow_comparison_.flow_runs() - 2);
   mode_ = new QComboBox;
   mode_->setObjectName(QStringLiteral("compareMode"));
   mode_->addItem(tr("To the steady state"), static_cast<int>(EvolutionMode::steady));
@@ -202,7 +202,7 @@ QWidget* CompareWindow::build_views() {
   grid_ = new QGridLayout(grid);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(6);
-  for (int number = 0; number < most_views; ++number) panes_.push_back(new FlowView(number, *clock_));
+  for (int number = 0; number < most_views; ++number) flow_views_.push_back(new FlowView(number, *clock_));
   wipe_ = new FlowCanvas("compareWipeView", FlowCanvas::Sides::two, *clock_);
   pages_ = new QStackedWidget;
   pages_->addWidget(grid);
@@ -219,7 +219,7 @@ QWidget* CompareWindow::build_views() {
 
 void CompareWindow::wire() {
   connect(run_, &QPushButton::clicked, this, &CompareWindow::run);
-  connect(stop_, &QPushButton::clicked, &race_, &ComparisonController::stop);
+  connect(stop_, &QPushButton::clicked, &flow_comparison_, &ComparisonController::stop);
   connect(save_picture_, &QPushButton::clicked, this, &CompareWindow::ask_picture);
   connect(save_numbers_, &QPushButton::clicked, this, &CompareWindow::ask_numbers);
   connect(copy_, &QPushButton::clicked, this, &CompareWindow::copy_command);
@@ -234,33 +234,33 @@ void CompareWindow::wire() {
     if (own_range_->isChecked()) update_range();
   });
   connect(linked_, &QCheckBox::toggled, this, [this](bool on) {
-    if (on) follow(panes_.front()->canvas());
+    if (on) follow(flow_views_.front()->canvas());
   });
   connect(wiping_, &QCheckBox::toggled, this, [this](bool on) {
-    if (on) wipe_->set_pose(panes_.front()->canvas().pose());
+    if (on) wipe_->set_pose(flow_views_.front()->canvas().pose());
     pages_->setCurrentIndex(on ? 1 : 0);
     update_wipe();
     update_use();
   });
   for (QComboBox* box : {left_, right_})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_wipe);
-  for (int lane = 0; lane < most_views; ++lane) {
-    FlowView* pane = panes_[static_cast<std::size_t>(lane)];
-    connect(pane, &FlowView::flow_chosen, this, [this, lane](FlowKind flow) { choose_flow(lane, flow); });
-    connect(pane, &FlowView::accept_wanted, this, [this, lane] { accept(lane); });
+  for (int flow_run = 0; flow_run < most_views; ++flow_run) {
+    FlowView* flow_view = flow_views_[static_cast<std::size_t>(flow_run)];
+    connect(flow_view, &FlowView::flow_chosen, this, [this, flow_run](FlowKind flow) { choose_flow(flow_run, flow); });
+    connect(flow_view, &FlowView::accept_wanted, this, [this, flow_run] { accept(flow_run); });
   }
   for (FlowCanvas* canvas : canvases())
     connect(canvas, &FlowCanvas::turned, this, [this, canvas] {
       if (linked_->isChecked()) follow(*canvas);
     });
-  connect(&race_, &ComparisonController::stage_changed, this, &CompareWindow::update_all);
-  connect(&race_, &ComparisonController::lane_moved, this, &CompareWindow::update_lane);
-  connect(&race_, &ComparisonController::failed, banner_, &Banner::show_problem);
+  connect(&flow_comparison_, &ComparisonController::stage_changed, this, &CompareWindow::update_all);
+  connect(&flow_comparison_, &ComparisonController::flow_run_moved, this, &CompareWindow::update_flow_run);
+  connect(&flow_comparison_, &ComparisonController::failed, banner_, &Banner::show_problem);
 }
 
 std::vector<FlowCanvas*> CompareWindow::canvases() const {
   std::vector<FlowCanvas*> all;
-  for (FlowView* pane : panes_) all.push_back(&pane->canvas());
+  for (FlowView* flow_view : flow_views_) all.push_back(&flow_view->canvas());
   all.push_back(wipe_);
   return all;
 }
@@ -279,87 +279,92 @@ EvolutionOptions CompareWindow::options() const {
 }
 
 void CompareWindow::run() {
-  if (run_->isEnabled() || race_.stage() == ComparisonController::Stage::ready) race_.run(options());
+  if (run_->isEnabled() || flow_comparison_.stage() == ComparisonController::Stage::ready)
+    flow_comparison_.run(options());
 }
 
 void CompareWindow::run_when_ready() {
-  run_soon_ = race_.stage() == ComparisonController::Stage::preparing;
+  run_soon_ = flow_comparison_.stage() == ComparisonController::Stage::preparing;
   if (!run_soon_) run();
 }
 
 void CompareWindow::set_view_count(int count) {
   std::vector<FlowKind> flows;
-  for (int lane = 0; lane < race_.lanes(); ++lane) flows.push_back(race_.flow(lane));
+  for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
+    flows.push_back(flow_comparison_.flow(flow_run));
   // The fairest flows first in, the fairest last out.
   if (static_cast<int>(flows.size()) > count) flows.erase(flows.begin(), flows.end() - count);
   for (FlowKind flow : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf})
     if (static_cast<int>(flows.size()) < count && std::find(flows.begin(), flows.end(), flow) == flows.end())
       flows.insert(flows.begin(), flow);
-  race_.set_flows(flows);
+  flow_comparison_.set_flows(flows);
   arrange();
 }
 
 /// A flow that another view has already changes places with it.
-void CompareWindow::choose_flow(int lane, FlowKind flow) {
+void CompareWindow::choose_flow(int flow_run, FlowKind flow) {
   std::vector<FlowKind> flows;
-  for (int k = 0; k < race_.lanes(); ++k) flows.push_back(race_.flow(k));
+  for (int k = 0; k < flow_comparison_.flow_runs(); ++k) flows.push_back(flow_comparison_.flow(k));
   const auto other = std::find(flows.begin(), flows.end(), flow);
-  if (other != flows.end()) *other = flows[static_cast<std::size_t>(lane)];
-  flows[static_cast<std::size_t>(lane)] = flow;
-  race_.set_flows(flows);
+  if (other != flows.end()) *other = flows[static_cast<std::size_t>(flow_run)];
+  flows[static_cast<std::size_t>(flow_run)] = flow;
+  flow_comparison_.set_flows(flows);
 }
 
 void CompareWindow::arrange() {
-  const int columns = race_.lanes() == 4 ? 2 : race_.lanes();
-  for (int lane = 0; lane < most_views; ++lane) {
-    FlowView* pane = panes_[static_cast<std::size_t>(lane)];
-    grid_->removeWidget(pane);
-    if (lane < race_.lanes()) grid_->addWidget(pane, lane / columns, lane % columns);
-    pane->setVisible(lane < race_.lanes());
+  const int columns = flow_comparison_.flow_runs() == 4 ? 2 : flow_comparison_.flow_runs();
+  for (int flow_run = 0; flow_run < most_views; ++flow_run) {
+    FlowView* flow_view = flow_views_[static_cast<std::size_t>(flow_run)];
+    grid_->removeWidget(flow_view);
+    if (flow_run < flow_comparison_.flow_runs()) grid_->addWidget(flow_view, flow_run / columns, flow_run % columns);
+    flow_view->setVisible(flow_run < flow_comparison_.flow_runs());
   }
 }
 
 void CompareWindow::update_all() {
-  const bool there = race_.start() != nullptr;
+  const bool there = flow_comparison_.start() != nullptr;
   {
     const QSignalBlocker quiet_left(left_), quiet_right(right_);
     const int old_left = std::max(0, left_->currentIndex()), old_right = right_->currentIndex();
     for (QComboBox* box : {left_, right_}) {
       box->clear();
       box->addItem(tr("Start"));
-      for (int lane = 0; lane < race_.lanes(); ++lane) box->addItem(labels::flow_name(race_.flow(lane)));
+      for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
+        box->addItem(labels::flow_name(flow_comparison_.flow(flow_run)));
     }
     left_->setCurrentIndex(std::min(old_left, left_->count() - 1));
     right_->setCurrentIndex(old_right < 0 ? right_->count() - 1 : std::min(old_right, right_->count() - 1));
   }
   if (there) {
-    for (FlowCanvas* canvas : canvases()) canvas->set_neighborhood(race_.neighborhood());
-    for (int lane = 0; lane < race_.lanes(); ++lane) {
-      panes_[static_cast<std::size_t>(lane)]->show_flow(race_.flow(lane));
-      panes_[static_cast<std::size_t>(lane)]->show_lane(*race_.lane(lane), task_.accept_help);
+    for (FlowCanvas* canvas : canvases()) canvas->set_neighborhood(flow_comparison_.neighborhood());
+    for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run) {
+      flow_views_[static_cast<std::size_t>(flow_run)]->show_flow(flow_comparison_.flow(flow_run));
+      flow_views_[static_cast<std::size_t>(flow_run)]->show_flow_run(*flow_comparison_.flow_run(flow_run),
+                                                                     task_.accept_help);
     }
-    if (race_.stage() != ComparisonController::Stage::running) update_range();
+    if (flow_comparison_.stage() != ComparisonController::Stage::running) update_range();
     if (isVisible() && !std::exchange(faced_, true)) face_patch();
   }
   numbers_->update_all();
   update_wipe();
   update_use();
-  if (race_.stage() == ComparisonController::Stage::ready && std::exchange(run_soon_, false)) run();
+  if (flow_comparison_.stage() == ComparisonController::Stage::ready && std::exchange(run_soon_, false)) run();
 }
 
-void CompareWindow::update_lane(int lane) {
-  panes_[static_cast<std::size_t>(lane)]->show_lane(*race_.lane(lane), task_.accept_help);
-  numbers_->update_lane(lane);
+void CompareWindow::update_flow_run(int flow_run) {
+  flow_views_[static_cast<std::size_t>(flow_run)]->show_flow_run(*flow_comparison_.flow_run(flow_run),
+                                                                 task_.accept_help);
+  numbers_->update_flow_run(flow_run);
   if (wiping_->isChecked()) update_wipe();
 }
 
 void CompareWindow::update_use() {
-  const ComparisonController::Stage stage = race_.stage();
+  const ComparisonController::Stage stage = flow_comparison_.stage();
   const bool ready = stage == ComparisonController::Stage::ready;
   run_->setEnabled(ready);
   stop_->setEnabled(stage == ComparisonController::Stage::running);
   for (QWidget* part : std::initializer_list<QWidget*>{count_, mode_, save_numbers_}) part->setEnabled(ready);
-  save_picture_->setEnabled(race_.start() != nullptr);
+  save_picture_->setEnabled(flow_comparison_.start() != nullptr);
   const bool steps = mode_->currentData().toInt() == static_cast<int>(EvolutionMode::steps);
   sigma_->setVisible(steps);
   sigma_value_->setVisible(steps);
@@ -367,12 +372,13 @@ void CompareWindow::update_use() {
   sigma_value_->setText(tr("\u03c3 = %1").arg(labels::number(options().sigma)));
   for (QComboBox* box : {left_, right_}) box->setEnabled(wiping_->isChecked());
   half_width_->setEnabled(own_range_->isChecked());
-  for (FlowView* pane : panes_) pane->set_use(ready ? FlowView::Use::open : FlowView::Use::running);
+  for (FlowView* flow_view : flow_views_) flow_view->set_use(ready ? FlowView::Use::open : FlowView::Use::running);
   QString words;
   if (stage == ComparisonController::Stage::preparing) words = tr("Making the start\u2026");
   if (stage == ComparisonController::Stage::running) words = tr("Running\u2026");
-  if (ready && race_.start())
-    words = tr("%1 free vertices").arg(labels::count(static_cast<std::size_t>(race_.start()->patch.free_count)));
+  if (ready && flow_comparison_.start())
+    words =
+        tr("%1 free vertices").arg(labels::count(static_cast<std::size_t>(flow_comparison_.start()->patch.free_count)));
   wait_->setText(words);
 }
 
@@ -381,9 +387,11 @@ void CompareWindow::update_range() {
   half_width_->setEnabled(own_range_->isChecked());
   if (own_range_->isChecked()) {
     range_ = half_width_->value();
-  } else if (race_.start()) {
+  } else if (flow_comparison_.start()) {
     const bool mean = look_.shading != Shading::gaussian;
-    const SurfaceShape& shape = race_.neighborhood() ? *race_.neighborhood() : *race_.lane(race_.lanes() - 1)->shape;
+    const SurfaceShape& shape = flow_comparison_.neighborhood()
+                                    ? *flow_comparison_.neighborhood()
+                                    : *flow_comparison_.flow_run(flow_comparison_.flow_runs() - 1)->shape;
     const std::vector<float>& values = mean ? shape.H : shape.K;
     if (!values.empty()) range_ = symmetric_range(values, mean ? look_.H.percent : look_.K.percent);
     const QSignalBlocker quiet(half_width_);
@@ -401,7 +409,7 @@ void CompareWindow::apply_look() {
 }
 
 void CompareWindow::face_patch() {
-  const Facing facing = facing_of(*race_.start()->shape);
+  const Facing facing = facing_of(*flow_comparison_.start()->shape);
   Eigen::Vector3d eye = facing.outward;
   if (eye.isZero()) eye = Eigen::Vector3d(0.55, -0.75, 0.45).normalized();
   // A little from the side, so that shapes read.
@@ -411,25 +419,26 @@ void CompareWindow::face_patch() {
 }
 
 void CompareWindow::frame() {
-  if (!race_.start()) return;
-  const Facing facing = facing_of(*race_.start()->shape);
+  if (!flow_comparison_.start()) return;
+  const Facing facing = facing_of(*flow_comparison_.start()->shape);
   for (FlowCanvas* canvas : canvases()) canvas->look_at(facing.middle, 1.25 * facing.radius, Eigen::Vector3d::Zero());
 }
 
 void CompareWindow::update_wipe() {
-  if (!race_.start() || !wiping_->isChecked()) return;
+  if (!flow_comparison_.start() || !wiping_->isChecked()) return;
   int side = 0;
   for (const QComboBox* box : {left_, right_}) {
     const int at = box->currentIndex() - 1;
-    const ComparedRun& lane = at < 0 || at >= race_.lanes() ? *race_.start() : *race_.lane(at);
-    wipe_->show_patch(side++, lane.shape, arrival_of(lane));
+    const ComparedRun& flow_run =
+        at < 0 || at >= flow_comparison_.flow_runs() ? *flow_comparison_.start() : *flow_comparison_.flow_run(at);
+    wipe_->show_patch(side++, flow_run.shape, arrival_of(flow_run));
   }
 }
 
-void CompareWindow::accept(int lane) {
+void CompareWindow::accept(int flow_run) {
   if (!task_.accept) return;
   try {
-    banner_->show_notice(task_.accept(*race_.start(), *race_.lane(lane)));
+    banner_->show_notice(task_.accept(*flow_comparison_.start(), *flow_comparison_.flow_run(flow_run)));
   } catch (const std::exception& error) {
     banner_->show_problem(labels::engine_words(error.what()));
   }
@@ -437,13 +446,16 @@ void CompareWindow::accept(int lane) {
 
 void CompareWindow::copy_command() {
   std::vector<FlowKind> flows;
-  for (int lane = 0; lane < race_.lanes(); ++lane) flows.push_back(race_.flow(lane));
+  for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
+    flows.push_back(flow_comparison_.flow(flow_run));
   banner_->show_notice(copy_to_clipboard(comparing_command(task_.command, options(), flows)));
 }
 
 void CompareWindow::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
-    case Qt::Key_Escape: race_.stage() == ComparisonController::Stage::running ? race_.stop() : banner_->hide(); break;
+    case Qt::Key_Escape:
+      flow_comparison_.stage() == ComparisonController::Stage::running ? flow_comparison_.stop() : banner_->hide();
+      break;
     case Qt::Key_Space: run(); break;
     case Qt::Key_F: frame(); break;
     case Qt::Key_1:
@@ -457,7 +469,7 @@ void CompareWindow::keyPressEvent(QKeyEvent* event) {
 
 void CompareWindow::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (race_.start() && !std::exchange(faced_, true)) face_patch();
+  if (flow_comparison_.start() && !std::exchange(faced_, true)) face_patch();
 }
 
 }  // namespace loopmend

@@ -34,7 +34,7 @@ struct CompareTask {
   ComparisonSource source;
   ProblemWords command;  ///< the same for a shell
   QString accept_help;   ///< what taking a result over does, in words
-  std::function<QString(const ComparedRun& start, const ComparedRun& lane)>
+  std::function<QString(const ComparedRun& start, const ComparedRun& flow_run)>
       accept;  ///< does it. @returns what to tell the person
 };
 
@@ -43,7 +43,7 @@ class CompareWindow : public QWidget {
 
  public:
   /// @param race  stays alive as long as the window.
-  CompareWindow(ComparisonController& race, CompareTask task, const Look& look, QWidget* parent = nullptr);
+  CompareWindow(ComparisonController& flow_comparison, CompareTask task, const Look& look, QWidget* parent = nullptr);
 
   void run();
   /// Now, or as soon as the start is there.
@@ -52,8 +52,8 @@ class CompareWindow : public QWidget {
   QImage picture(const PictureOptions& options);
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
   QString save_numbers(const QString& path) const;
-  const ComparisonController& race() const { return race_; }
-  FlowView& pane(int number) { return *panes_[static_cast<std::size_t>(number)]; }
+  const ComparisonController& flow_comparison() const { return flow_comparison_; }
+  FlowView& flow_view(int number) { return *flow_views_[static_cast<std::size_t>(number)]; }
   FlowCanvas& wipe() { return *wipe_; }
 
  protected:
@@ -66,10 +66,10 @@ class CompareWindow : public QWidget {
   QWidget* build_views();
   void wire();
   void set_view_count(int count);
-  void choose_flow(int lane, FlowKind flow);
+  void choose_flow(int flow_run, FlowKind flow);
   void arrange();
   void update_all();
-  void update_lane(int lane);
+  void update_flow_run(int flow_run);
   void update_use();
   void update_range();
   void apply_look();
@@ -77,20 +77,20 @@ class CompareWindow : public QWidget {
   void frame();
   void follow(FlowCanvas& leader);
   void update_wipe();
-  void accept(int lane);
+  void accept(int flow_run);
   void ask_picture();
   void ask_numbers();
   void copy_command();
   EvolutionOptions options() const;
   std::vector<FlowCanvas*> canvases() const;
 
-  ComparisonController& race_;
+  ComparisonController& flow_comparison_;
   CompareTask task_;
   Look look_;
   PictureClock* clock_;
   double range_ = 1;
   bool faced_ = false, run_soon_ = false;
-  std::vector<FlowView*> panes_;
+  std::vector<FlowView*> flow_views_;
   FlowCanvas* wipe_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   QGridLayout* grid_ = nullptr;

@@ -144,7 +144,7 @@ void FlowCanvas::set_look(const Look& look, double half_width) {
   redraw();
 }
 
-void FlowCanvas::redraw() { impl_->clock->wish(this); }
+void FlowCanvas::redraw() { impl_->clock->request(this); }
 
 void FlowCanvas::draw() {
   if (!isVisible()) return;

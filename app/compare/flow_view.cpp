@@ -19,25 +19,25 @@
 namespace loopmend {
 namespace {
 
-QString stage_words(const ComparedRun& lane) {
-  switch (lane.stage) {
+QString stage_words(const ComparedRun& flow_run) {
+  switch (flow_run.stage) {
     case ComparedRun::Stage::start: return FlowView::tr("start");
-    case ComparedRun::Stage::moving: return FlowView::tr("step %1").arg(lane.steps);
-    case ComparedRun::Stage::stopped: return FlowView::tr("stopped at step %1").arg(lane.steps);
+    case ComparedRun::Stage::moving: return FlowView::tr("step %1").arg(flow_run.steps);
+    case ComparedRun::Stage::stopped: return FlowView::tr("stopped at step %1").arg(flow_run.steps);
     case ComparedRun::Stage::ended: break;
   }
-  switch (lane.status) {
-    case PatchStatus::converged: return FlowView::tr("converged, %1 steps").arg(lane.steps);
-    case PatchStatus::faired: return FlowView::tr("faired, %1 steps").arg(lane.steps);
-    case PatchStatus::stalled: return FlowView::tr("stopped early, step %1").arg(lane.steps);
-    default: return FlowView::tr("%1 steps").arg(lane.steps);
+  switch (flow_run.status) {
+    case PatchStatus::converged: return FlowView::tr("converged, %1 steps").arg(flow_run.steps);
+    case PatchStatus::faired: return FlowView::tr("faired, %1 steps").arg(flow_run.steps);
+    case PatchStatus::stalled: return FlowView::tr("stopped early, step %1").arg(flow_run.steps);
+    default: return FlowView::tr("%1 steps").arg(flow_run.steps);
   }
 }
 
 }  // namespace
 
-Arrival arrival_of(const ComparedRun& lane) {
-  switch (lane.stage) {
+Arrival arrival_of(const ComparedRun& flow_run) {
+  switch (flow_run.stage) {
     case ComparedRun::Stage::start: return Arrival::at_once;
     case ComparedRun::Stage::moving: return Arrival::with_the_next;
     case ComparedRun::Stage::ended:
@@ -109,23 +109,25 @@ void FlowView::set_use(Use use) {
   accept_->setEnabled(use == Use::open && can_accept_);
 }
 
-void FlowView::show_lane(const ComparedRun& lane, const QString& accepting) {
-  const SeamFigures seam = seam_figures(lane.seams);
-  words_ = stage_words(lane) + tr(" \u00b7 \u222b|\u2207H|\u00b2 %1").arg(labels::number(lane.energies.variation));
-  QString in_full = stage_words(lane) + QLatin1Char('\n') +
-                    tr("Energy \u222b|\u2207H|\u00b2 %1").arg(labels::number(lane.energies.variation));
-  if (!lane.seams.empty()) {
+void FlowView::show_flow_run(const ComparedRun& flow_run, const QString& accepting) {
+  const SeamFigures seam = seam_figures(flow_run.seams);
+  words_ =
+      stage_words(flow_run) + tr(" \u00b7 \u222b|\u2207H|\u00b2 %1").arg(labels::number(flow_run.energies.variation));
+  QString in_full = stage_words(flow_run) + QLatin1Char('\n') +
+                    tr("Energy \u222b|\u2207H|\u00b2 %1").arg(labels::number(flow_run.energies.variation));
+  if (!flow_run.seams.empty()) {
     words_ += tr(" \u00b7 %1\u00b0 \u00b7 \u0394H %2").arg(labels::number(seam.angle), labels::number(seam.jump));
     in_full += QLatin1Char('\n') + tr("At the seam: angle %1\u00b0 (rms), jump of H %2 (rms)")
                                        .arg(labels::number(seam.angle), labels::number(seam.jump));
   }
-  if (!lane.message.empty()) in_full += QLatin1Char('\n') + labels::sentence(labels::engine_words(lane.message));
+  if (!flow_run.message.empty())
+    in_full += QLatin1Char('\n') + labels::sentence(labels::engine_words(flow_run.message));
   figures_->setText(words_);
   figures_->setToolTip(in_full);
-  can_accept_ =
-      !accepting.isEmpty() && lane.stage != ComparedRun::Stage::start && lane.stage != ComparedRun::Stage::moving;
+  can_accept_ = !accepting.isEmpty() && flow_run.stage != ComparedRun::Stage::start &&
+                flow_run.stage != ComparedRun::Stage::moving;
   accept_->setToolTip(accepting.isEmpty() ? tr("Run the flows first") : accepting);
-  canvas_->show_patch(0, lane.shape, arrival_of(lane));
+  canvas_->show_patch(0, flow_run.shape, arrival_of(flow_run));
 }
 
 QString FlowView::caption() const { return flow_->currentText() + QStringLiteral("   ") + words_; }

@@ -24,7 +24,7 @@ class FlowView : public QWidget {
 
   void show_flow(FlowKind flow);
   /// @param accepting  what taking it over would do, in words; empty: it cannot be taken over.
-  void show_lane(const ComparedRun& lane, const QString& accepting);
+  void show_flow_run(const ComparedRun& flow_run, const QString& accepting);
   enum class Use { open, running };
   void set_use(Use use);
   FlowCanvas& canvas() { return *canvas_; }
@@ -49,7 +49,7 @@ class FlowView : public QWidget {
 };
 
 /// How a picture comes to this state: a flow at work moves on evenly.
-Arrival arrival_of(const ComparedRun& lane);
+Arrival arrival_of(const ComparedRun& flow_run);
 
 /// The colour that stands for a flow in plots and headings; see plot_ink().
 int ink_of(FlowKind flow);

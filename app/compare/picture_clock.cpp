@@ -17,7 +17,7 @@ PictureClock::PictureClock(QObject* parent) : QObject(parent) {
   connect(&timer_, &QTimer::timeout, this, &PictureClock::draw);
 }
 
-void PictureClock::wish(FlowCanvas* canvas) {
+void PictureClock::request(FlowCanvas* canvas) {
   if (std::find(wishes_.begin(), wishes_.end(), canvas) == wishes_.end()) wishes_.push_back(canvas);
   if (!timer_.isActive()) timer_.start();
 }

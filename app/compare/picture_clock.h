@@ -19,7 +19,7 @@ class PictureClock : public QObject {
   explicit PictureClock(QObject* parent = nullptr);
 
   /// Soon; several wishes make one picture.
-  void wish(FlowCanvas* canvas);
+  void request(FlowCanvas* canvas);
   void forget(FlowCanvas* canvas);
 
  private:

@@ -77,10 +77,10 @@ void PictureDialog::build() {
     offer(tr("Headings and legend"), PictureOptions::Extras::legend);
     offer(tr("The surfaces alone"), PictureOptions::Extras::none);
   }
-  trouble_ = new QLabel;
-  trouble_->setObjectName(QStringLiteral("pictureTrouble"));
-  trouble_->setWordWrap(true);
-  trouble_->hide();
+  fault_ = new QLabel;
+  fault_->setObjectName(QStringLiteral("pictureTrouble"));
+  fault_->setWordWrap(true);
+  fault_->hide();
   auto* buttons = new QDialogButtonBox;
   auto* save = make_button("pictureSave", tr("&Save\u2026"), tr("Choose a file and write the picture"));
   auto* copy = make_button("pictureCopy", tr("&Copy"), tr("Put the picture into the clipboard"));
@@ -98,7 +98,7 @@ void PictureDialog::build() {
   form->addRow(QString(), both);
   form->addRow(tr("&Ground"), ground_);
   form->addRow(tr("&With"), extras_);
-  form->addRow(trouble_);
+  form->addRow(fault_);
   form->addRow(buttons);
 }
 
@@ -122,15 +122,14 @@ PictureOptions PictureDialog::options() const {
 bool PictureDialog::save(const QString& path) {
   const QImage picture = source_.draw(options());
   const bool written = !picture.isNull() && picture.save(path, "PNG");
-  trouble_->setVisible(!written);
+  fault_->setVisible(!written);
   if (written) {
     Q_EMIT saved(QDir::toNativeSeparators(path));
     return true;
   }
-  trouble_->setText(picture.isNull()
-                        ? tr("The graphics cannot draw a picture of this size. Choose a smaller one.")
-                        : tr("%1 cannot be written. Choose another folder, or check how much space is left.")
-                              .arg(QDir::toNativeSeparators(path)));
+  fault_->setText(picture.isNull() ? tr("The graphics cannot draw a picture of this size. Choose a smaller one.")
+                                   : tr("%1 cannot be written. Choose another folder, or check how much space is left.")
+                                         .arg(QDir::toNativeSeparators(path)));
   return false;
 }
 
@@ -144,7 +143,7 @@ void PictureDialog::ask_and_save() {
 
 void PictureDialog::copy() {
   const QImage picture = source_.draw(options());
-  trouble_->setVisible(picture.isNull());
+  fault_->setVisible(picture.isNull());
   if (!picture.isNull()) QGuiApplication::clipboard()->setImage(picture);
 }
 

@@ -44,7 +44,7 @@ class PictureDialog : public QDialog {
   PictureSource source_;
   QComboBox *size_ = nullptr, *ground_ = nullptr, *extras_ = nullptr;
   QSpinBox *width_ = nullptr, *height_ = nullptr;
-  QLabel* trouble_ = nullptr;
+  QLabel* fault_ = nullptr;
 };
 
 }  // namespace loopmend

@@ -35,7 +35,7 @@ bool HoleFilter::in_group(int loop) const {
     case HoleGroup::to_do: return state == HoleState::open || state == HoleState::failed;
     case HoleGroup::filled: return document_.patch_of(loop) != nullptr;
     case HoleGroup::accepted: return state == HoleState::accepted;
-    case HoleGroup::trouble:
+    case HoleGroup::fault:
       return state == HoleState::failed || state == HoleState::cutting || state == HoleState::doubtful ||
              state == HoleState::stalled;
     case HoleGroup::left_out: return state == HoleState::left_out;

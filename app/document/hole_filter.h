@@ -8,7 +8,7 @@ namespace loopmend {
 
 class Document;
 
-enum class HoleGroup { all, to_do, filled, accepted, trouble, left_out };
+enum class HoleGroup { all, to_do, filled, accepted, fault, left_out };
 
 class HoleFilter : public QSortFilterProxyModel {
   Q_OBJECT

@@ -19,7 +19,7 @@ HoleTable::HoleTable(const Document& document, QObject* parent) : QAbstractTable
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::units_changed})
     connect(&document, signal, this, &HoleTable::follow_unit);
   connect(&document, &Document::holes_changed, this, [this] {
-    if (rows_ > 0) Q_EMIT dataChanged(index(0, rim), index(rows_ - 1, state));
+    if (rows_ > 0) Q_EMIT dataChanged(index(0, boundary), index(rows_ - 1, state));
   });
 }
 
@@ -60,7 +60,7 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
       case planarity: return tr("How far the boundary leaves its best plane: rms distance divided by the diameter");
       case kind: return tr("Hole, outer rim of a sheet, crack, ...");
       case scan: return tr("The file that the loop belongs to");
-      case rim:
+      case boundary:
         return tr(
             "How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough");
       case state: return tr("What has been done about it");
@@ -77,7 +77,7 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
     case planarity: return tr("Planarity");
     case kind: return tr("Kind");
     case scan: return tr("Scan");
-    case rim: return tr("Boundary");
+    case boundary: return tr("Boundary");
     case state: return tr("State");
     default: return {};
   }
@@ -103,7 +103,7 @@ QVariant HoleTable::text(int loop, int column) const {
     case planarity: return labels::number(l.planarity);
     case kind: return labels::kind(l.kind);
     case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
-    case rim: return rim_of(loop) ? labels::neighborhood(rim_of(loop)->split.kind()) : QString();
+    case boundary: return boundary_of(loop) ? labels::neighborhood(boundary_of(loop)->split.kind()) : QString();
     case state: return labels::state(document_.state(loop));
     default: return {};
   }
@@ -120,24 +120,24 @@ QVariant HoleTable::sort_key(int loop, int column) const {
     case planarity: return l.planarity;
     case kind: return static_cast<int>(l.kind);
     case scan: return document_.scan_of(loop);
-    case rim: return rim_of(loop) ? rim_of(loop)->noise_per_edge : -1;
+    case boundary: return boundary_of(loop) ? boundary_of(loop)->noise_per_edge : -1;
     case state: return static_cast<int>(document_.state(loop));
     default: return {};
   }
 }
 
 /// Null where the hole is not filled yet.
-const RimSummary* HoleTable::rim_of(int loop) const {
+const BoundarySummary* HoleTable::boundary_of(int loop) const {
   const OpenPatch* patch = document_.patch_of(loop);
-  if (!patch || !patch->state->rim) return nullptr;
+  if (!patch || !patch->state->boundary) return nullptr;
   const auto at = std::find(patch->loops.begin(), patch->loops.end(), loop);
   const auto k = static_cast<std::size_t>(at - patch->loops.begin());
-  return k < patch->state->rim->loops.size() ? &patch->state->rim->loops[k] : nullptr;
+  return k < patch->state->boundary->loops.size() ? &patch->state->boundary->loops[k] : nullptr;
 }
 
 QVariant HoleTable::tool_tip(int loop, int column) const {
   if (column == kind) return labels::kind_help(document_.loop(loop).kind);
-  if (column == rim) return rim_of(loop) ? labels::rim_help(*rim_of(loop)) : QString();
+  if (column == boundary) return boundary_of(loop) ? labels::boundary_help(*boundary_of(loop)) : QString();
   if (column != state) return {};
   const QString more = labels::engine_words(document_.message(loop));
   const QString help = labels::state_help(document_.state(loop));

@@ -7,13 +7,13 @@
 namespace loopmend {
 
 class Document;
-struct RimSummary;
+struct BoundarySummary;
 
 class HoleTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { number, edges, diameter, perimeter, area, planarity, kind, scan, rim, state, column_count };
+  enum Column { number, edges, diameter, perimeter, area, planarity, kind, scan, boundary, state, column_count };
   /// For sorting: the bare number behind a cell.
   static constexpr int sort_role = Qt::UserRole + 1;
 
@@ -32,7 +32,7 @@ class HoleTable : public QAbstractTableModel {
   QVariant text(int loop, int column) const;
   QVariant sort_key(int loop, int column) const;
   QVariant tool_tip(int loop, int column) const;
-  const RimSummary* rim_of(int loop) const;
+  const BoundarySummary* boundary_of(int loop) const;
 
   const Document& document_;
   QString unit_;  ///< kept here: a table asks for its headers while the window goes, when the document has gone

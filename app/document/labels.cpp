@@ -217,11 +217,11 @@ QString neighborhood(NeighborhoodKind kind) {
   return {};
 }
 
-QString rim_help(const RimSummary& rim) {
+QString boundary_help(const BoundarySummary& boundary) {
   return tr("Relief around the hole is %1 % of an edge high, noise %2 %. The fits tell the normal at the boundary to "
             "%3\u00b0 and the mean curvature to %4 (it is %5 there, rms); the band in the section shows it.")
-      .arg(in_digits(100 * rim.relief_per_edge, 'g', 2), in_digits(100 * rim.noise_per_edge, 'g', 2),
-           number(rim.normal_sigma_deg), number(rim.H_sigma), number(rim.H));
+      .arg(in_digits(100 * boundary.relief_per_edge, 'g', 2), in_digits(100 * boundary.noise_per_edge, 'g', 2),
+           number(boundary.normal_sigma_deg), number(boundary.H_sigma), number(boundary.H));
 }
 
 QString hole_name(const Document& document, int loop) {

@@ -45,7 +45,7 @@ QString hole_name(const Document& document, int loop);
 /// "rough": what the neighborhood of a hole are.
 QString neighborhood(NeighborhoodKind kind);
 /// How far they can be trusted, in sentences: their scatter, and the uncertainty of what the patch takes from them.
-QString rim_help(const RimSummary& rim);
+QString boundary_help(const BoundarySummary& boundary);
 
 /// "hole 3", "holes 1, 2 and 5", "12 holes".
 QString holes(const Document& document, const std::set<int>& loops);

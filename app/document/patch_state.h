@@ -3,8 +3,8 @@
 // stack, timeline, worker and view.
 #pragma once
 
+#include "neighborhood/boundary_fits.h"
 #include "pipeline/patch_result.h"
-#include "rim/rim_fits.h"
 #include "scene/surface_shape.h"
 
 #include <memory>
@@ -49,17 +49,17 @@ struct PatchRecipe {
 };
 
 /// What the neighborhood knows of itself.
-struct RimKnowledge {
-  std::vector<RimSummary> loops;             ///< one per loop
-  std::vector<float> curvature_uncertainty;  ///< of H, one for each fixed vertex (rim_fits.h)
+struct BoundaryKnowledge {
+  std::vector<BoundarySummary> loops;        ///< one per loop
+  std::vector<float> curvature_uncertainty;  ///< of H, one for each fixed vertex (boundary_fits.h)
 };
 
 /// What the engine made, and what is shown of it. Without the history of steps: the timeline holds the states themselves.
 struct PatchState : PatchResult {
   std::shared_ptr<const SurfaceShape> shape;
-  PatchRecipe recipe;                       ///< `steps` counts from the initial patch on
-  StepRecord last_step;                     ///< meaningful when steps > 0
-  std::shared_ptr<const RimKnowledge> rim;  ///< the same for all states of a patch; null where nobody asked
+  PatchRecipe recipe;                                 ///< `steps` counts from the initial patch on
+  StepRecord last_step;                               ///< meaningful when steps > 0
+  std::shared_ptr<const BoundaryKnowledge> boundary;  ///< the same for all states of a patch; null where nobody asked
 };
 using PatchStatePtr = std::shared_ptr<const PatchState>;
 

@@ -89,7 +89,7 @@ ProblemWords points_words(const Document& document, int scan, const SubdivisionO
   words.options = QStringLiteral(" --subdivide ") + QString::number(options.subdivisions);
   if (!options.fixed.empty())
     words.options += QStringLiteral(" --fixed ") + write_numbers(words, options.fixed, "-fixed.txt");
-  if (options.rim == PolyhedronRim::smooth) words.options += QStringLiteral(" --open");
+  if (options.boundary == PolyhedronBoundary::smooth) words.options += QStringLiteral(" --open");
   return words;
 }
 

@@ -38,9 +38,9 @@ int first_edge(const Patch& patch) {
 
 }  // namespace
 
-/// What the lanes have for the window: the newest state of each, and every point of its curves.
+/// What the runs have for the window: the newest state of each, and every point of its curves.
 struct ComparisonController::Post {
-  explicit Post(std::size_t lanes) : newest(lanes), points(lanes), runs(lanes) {}
+  explicit Post(std::size_t flow_runs) : newest(flow_runs), points(flow_runs), runs(flow_runs) {}
 
   std::mutex mutex;
   std::vector<ComparedRunPtr> newest;                ///< not yet taken
@@ -120,16 +120,16 @@ void ComparisonController::set_flows(const std::vector<FlowKind>& flows) {
 }
 
 /// One flow on its worker. Has its own copies of all it reads; the race is only told of what has come.
-class ComparisonController::Lane {
+class ComparisonController::FlowRun {
  public:
-  Lane(ComparisonController* race, int lane, EvolutionOptions base, std::shared_ptr<Post> post)
-      : race_(race),
-        at_(static_cast<std::size_t>(lane)),
-        flow_(race->flow(lane)),
-        start_(race->start_),
-        origin_(race->source_.origin),
+  FlowRun(ComparisonController* flow_comparison, int flow_run, EvolutionOptions base, std::shared_ptr<Post> post)
+      : flow_comparison_(flow_comparison),
+        at_(static_cast<std::size_t>(flow_run)),
+        flow_(flow_comparison->flow(flow_run)),
+        start_(flow_comparison->start_),
+        origin_(flow_comparison->source_.origin),
         base_(std::move(base)),
-        job_(race->job_),
+        job_(flow_comparison->job_),
         post_(std::move(post)) {}
 
   void go() const {
@@ -145,7 +145,7 @@ class ComparisonController::Lane {
     describe_start(start_->patch, post_->comparison);
     post_->comparison.runs = std::move(post_->runs);
     add_profiles(post_->comparison);
-    job_->post([race = race_, post = post_] { race->end(post); });
+    job_->post([flow_comparison = flow_comparison_, post = post_] { flow_comparison->end(post); });
   }
 
  private:
@@ -184,10 +184,10 @@ class ComparisonController::Lane {
       post_->newest[at_] = std::move(state);
       if (std::exchange(post_->waiting, true)) return;
     }
-    job_->post([race = race_, post = post_] { race->take_news(post); });
+    job_->post([flow_comparison = flow_comparison_, post = post_] { flow_comparison->take_news(post); });
   }
 
-  ComparisonController* race_;
+  ComparisonController* flow_comparison_;
   std::size_t at_;
   FlowKind flow_;
   ComparedRunPtr start_;
@@ -206,9 +206,9 @@ void ComparisonController::run(const EvolutionOptions& base) {
   post->edge = first_edge(start_->patch);
   stage_ = Stage::running;
   Q_EMIT stage_changed();
-  for (int lane = 0; lane < lanes(); ++lane)
+  for (int flow_run = 0; flow_run < flow_runs(); ++flow_run)
     tasks_.start(
-        job_, [work = Lane(this, lane, base, post)] { work.go(); },
+        job_, [work = FlowRun(this, flow_run, base, post)] { work.go(); },
         [this](const QString& words) {
           stop();
           Q_EMIT failed(words);
@@ -226,21 +226,21 @@ void ComparisonController::take_news(const std::shared_ptr<Post>& post) {
     points.swap(post->points);
     post->waiting = false;
   }
-  for (std::size_t lane = 0; lane < news.size(); ++lane) {
-    curves_[lane].insert(curves_[lane].end(), points[lane].begin(), points[lane].end());
-    if (!news[lane]) continue;
-    newest_[lane] = news[lane];
-    Q_EMIT lane_moved(static_cast<int>(lane));
+  for (std::size_t flow_run = 0; flow_run < news.size(); ++flow_run) {
+    curves_[flow_run].insert(curves_[flow_run].end(), points[flow_run].begin(), points[flow_run].end());
+    if (!news[flow_run]) continue;
+    newest_[flow_run] = news[flow_run];
+    Q_EMIT flow_run_moved(static_cast<int>(flow_run));
   }
 }
 
 void ComparisonController::end(const std::shared_ptr<Post>& post) {
   take_news(post);
   comparison_ = std::move(post->comparison);
-  for (std::size_t lane = 0; lane < newest_.size() && lane < comparison_->profiles.size(); ++lane) {
-    auto state = std::make_shared<ComparedRun>(*newest_[lane]);
-    state->profile = comparison_->profiles[lane];
-    newest_[lane] = std::move(state);
+  for (std::size_t flow_run = 0; flow_run < newest_.size() && flow_run < comparison_->profiles.size(); ++flow_run) {
+    auto state = std::make_shared<ComparedRun>(*newest_[flow_run]);
+    state->profile = comparison_->profiles[flow_run];
+    newest_[flow_run] = std::move(state);
   }
   job_.reset();
   stage_ = Stage::ready;
@@ -251,11 +251,11 @@ void ComparisonController::stop() {
   if (stage_ != Stage::running) return;
   job_->cancel();
   job_.reset();
-  for (ComparedRunPtr& lane : newest_) {
-    if (lane->stage != ComparedRun::Stage::moving) continue;
-    auto state = std::make_shared<ComparedRun>(*lane);
+  for (ComparedRunPtr& flow_run : newest_) {
+    if (flow_run->stage != ComparedRun::Stage::moving) continue;
+    auto state = std::make_shared<ComparedRun>(*flow_run);
     state->stage = ComparedRun::Stage::stopped;
-    lane = std::move(state);
+    flow_run = std::move(state);
   }
   stage_ = Stage::ready;
   Q_EMIT stage_changed();

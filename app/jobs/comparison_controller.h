@@ -35,7 +35,7 @@ struct ComparedRun : PatchResult {
 };
 using ComparedRunPtr = std::shared_ptr<const ComparedRun>;
 
-/// A point of a lane's curves.
+/// A point of a run's curves.
 struct ComparisonPoint {
   int step = 0;
   PatchEnergies energies;
@@ -52,35 +52,35 @@ class ComparisonController : public QObject {
   Stage stage() const { return stage_; }
   const QString& title() const { return source_.title; }
 
-  int lanes() const { return static_cast<int>(flows_.size()); }
-  FlowKind flow(int lane) const { return flows_[static_cast<std::size_t>(lane)]; }
+  int flow_runs() const { return static_cast<int>(flows_.size()); }
+  FlowKind flow(int flow_run) const { return flows_[static_cast<std::size_t>(flow_run)]; }
   /// Two to four flows, none twice. What was reached is forgotten. Nothing happens while they run.
   void set_flows(const std::vector<FlowKind>& flows);
 
-  /// All lanes from the start. @param base  its flow does not count.
+  /// All runs from the start. @param base  its flow does not count.
   void run(const EvolutionOptions& base);
-  /// At once; each lane keeps the newest state that was seen.
+  /// At once; each run keeps the newest state that was seen.
   void stop();
 
   /// Null before the start is there.
   const ComparedRunPtr& start() const { return start_; }
   /// Of the neighborhood, those near the patch; may be null.
   const std::shared_ptr<const SurfaceShape>& neighborhood() const { return neighborhood_; }
-  /// The start until the lane moves.
-  const ComparedRunPtr& lane(int lane) const { return newest_[static_cast<std::size_t>(lane)]; }
-  const std::vector<ComparisonPoint>& curve(int lane) const { return curves_[static_cast<std::size_t>(lane)]; }
-  /// What `loopmend compare` would tell; once every lane has ended.
+  /// The start until the run moves.
+  const ComparedRunPtr& flow_run(int flow_run) const { return newest_[static_cast<std::size_t>(flow_run)]; }
+  const std::vector<ComparisonPoint>& curve(int flow_run) const { return curves_[static_cast<std::size_t>(flow_run)]; }
+  /// What `loopmend compare` would tell; once every run has ended.
   const std::optional<FlowComparison>& comparison() const { return comparison_; }
   bool shut_down(std::chrono::milliseconds at_most);
 
  Q_SIGNALS:
   void stage_changed();
-  void lane_moved(int lane);
+  void flow_run_moved(int flow_run);
   void failed(const QString& words);
 
  private:
   struct Post;
-  class Lane;
+  class FlowRun;
   void prepare();
   void forget_results();
   void take_news(const std::shared_ptr<Post>& post);

@@ -58,7 +58,7 @@ class Stepper {
   void judge() {
     if (state_ == item_.patch.state) return;
     const Patch& initial = item_.patch.timeline->front()->patch;
-    PatchStatePtr marked = in_proportion(judged(state_, &initial, *item_.site), initial);
+    PatchStatePtr marked = in_proportion(judged(state_, &initial, *item_.scan_context), initial);
     if (marked == state_) return;
     state_ = std::move(marked);
     recorder_.amend(item_.patch.id, state_);
@@ -154,8 +154,8 @@ class Drive {
     const bool whole =
         item.loops.size() == 1 || item.initial || !recipe.runs.empty() || recipe.start == PatchRecipe::Start::bridge;
     if (whole) return {item};
-    std::vector<InitialPatch> parts =
-        parts_alike(item.site->site(), initial_of(item), group_options(item, task_.options), job_.pause_token());
+    std::vector<InitialPatch> parts = parts_alike(item.scan_context->index(), initial_of(item),
+                                                  group_options(item, task_.options), job_.pause_token());
     if (parts.size() == 1) {
       EvolveTask::Item same = item;
       same.initial = std::move(parts.front());
@@ -165,7 +165,7 @@ class Drive {
     std::vector<EvolveTask::Item> items;
     for (InitialPatch& part : parts) {
       EvolveTask::Item& next = items.emplace_back();
-      next.site = item.site;
+      next.scan_context = item.scan_context;
       next.loops = part.loops;
       next.patch.id = item.spare_ids[items.size() - 1];
       next.patch.scan = item.patch.scan;
@@ -174,8 +174,8 @@ class Drive {
                         [&](const BoundaryLoop& loop) { return loop.number == item.loops[k].number; }))
           next.patch.loops.push_back(item.patch.loops[k]);
       next.patch.state =
-          judged(first_state(*part.patch, part.message(), recipe.density, task_.origin, item.site->colors()), nullptr,
-                 *item.site);
+          judged(first_state(*part.patch, part.message(), recipe.density, task_.origin, item.scan_context->colors()),
+                 nullptr, *item.scan_context);
       next.patch.timeline = start_timeline(next.patch.state);
       next.initial = std::move(part);
     }

@@ -4,7 +4,7 @@
 
 #include "document/document.h"
 #include "jobs/run_recorder.h"
-#include "jobs/scan_site.h"
+#include "jobs/scan_context.h"
 #include "jobs/task_runner.h"
 #include "pipeline/initial_patch.h"
 
@@ -34,7 +34,7 @@ struct EvolveTask {
   struct Item {
     OpenPatch patch;
     std::shared_ptr<Evolution> session;  ///< to go on with, or empty
-    ScanSitePtr site;
+    ScanContextPtr scan_context;
     std::vector<BoundaryLoop> loops;  ///< those of the patch
     std::vector<int> spare_ids;  ///< one for each loop: of patches of their own, should they have to be solved apart
     std::optional<InitialPatch> initial;  ///< where more is known of it than the patch

@@ -61,10 +61,11 @@ void FillController::report_failure(const QString& words) {
   Q_EMIT logged(words);
 }
 
-ScanSitePtr FillController::site_of(int scan) {
-  ScanSitePtr& site = sites_[scan];
-  if (!site) site = std::make_shared<ScanSite>(document_.scan(scan)->model, document_.scan(scan)->colors);
-  return site;
+ScanContextPtr FillController::context_of(int scan) {
+  ScanContextPtr& scan_context = scan_contexts_[scan];
+  if (!scan_context)
+    scan_context = std::make_shared<ScanContext>(document_.scan(scan)->model, document_.scan(scan)->colors);
+  return scan_context;
 }
 
 void FillController::push(std::vector<PatchChange::Pair> pairs, const QString& text, PatchChange::Joining joining) {
@@ -81,7 +82,7 @@ std::vector<FillTask> FillController::fill_tasks(const std::set<int>& loops, con
   std::vector<FillTask> tasks;
   for (auto& [scan, task] : by_scan) {
     task.scan = scan;
-    task.site = site_of(scan);
+    task.scan_context = context_of(scan);
     task.options.initial.density = choice.density;
     task.options.islands = choice.islands;
     task.first_loop = document_.first_loop_of(scan);
@@ -222,11 +223,11 @@ void FillController::adopt(OpenPatch patch) {
   const JobPtr job = begin(Activity::filling, tr("Taking over %1").arg(labels::holes(document_, loops_of(patch))));
   tasks_.run(
       job,
-      [patch, site = site_of(patch.scan), origin = document_.origin()] {
+      [patch, scan_context = context_of(patch.scan), origin = document_.origin()] {
         auto state = std::make_shared<PatchState>(*patch.state);
         state->shape = std::make_shared<SurfaceShape>(
-            shape_of(state->patch, curvature_field(state->patch), origin, site->colors()));
-        return judged(std::move(state), &patch.timeline->front()->patch, *site);
+            shape_of(state->patch, curvature_field(state->patch), origin, scan_context->colors()));
+        return judged(std::move(state), &patch.timeline->front()->patch, *scan_context);
       },
       [this, patch](const PatchStatePtr& state) { on_judged(patch, state); },
       [this](const QString& text) { give_up(text); });

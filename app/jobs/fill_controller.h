@@ -198,7 +198,7 @@ class FillController : public QObject {
   void on_evolved(const EvolveResult& result, RunEnd how);
   void record_run(const EvolveResult& result);
   QString run_words(const OpenPatch& before, const OpenPatch& now) const;
-  ScanSitePtr site_of(int scan);
+  ScanContextPtr context_of(int scan);
   void push(std::vector<PatchChange::Pair> pairs, const QString& text,
             PatchChange::Joining joining = PatchChange::Joining::none);
 
@@ -213,7 +213,7 @@ class FillController : public QObject {
   QElapsedTimer clock_;
   std::shared_ptr<RunRecorder> recorder_;
   std::map<int, EvolutionSession> sessions_;
-  std::map<int, ScanSitePtr> sites_;
+  std::map<int, ScanContextPtr> scan_contexts_;
   std::map<int, OpenPatch> run_start_;  ///< patches of the present run
   struct Division {
     OpenPatch whole;

@@ -76,7 +76,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
 int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
   if (mode == OpenMode::replace) {
     sessions_.clear();
-    sites_.clear();
+    scan_contexts_.clear();
     undo_.clear();
     document_.clear();
   }
@@ -149,7 +149,7 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
       refuse_damaged(path, "a patch names a vertex that its scan does not have");
   state->shape =
       std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), origin, scan.colors));
-  state->rim = rim_knowledge(state->patch);
+  state->boundary = boundary_knowledge(state->patch);
   patch.state = state;
   patch.timeline = start_timeline(patch.state);
   patch.acceptance = saved.acceptance;

@@ -43,7 +43,7 @@ void FillController::start_flow(const std::set<int>& patch_ids, EvolutionOptions
     if (!patch || patch->acceptance == Acceptance::accepted) continue;
     const auto session = sessions_.find(id);
     const bool fits = session != sessions_.end() && session->second.state == patch->state;
-    EvolveTask::Item item{*patch, fits ? session->second.evolution : nullptr, site_of(patch->scan), {}, {}, {}};
+    EvolveTask::Item item{*patch, fits ? session->second.evolution : nullptr, context_of(patch->scan), {}, {}, {}};
     for (int loop : patch->loops) {
       item.loops.push_back(document_.loop(loop));
       item.spare_ids.push_back(document_.next_patch_id());

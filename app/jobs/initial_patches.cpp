@@ -31,7 +31,7 @@ std::vector<BoundaryLoop> wanted_loops(const FillTask& task) {
 std::vector<Group> bridges_of(const FillTask& task) {
   std::vector<Group> groups;
   if (task.options.islands == FillOptions::Islands::cover) return groups;
-  for (std::vector<BoundaryLoop>& loops : holes_with_islands(task.site->model(), wanted_loops(task))) {
+  for (std::vector<BoundaryLoop>& loops : holes_with_islands(task.scan_context->model(), wanted_loops(task))) {
     Group group{&task, PatchRecipe::Start::bridge, {}, std::move(loops)};
     for (const BoundaryLoop& loop : group.loops) group.indices.push_back(task.first_loop + loop.number - 1);
     // An island that has a patch of its own stays as it is.
@@ -54,7 +54,7 @@ std::vector<Group> groups_of(const FillTask& task) {
     indices.push_back(index);
     loops.push_back(loop);
   }
-  for (const std::vector<int>& members : group_loops(task.site->model(), loops)) {
+  for (const std::vector<int>& members : group_loops(task.scan_context->model(), loops)) {
     Group group{&task, PatchRecipe::Start::holes, {}, {}};
     for (int k : members) {
       group.indices.push_back(indices[static_cast<std::size_t>(k)]);
@@ -74,16 +74,16 @@ void add_patch(const Group& group, std::vector<int> loops, Patch patch, const st
   open.scan = task.scan;
   open.loops = std::move(loops);
   auto first = std::make_shared<PatchState>(
-      *first_state(std::move(patch), message, task.options.initial.density, task.origin, task.site->colors()));
+      *first_state(std::move(patch), message, task.options.initial.density, task.origin, task.scan_context->colors()));
   first->recipe.start = group.start;
-  open.state = judged(std::move(first), nullptr, *task.site);
+  open.state = judged(std::move(first), nullptr, *task.scan_context);
   open.timeline = start_timeline(open.state);
   result.patches.push_back(std::move(open));
 }
 
 void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
   const FillTask& task = *group.task;
-  InitialPatch initial = make_initial_patch(task.site->model(), group.loops, task.options.initial, cancel);
+  InitialPatch initial = make_initial_patch(task.scan_context->model(), group.loops, task.options.initial, cancel);
   if (cancel.cancelled()) return;
   std::vector<int> filled;
   bool anything_new = false;
@@ -107,7 +107,7 @@ void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
 
 /// Where no bridge is found, the hole's patch covers the islands.
 void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
-  const SurfaceModel& model = group.task->site->model();
+  const SurfaceModel& model = group.task->scan_context->model();
   BridgeOutcome outcome;
   try {
     outcome = bridge_loops(model, group.loops, group.task->options.initial, cancel);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "jobs/scan_site.h"
+#include "jobs/scan_context.h"
 #include "pipeline/fill_holes.h"
 
 #include <functional>
@@ -15,14 +15,14 @@ namespace loopmend {
 /// The holes of one scan.
 struct FillTask {
   int scan = 0;
-  ScanSitePtr site;
+  ScanContextPtr scan_context;
   std::map<int, BoundaryLoop> wanted;  ///< by index in the document
   /// Filled before. One whose neighborhood overlaps that of a wanted loop is filled again, jointly: the two could not
   /// know of each other otherwise.
   std::map<int, BoundaryLoop> filled;
   FillOptions options;
   std::set<int> taken;  ///< loops that have a patch which stays
-  int first_loop = 0;  ///< index of the scan's first loop in the document
+  int first_loop = 0;   ///< index of the scan's first loop in the document
   Vec3 origin = Vec3::Zero();
 };
 

@@ -3,11 +3,11 @@
 
 #include "jobs/change_surface.h"
 #include "jobs/fill_controller.h"
+#include "neighborhood/trim_boundary.h"
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/hand_bridge.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
-#include "rim/trim_rim.h"
 
 #include <algorithm>
 #include <iterator>
@@ -20,7 +20,7 @@ namespace {
 std::optional<MendedScan> trimmed(const MendingTask& task) {
   constexpr int rounds = 3;
   const OpenedScan& old = *task.opened;
-  TrimmedModel result = trim_rim(*old.model, task.loops, rounds);
+  TrimmedModel result = trim_boundary(*old.model, task.loops, rounds);
   if (result.removed.empty()) return std::nullopt;
   const QString words =
       FillController::tr("%1: %L2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")

@@ -247,12 +247,12 @@ void ProblemController::accept() {
   Q_EMIT accepted(tr("%1: applied. Ctrl+Z undoes it.").arg(words));
 }
 
-ComparisonSource ProblemController::race_source() const {
+ComparisonSource ProblemController::comparison_source() const {
   return {request_.name, [start = posed_->problem.start](const CancelToken&) { return start; }, picture_.backdrop,
           document_.origin()};
 }
 
-QString ProblemController::adopt(const ComparedRun& lane) {
+QString ProblemController::adopt(const ComparedRun& flow_run) {
   if (!posed_ || busy() || controller_.busy()) return tr("The main window is busy, or has gone on to something else.");
   job_ = std::make_shared<Job>(this);
   go_to(Stage::evolving, tr("Taking over\u2026"));
@@ -263,19 +263,19 @@ QString ProblemController::adopt(const ComparedRun& lane) {
   };
   tasks_.run(
       job_,
-      [posed = posed_, lane, origin = document_.origin(), name = request_.made_name] {
+      [posed = posed_, flow_run, origin = document_.origin(), name = request_.made_name] {
         auto solution = std::make_shared<Solution>();
-        solution->outcome = lane;
-        solution->surface = posed->problem.surface(lane.patch);
+        solution->outcome = flow_run;
+        solution->surface = posed->problem.surface(flow_run.patch);
         const OpenedScanPtr made = made_scan(solution->surface, name, origin);
-        return Taken{std::move(solution), made, lane.shape};
+        return Taken{std::move(solution), made, flow_run.shape};
       },
       [this](const Taken& taken) {
         on_solved(taken.solution, taken.made, taken.shape);
         accept();
       },
       [this](const QString& text) { fail(text, Stage::posed); });
-  return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(lane.flow));
+  return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(flow_run.flow));
 }
 
 bool ProblemController::shut_down(std::chrono::milliseconds at_most) {

@@ -60,10 +60,10 @@ class ProblemController : public QObject {
 
   /// The same problem for a comparison of flows; its winner comes into the document likewise.
   bool can_compare() const { return posed_ != nullptr && !busy(); }
-  ComparisonSource race_source() const;
+  ComparisonSource comparison_source() const;
   const ProblemWords& command() const { return request_.command; }
   /// @returns what to tell the person.
-  QString adopt(const ComparedRun& lane);
+  QString adopt(const ComparedRun& flow_run);
   bool shut_down(std::chrono::milliseconds at_most);
 
  Q_SIGNALS:

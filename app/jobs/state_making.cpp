@@ -6,11 +6,11 @@
 
 namespace loopmend {
 
-std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch) {
-  auto rim = std::make_shared<RimKnowledge>();
-  rim->loops = rim_summaries(patch, estimate_split(patch));
-  rim->curvature_uncertainty = curvature_uncertainty(patch);
-  return rim;
+std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch) {
+  auto boundary = std::make_shared<BoundaryKnowledge>();
+  boundary->loops = boundary_summaries(patch, estimate_split(patch));
+  boundary->curvature_uncertainty = curvature_uncertainty(patch);
+  return boundary;
 }
 
 PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin,
@@ -20,7 +20,7 @@ PatchStatePtr first_state(Patch patch, const std::string& message, double densit
   state->seams = seam_reports(patch);
   state->seams_before = state->seams;
   state->status = PatchStatus::filled;
-  state->rim = rim_knowledge(patch);
+  state->boundary = boundary_knowledge(patch);
   state->message = message;
   state->recipe.density = density;
   state->patch = std::move(patch);
@@ -35,10 +35,10 @@ std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch
   return next;
 }
 
-PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanSite& site) {
-  const Validity validity = validate(site.site(), state->patch);
+PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanContext& scan_context) {
+  const Validity validity = validate(scan_context.index(), state->patch);
   const bool cuts = validity.intersections > 0;
-  const bool worse = initial && !no_worse(validity, validate(site.site(), *initial));
+  const bool worse = initial && !no_worse(validity, validate(scan_context.index(), *initial));
   if (!cuts && !worse) return state;
   auto marked = std::make_shared<PatchState>(*state);
   marked->status = PatchStatus::invalid;

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "document/patch_state.h"
-#include "jobs/scan_site.h"
+#include "jobs/scan_context.h"
 
 namespace loopmend {
 
 /// How far the neighborhood of a patch can be trusted.
-std::shared_ptr<const RimKnowledge> rim_knowledge(const Patch& patch);
+std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch);
 
 /// The state of an initial patch.
 /// @param scan_colors  as shape_of()
@@ -19,7 +19,7 @@ PatchStatePtr first_state(Patch patch, const std::string& message, double densit
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin);
 
 /// The state, marked as invalid where its patch is worse than `initial`, or cuts at all where there is none.
-PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanSite& site);
+PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanContext& scan_context);
 
 /// The state, marked as doubtful where its patch is out of proportion to its initial patch.
 PatchStatePtr in_proportion(PatchStatePtr state, const Patch& initial);

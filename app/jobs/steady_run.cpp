@@ -113,7 +113,7 @@ PatchStatePtr SteadyRun::state_of(const PatchResult& result, const PatchState& f
   state->seams_before = before;
   state->message = message_of(result);
   state->shape = std::make_shared<SurfaceShape>(
-      shape_of(result.patch, curvature_field(result.patch), task_.origin, item_.site->colors()));
+      shape_of(result.patch, curvature_field(result.patch), task_.origin, item_.scan_context->colors()));
   state->recipe = start.recipe;
   RunRecipe run = recipe_of(task_.options);
   run.steps = result.steps;
@@ -129,7 +129,7 @@ std::vector<OpenPatch> SteadyRun::run() {
   const GroupOptions options = group_options(item_, task_.options);
   if (start.recipe.start == PatchRecipe::Start::bridge && start.recipe.runs.empty()) return run_bridge();
   const GroupResult group = solve_group(
-      item_.site->site(), initial, options,
+      item_.scan_context->index(), initial, options,
       [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
   if (job_.token().cancelled() || job_.asked_to_pause()) return {};
   if (group.patches.empty()) throw InvalidArgument(group.holes.front().message);
@@ -157,11 +157,11 @@ void SteadyRun::finish(const PatchResult& result) {
 
 std::vector<OpenPatch> SteadyRun::run_bridge() {
   const InitialPatchOptions options{item_.patch.state->recipe.density};
-  const BridgeOutcome outcome = bridge_loops(item_.site->model(), item_.loops, options, job_.pause_token());
+  const BridgeOutcome outcome = bridge_loops(item_.scan_context->model(), item_.loops, options, job_.pause_token());
   if (job_.pause_token().cancelled()) return {};
   if (!outcome.bridge) throw InvalidArgument(outcome.message);
   const PatchResult result = solve_bridge(
-      item_.site->site(), *outcome.bridge, task_.options,
+      item_.scan_context->index(), *outcome.bridge, task_.options,
       [this](const Evolution& evolution, const StepRecord& record) { show(evolution, record); }, job_.pause_token());
   if (job_.token().cancelled() || job_.asked_to_pause()) return {};
   if (result.status == PatchStatus::failed) throw InvalidArgument(result.message);
@@ -203,10 +203,10 @@ OpenPatch SteadyRun::part(const std::vector<int>& numbers, const PatchResult* re
 
 PatchStatePtr SteadyRun::first_of(const std::vector<int>& numbers, const PatchResult* result) {
   const double density = item_.patch.state->recipe.density;
-  InitialPatch initial =
-      make_initial_patch(item_.site->model(), loops_of(numbers), InitialPatchOptions{density}, job_.pause_token());
+  InitialPatch initial = make_initial_patch(item_.scan_context->model(), loops_of(numbers),
+                                            InitialPatchOptions{density}, job_.pause_token());
   Patch patch = initial.patch ? std::move(*initial.patch) : result ? result->patch : Patch();
-  return first_state(std::move(patch), initial.message(), density, task_.origin, item_.site->colors());
+  return first_state(std::move(patch), initial.message(), density, task_.origin, item_.scan_context->colors());
 }
 
 }  // namespace loopmend

@@ -138,9 +138,9 @@ void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
 
 /// How far the neighborhood knows its own H, around its line.
 void SectionView::draw_band(const PatchState& state) {
-  if (!state.rim) return;
+  if (!state.boundary) return;
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<float>& known = state.rim->curvature_uncertainty;
+  const std::vector<float>& known = state.boundary->curvature_uncertainty;
   std::vector<float> low(state.patch.vertex_count(), none), high = low;
   if (known.size() + state.patch.free_count != low.size()) return;
   for (std::size_t k = 0; k < known.size(); ++k) {

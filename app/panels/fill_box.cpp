@@ -213,7 +213,7 @@ QString FillBox::advice(const std::set<int>& loops) const {
   return others > 0 ? tr("To fill one that is left out, select it.") : QString();
 }
 
-/// From the projected areas and the mean length of the rims' edges: equilateral triangles of that size.
+/// From the projected areas and the mean length of the boundaries' edges: equilateral triangles of that size.
 QString FillBox::estimate(const std::set<int>& loops) const {
   constexpr double equilateral = 0.433;
   double triangles = 0, smallest = 0, largest = 0;

@@ -101,7 +101,7 @@ QWidget* HolesPanel::build_filter() {
                                     {tr("Open loops"), HoleGroup::to_do},
                                     {tr("Filled"), HoleGroup::filled},
                                     {tr("Accepted"), HoleGroup::accepted},
-                                    {tr("Problems"), HoleGroup::trouble},
+                                    {tr("Problems"), HoleGroup::fault},
                                     {tr("Left out"), HoleGroup::left_out}})
     group_->addItem(text, static_cast<int>(group));
   explain(group_, tr("Group"), tr("Show only the loops of one group"));
@@ -223,7 +223,7 @@ void HolesPanel::fit_columns() {
     if (table_->isColumnHidden(column)) continue;
     const int title = letters.horizontalAdvance(model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
     int content = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column);
-    if (column == HoleTable::rim)  // its words come when holes are filled
+    if (column == HoleTable::boundary)  // its words come when holes are filled
       for (const NeighborhoodKind kind : {NeighborhoodKind::smooth, NeighborhoodKind::noisy, NeighborhoodKind::rough})
         content = std::max(content, letters.horizontalAdvance(labels::neighborhood(kind)) + margin);
     table_->setColumnWidth(column,
@@ -288,7 +288,7 @@ void HolesPanel::go(Way way) {
     const int loop = way == Way::next ? *selection_.selected().rbegin() : *selection_.selected().begin();
     if (const QModelIndex at = sorted_->mapFromSource(model_->index(loop, 0)); at.isValid()) row = at.row();
   }
-  // Rims and cracks are passed over, unless there is nothing else.
+  // Boundaries and cracks are passed over, unless there is nothing else.
   for (int tried = 0; tried < count; ++tried) {
     row = (row + (way == Way::next ? 1 : count - 1)) % count;
     if (document_.fillable(loop_at(sorted_->index(row, 0)))) break;

@@ -36,7 +36,7 @@ class SmallHolesBox : public QWidget {
   QDoubleSpinBox* limit_ = nullptr;
   QComboBox* measure_ = nullptr;
   QPushButton* fill_ = nullptr;
-  QCheckBox* rims_ = nullptr;
+  QCheckBox* boundaries_ = nullptr;
   Use use_ = Use::possible;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Vec3 rim_normal(const SurfaceModel& model, const BoundaryLoop& loop) {
+Vec3 boundary_normal(const SurfaceModel& model, const BoundaryLoop& loop) {
   Vec3 sum = Vec3::Zero();
   for (int v : loop.vertices)
     for (auto face : model.mesh.vf_range(model.mesh.vertex_handle(static_cast<unsigned>(v)))) {
@@ -80,8 +80,8 @@ void shift(vtkCamera* camera, const Eigen::Vector2d& middle, double aspect) {
 }  // namespace
 
 Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop) {
-  const Vec3 around = rim_normal(model, loop).normalized(), across = loop_normal(model, loop).normalized();
-  // The rim of a sheet runs the other way round than the rim of a hole: there only the surface tells where outside is.
+  const Vec3 around = boundary_normal(model, loop).normalized(), across = loop_normal(model, loop).normalized();
+  // The boundary of a sheet runs the other way round than the boundary of a hole: there only the surface tells where outside is.
   const Vec3 both = across.dot(around) < -0.3 ? around : Vec3(across + 0.5 * around);
   return both.norm() > 1e-6 && both.allFinite() ? Vec3(both.normalized()) : Vec3(Vec3::UnitZ());
 }

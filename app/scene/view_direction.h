@@ -18,7 +18,7 @@ namespace loopmend {
 /// Unit vector from the middle of the loop to an eye that looks straight into it.
 Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop);
 
-/// Towards most of the fillable rims, slightly from above and from the left; the front when there are none.
+/// Towards most of the fillable boundaries, slightly from above and from the left; the front when there are none.
 Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const Vec3& up);
 
 /// Which way is up in a scan that does not say: z when it is tallest along z, y otherwise.

@@ -91,7 +91,7 @@ SubdivisionOptions PointsBox::options() const {
   SubdivisionOptions options;
   options.subdivisions = subdivide_->value();
   options.fixed = tool_.fixed();
-  options.rim = open_->isChecked() ? PolyhedronRim::smooth : PolyhedronRim::refuse;
+  options.boundary = open_->isChecked() ? PolyhedronBoundary::smooth : PolyhedronBoundary::refuse;
   return options;
 }
 

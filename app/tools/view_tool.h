@@ -46,7 +46,7 @@ class ViewTool {
   virtual ~ViewTool() = default;
 
   enum class Act { press, move, release, hover };
-  /// @returns whether the tool took it; otherwise the picture turns, and rims are picked, as without a tool.
+  /// @returns whether the tool took it; otherwise the picture turns, and boundaries are picked, as without a tool.
   virtual bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) = 0;
   /// Over the picture, in logical pixels.
   virtual void paint(QPainter& painter, const ViewSpace& space) = 0;

@@ -66,7 +66,7 @@ int LoopPicker::pick(double x, double y, double reach, const DepthAt& depth_at) 
 }
 
 bool LoopPicker::visible(const Pixel& at, const DepthAt& depth_at) const {
-  // A rim borders its hole, so the deepest pixel close by belongs to the rim or lies behind it.
+  // A boundary borders its hole, so the deepest pixel close by belongs to the boundary or lies behind it.
   constexpr int around = 3;
   constexpr double slack = 2e-4;
   const int cx = static_cast<int>(std::lround(at.x())), cy = static_cast<int>(std::lround(at.y()));

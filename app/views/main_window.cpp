@@ -17,7 +17,7 @@
 #include "panels/status_line.h"
 #include "panels/welcome.h"
 #include "views/example_controller.h"
-#include "views/file_desk.h"
+#include "views/file_controller.h"
 #include "views/mesh_view.h"
 #include "views/piece_menu.h"
 #include "views/tool_controller.h"
@@ -68,7 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
   setAcceptDrops(true);
   resize(QSize(1360, 860).boundedTo(largest_window()));
   build_centre();
-  files_ = new FileDesk(document_, undo_, controller_, check_, visibility_, *banner_, this);
+  files_ = new FileController(document_, undo_, controller_, check_, visibility_, *banner_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
   files_->ask_for_results_of(tools_->trial());
@@ -278,11 +278,11 @@ void MainWindow::connect_panels() {
   connect(welcome_, &Welcome::example_wanted, this,
           [this](const QString& id) { files_->when_safe([this, id] { examples_->open(id); }); });
   connect(welcome_, &Welcome::file_wanted, this, [this](const QString& path) { open(path); });
-  connect(files_, &FileDesk::recovered, &autosave_, &Autosave::take_over);
-  connect(files_, &FileDesk::smoothing_wanted, this, [this](const std::set<int>& patch_ids) {
+  connect(files_, &FileController::recovered, &autosave_, &Autosave::take_over);
+  connect(files_, &FileController::smoothing_wanted, this, [this](const std::set<int>& patch_ids) {
     controller_.evolve(patch_ids, patch_->flow_box().options(), Pace::steady);
   });
-  connect(files_, &FileDesk::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });
+  connect(files_, &FileController::recent_changed, this, [this] { welcome_->show_recent(recent_files()); });
 }
 
 /// A button reached by Tab answers to Space and Return itself; a click leaves the focus, and so the shortcuts, alone. What can be

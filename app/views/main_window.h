@@ -20,7 +20,7 @@ namespace loopmend {
 class Banner;
 class CompareController;
 class ExampleController;
-class FileDesk;
+class FileController;
 class HolesPanel;
 class InspectPanel;
 class LookPanel;
@@ -107,7 +107,7 @@ class MainWindow : public QMainWindow {
   bool has_scan_colors_ = false;
   CompareController* compare_ = nullptr;
   ExampleController* examples_ = nullptr;
-  FileDesk* files_ = nullptr;
+  FileController* files_ = nullptr;
   HolesPanel* holes_ = nullptr;
   PatchPanel* patch_ = nullptr;
   LookPanel* look_ = nullptr;

@@ -21,7 +21,7 @@
 #include "panels/patch_panel.h"
 #include "panels/small_holes_box.h"
 #include "panels/theme.h"
-#include "views/file_desk.h"
+#include "views/file_controller.h"
 #include "views/mesh_view.h"
 #include "views/piece_menu.h"
 #include "views/tool_controller.h"
@@ -56,9 +56,9 @@ void MainWindow::connect_file_actions() {
   a.on("open", this, [this] { files_->ask_open(OpenMode::replace); });
   a.on("add", this, [this] { files_->ask_open(OpenMode::add); });
   a.on("sample", this, &MainWindow::open_sample);
-  a.on("saveSession", files_, &FileDesk::save_session);
-  a.on("saveSessionAs", files_, &FileDesk::save_session_as);
-  a.on("export", files_, &FileDesk::ask_export);
+  a.on("saveSession", files_, &FileController::save_session);
+  a.on("saveSessionAs", files_, &FileController::save_session_as);
+  a.on("export", files_, &FileController::ask_export);
   a.on("screenshot", this, &MainWindow::show_picture_dialog);
   a.on("quit", this, &QWidget::close);
   a.on("preferences", this, &MainWindow::ask_preferences);

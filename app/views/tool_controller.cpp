@@ -173,9 +173,9 @@ ProblemRequest ToolController::request() const {
     case Tool::bridge:
     case Tool::fill_part:
     case Tool::measure: break;
-    case Tool::region: return region_wish();
-    case Tool::points: return points_wish();
-    case Tool::blend: return blend_wish();
+    case Tool::region: return region_request();
+    case Tool::points: return points_request();
+    case Tool::blend: return blend_request();
   }
   return {};
 }
@@ -195,7 +195,7 @@ void ToolController::on_stage() {
   }
 }
 
-ProblemRequest ToolController::region_wish() const {
+ProblemRequest ToolController::region_request() const {
   ProblemRequest request;
   const QString scan = document_.scan(region_->scan())->name;
   request.name = tr("Region of %1").arg(scan);
@@ -208,7 +208,7 @@ ProblemRequest ToolController::region_wish() const {
   return request;
 }
 
-ProblemRequest ToolController::points_wish() const {
+ProblemRequest ToolController::points_request() const {
   ProblemRequest request;
   const QString scan = document_.scan(points_->scan())->name;
   request.name = tr("Surface through the points of %1").arg(scan);
@@ -222,7 +222,7 @@ ProblemRequest ToolController::points_wish() const {
   return request;
 }
 
-ProblemRequest ToolController::blend_wish() const {
+ProblemRequest ToolController::blend_request() const {
   struct Chosen {
     std::size_t part;
     std::shared_ptr<const OpenedScan> scan;

@@ -60,9 +60,9 @@ class ToolController : public QObject {
   ProblemRequest request() const;
   void copy_command();
   void on_placed(int old_scan, int new_scan);
-  ProblemRequest region_wish() const;
-  ProblemRequest points_wish() const;
-  ProblemRequest blend_wish() const;
+  ProblemRequest region_request() const;
+  ProblemRequest points_request() const;
+  ProblemRequest blend_request() const;
 
   Document& document_;
   HoleSelection& selection_;

@@ -106,10 +106,10 @@ std::vector<ProfilePoint> seam_profile(const Patch& patch, int loop, int edge, d
                                        std::span<const float> H_sigma) {
   if (!H_sigma.empty() && H_sigma.size() != static_cast<std::size_t>(patch.vertex_count() - patch.free_count))
     throw InvalidArgument("the standard deviation of H must be given at each fixed vertex");
-  const std::vector<int>& rim = loop_of(patch, loop);
-  const int count = static_cast<int>(rim.size());
+  const std::vector<int>& boundary = loop_of(patch, loop);
+  const int count = static_cast<int>(boundary.size());
   if (edge < 0 || edge >= count) throw InvalidArgument("the loop has no edge " + std::to_string(edge));
-  const int a = rim[edge], b = rim[(edge + 1) % count];
+  const int a = boundary[edge], b = boundary[(edge + 1) % count];
   std::vector<ProfilePoint> profile = Side(patch, triangles_around(patch), H_sigma).walk(a, b, reach);
   for (ProfilePoint& p : profile) p.distance = 0 - p.distance;  // no −0
   std::reverse(profile.begin(), profile.end());

@@ -14,7 +14,7 @@ void keep_freed_memory();
 
 /// For programs, once before patches are evolved. Where the address space is limited (`ulimit -v`), takes what the linear
 /// algebra of so many threads at once will ask for, and holds it to the end: OpenBLAS has no way to fail, it would ask
-/// for ever. Does nothing where there is no limit.
+/// for ever. Does nothing where there is no limit, with another C library than glibc, or another BLAS than OpenBLAS.
 /// @returns for how many threads there is enough, at most `threads`; 0: `least_work_memory` is missing.
 int claim_work_memory(int threads);
 

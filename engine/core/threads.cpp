@@ -16,10 +16,12 @@
 #include <utility>
 #include <vector>
 
-// Of the thread sanitizer, null without it. It cannot look into oneTBB, and does not look into this file (CMakeLists.txt):
-// so it is told here what is handed from thread to thread.
-[[gnu::weak]] void tsan_acquire(void* at) __asm__("__tsan_acquire");
-[[gnu::weak]] void tsan_release(void* at) __asm__("__tsan_release");
+#ifdef LOOPMEND_THREAD_SANITIZER
+// The thread sanitizer cannot look into oneTBB, and does not look into this file (CMakeLists.txt): so it is told here what is
+// handed from thread to thread.
+extern "C" void __tsan_acquire(void* at);
+extern "C" void __tsan_release(void* at);
+#endif
 
 namespace loopmend {
 
@@ -30,25 +32,27 @@ namespace {
 int available_threads() {
   static const int count = [] {
     std::latch end(1);
-    std::vector<std::jthread> others;
+    std::vector<std::thread> others;
     try {
       for (int k = tbb::info::default_concurrency(); k > 1; --k) others.emplace_back([&end] { end.wait(); });
     } catch (const std::exception&) {
       // No further thread is to be had.
     }
     end.count_down();
+    for (std::thread& other : others) other.join();
     return 1 + static_cast<int>(others.size());
   }();
   static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
   return count;
 }
 
-void hand_over(void* at) {
-  if (tsan_release) tsan_release(at);
-}
-void take_over(void* at) {
-  if (tsan_acquire) tsan_acquire(at);
-}
+#ifdef LOOPMEND_THREAD_SANITIZER
+void hand_over(void* at) { __tsan_release(at); }
+void take_over(void* at) { __tsan_acquire(at); }
+#else
+void hand_over(void*) {}
+void take_over(void*) {}
+#endif
 
 /// Offers work, which must not throw, to other threads. If none takes it, wait() does it.
 template <class Work>

@@ -19,10 +19,10 @@ namespace bg = boost::geometry;
 using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using Entry = std::pair<TreePoint, int>;
 
-constexpr double inward_growth = 0.4;    ///< of edges, per length of way from the rim
+constexpr double inward_growth = 0.4;    ///< of edges, per length of way from the boundary
 constexpr double edges_per_radius = 13;  ///< of the coarse patch, at least
-/// With this growth a coarse patch has about 4 vertices for each edge of its rim.
-constexpr int free_per_rim_edge = 10;
+/// With this growth a coarse patch has about 4 vertices for each edge of its boundary.
+constexpr int free_per_boundary_edge = 10;
 constexpr int fewest_free = 1200;
 constexpr int coarsening_rounds = 4;
 constexpr int forms_for_a_point = 9;
@@ -81,9 +81,9 @@ void remesh(ConstrainedRemesher& mesh) {
 }  // namespace
 
 bool worth_coarsening(const Patch& patch) {
-  std::size_t rim = 0;
-  for (const auto& loop : patch.loops) rim += loop.size();
-  return patch.free_count > std::max(fewest_free, free_per_rim_edge * static_cast<int>(rim));
+  std::size_t boundary = 0;
+  for (const auto& loop : patch.loops) boundary += loop.size();
+  return patch.free_count > std::max(fewest_free, free_per_boundary_edge * static_cast<int>(boundary));
 }
 
 Patch coarsened(const Patch& patch) {

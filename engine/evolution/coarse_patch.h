@@ -9,7 +9,7 @@ namespace loopmend {
 /// True if a coarse copy would have so few vertices that solving on it first pays.
 bool worth_coarsening(const Patch& patch);
 
-/// The same shape with triangles that grow inward from the rim, to a twelfth of the patch's radius.
+/// The same shape with triangles that grow inward from the boundary, to a twelfth of the patch's radius.
 Patch coarsened(const Patch& patch);
 
 /// The surface of the coarse state with triangles as `grading` wants them. New vertices lie on the quadratic forms of the

@@ -41,7 +41,7 @@ bool DampedStep::solve_iteratively(const EvolvingPatch& patch, double mu, StepRe
   linear.times = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     return system_.curvature_times(x) + mu * system_.mass.cwiseProduct(x);
   };
-  linear.nearby = [&]() { return near_gauss_newton(patch.state.patch, energy_of(patch.objective), mu); };
+  linear.preconditioner = [&]() { return near_gauss_newton(patch.state.patch, energy_of(patch.objective), mu); };
   const SolveReport report = conjugate_gradients(linear, *solver_, truncated, -system_.half_gradient, s, cancel);
   record.iterations += report.iterations;
   return report.solved;

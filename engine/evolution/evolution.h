@@ -6,7 +6,7 @@
 #include "evolution/patch_status.h"
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
-#include "rim/rim_blend.h"
+#include "neighborhood/weighted_fairing.h"
 #include "solvers/solver_kind.h"
 #include "split/continue_relief.h"
 #include "split/split_energy.h"
@@ -44,7 +44,7 @@ enum class BoundaryTrust {
   automatic,  ///< as SplitEstimate says: the flow itself where they are exact, else its split form; very large patches
               ///< robust fairing
   exact,      ///< literally, whatever it is: the flow itself
-  robust,     ///< as on rough scans, whatever it is: robust fairing in place of the flow (rim_blend)
+  robust,     ///< as on rough scans, whatever it is: robust fairing in place of the flow (weighted_fairing.h)
 };
 
 struct EvolutionOptions {

@@ -3,7 +3,7 @@
 
 #include "evolution/mesh_improvement.h"
 #include "evolution/stopwatch.h"
-#include "rim/rim_blend.h"
+#include "neighborhood/weighted_fairing.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,7 +20,7 @@ constexpr int most_passes = 12;   ///< for position or tangent
 RobustFairing::RobustFairing(const EvolvingPatch& patch, double radius)
     : weighs_boundary_(patch.options.continuity == SeamContinuity::curvature),
       radius_(radius),
-      data_trust_(weighs_boundary_ ? data_trust(patch.state.patch, radius) : Eigen::VectorXd()),
+      data_confidence_(weighs_boundary_ ? data_confidence(patch.state.patch, radius) : Eigen::VectorXd()),
       passes_left_(weighs_boundary_ ? robust_passes : most_passes) {}
 
 /// One fairing. The first in a rough neighborhood is of second order; from its result the boundary vertices are weighed.
@@ -31,10 +31,10 @@ void RobustFairing::step(EvolvingPatch& patch, const CancelToken& cancel) {
   const bool flips = weighs_boundary_ && patch.options.triangles != PatchTriangles::fixed;
   const Patch before = flips ? with_delaunay_flips(patch.state.patch) : patch.state.patch;
   const auto topology = before.triangles == patch.state.patch.triangles ? patch.state.topology : nullptr;
-  Eigen::VectorXd trust;
-  if (weighs_boundary_ && !first) trust = rim_trust(before, radius_, data_trust_);
+  Eigen::VectorXd confidence;
+  if (weighs_boundary_ && !first) confidence = confidence_weights(before, radius_, data_confidence_);
   Patch faired = before;
-  if (!blend_once(faired, first ? SeamContinuity::tangent : patch.options.continuity, trust, radius_, cancel)) {
+  if (!blend_once(faired, first ? SeamContinuity::tangent : patch.options.continuity, confidence, radius_, cancel)) {
     if (patch.stop_if(cancel)) return;
     return patch.stop(PatchStatus::stalled, "stopped early: the patch is too degenerate to be faired");
   }

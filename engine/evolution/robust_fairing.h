@@ -15,7 +15,7 @@ class RobustFairing : public Stepper {
  private:
   bool weighs_boundary_;  ///< in a rough neighborhood; else the order is that of EvolutionOptions::continuity
   double radius_;
-  Eigen::VectorXd data_trust_;  ///< of the neighborhood, on rough ones
+  Eigen::VectorXd data_confidence_;  ///< of the neighborhood, on rough ones
   int passes_left_;
 };
 

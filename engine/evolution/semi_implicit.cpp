@@ -57,7 +57,7 @@ SolveReport SemiImplicit::solve(const EvolvingPatch& patch, const FlowSystem& sy
     const SparseMatrix M(mass.asDiagonal());
     return inverse_tau * M - M * system.jacobian();
   };
-  linear.nearby = [&]() -> SparseMatrix {
+  linear.preconditioner = [&]() -> SparseMatrix {
     SparseMatrix K = symmetric_part(patch.options.flow, surface, patch.state.ops);
     store_diagonal(K);  // a vertex that no fit sees has no entry
     K.diagonal() += inverse_tau * mass;

@@ -29,7 +29,7 @@ struct EvolutionState {
   std::shared_ptr<const Topology> topology;  ///< shared between states of the same connectivity
   OperatorSet ops;                           ///< on rings 0..Objective::reach
   double measure = 0;                        ///< what must not grow over steps: see measure_of()
-  int folds = 0;                             ///< of the patch and its rim
+  int folds = 0;                             ///< of the patch and its boundary
   int unfitted = 0;                          ///< free vertices without a valid fit: the flow is blind there
 };
 

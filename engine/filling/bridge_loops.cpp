@@ -60,12 +60,12 @@ void check_loops(const std::vector<BoundaryLoop>& loops) {
 
 /// The loops and their rings without anything between them.
 Patch empty_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  std::vector<LoopPatch> fillers;
+  std::vector<LoopPatch> initial_patches;
   for (const BoundaryLoop& loop : loops) {
-    fillers.emplace_back();
-    for (int v : loop.vertices) fillers.back().points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+    initial_patches.emplace_back();
+    for (int v : loop.vertices) initial_patches.back().points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
   }
-  return make_patch(model, loops, fillers);
+  return make_patch(model, loops, initial_patches);
 }
 
 Patch with_triangles(const Patch& empty, const Triangles& own) {
@@ -79,14 +79,15 @@ int defect_count(const Validity& quality) { return quality.folds + quality.inter
 
 /// The patch over a bridge with vertices of its own, given in mesh units.
 Patch with_sweep(const Patch& empty, const SweptBridge& swept) {
-  int rim = 0;
-  for (const auto& loop : empty.loops) rim += static_cast<int>(loop.size());
-  Points points(empty.positions.begin(), empty.positions.begin() + rim);
-  for (std::size_t i = rim; i < swept.points.size(); ++i) points.push_back(empty.to_frame(swept.points[i]));
-  return with_interior(empty, ConstrainedRemesher(points, swept.triangles, rim, {}, [](const Vec3&) { return 1.0; }));
+  int boundary = 0;
+  for (const auto& loop : empty.loops) boundary += static_cast<int>(loop.size());
+  Points points(empty.positions.begin(), empty.positions.begin() + boundary);
+  for (std::size_t i = boundary; i < swept.points.size(); ++i) points.push_back(empty.to_frame(swept.points[i]));
+  return with_interior(empty,
+                       ConstrainedRemesher(points, swept.triangles, boundary, {}, [](const Vec3&) { return 1.0; }));
 }
 
-double mean_rim_edge(const std::vector<BridgeEnd>& ends) {
+double mean_boundary_edge(const std::vector<BridgeEnd>& ends) {
   double length = 0, count = 0;
   for (const BridgeEnd& end : ends)
     for (std::size_t i = 0; i < end.points.size(); ++i, ++count)
@@ -100,7 +101,7 @@ struct FirstBridge {
   enum class Shape { smooth, angular } shape;
 };
 
-/// What to try, best first: the sweep between two loops; the hull; the strip, which suits wavy rims.
+/// What to try, best first: the sweep between two loops; the hull; the strip, which suits wavy boundaries.
 std::vector<FirstBridge> first_bridges(const Patch& empty, const std::vector<BridgeEnd>& ends, double density) {
   std::vector<FirstBridge> bridges;
   const auto add = [&](const Triangles& triangles) {
@@ -111,7 +112,7 @@ std::vector<FirstBridge> first_bridges(const Patch& empty, const std::vector<Bri
       bridges.push_back({std::move(patch), FirstBridge::Shape::angular});
   };
   if (ends.size() == 2)
-    bridges.push_back({with_sweep(empty, bridge_by_sweep(ends[0], ends[1], mean_rim_edge(ends) / density)),
+    bridges.push_back({with_sweep(empty, bridge_by_sweep(ends[0], ends[1], mean_boundary_edge(ends) / density)),
                        FirstBridge::Shape::smooth});
   add(bridge_by_hull(ends));
   if (ends.size() == 2) add(bridge_by_strip(ends[0].points, ends[1].points));

@@ -24,7 +24,7 @@ struct BridgeOutcome {
   std::string message;           ///< why there is none, or what is left to wish; empty when all is well
 };
 
-/// Joins the loops by one surface without further rims: a tube between two, a pair of trousers between three, ... The
+/// Joins the loops by one surface without further boundaries: a tube between two, a pair of trousers between three, ... The
 /// loops' neighborhood must agree in orientation (find_opposed_loops). Reads the model, never changes it.
 /// @param loops  at least two, none twice; of kind hole or outer_rim.
 /// @throws InvalidArgument for fewer than two loops, a loop given twice or of another kind, a density out of range.

@@ -84,7 +84,7 @@ CrossEdges best_even_path(const Points& a, const Points& b) {
   return best;
 }
 
-/// Averaged with their neighbours, so that a ragged rim does not tangle what leaves it.
+/// Averaged with their neighbours, so that a ragged boundary does not tangle what leaves it.
 Points smoothed(Points directions) {
   const std::size_t n = directions.size();
   for (int round = 0; round < 3; ++round) {

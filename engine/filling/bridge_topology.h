@@ -27,7 +27,7 @@ int turning_sense(const BridgeEnd& end, const Vec3& center);
 Triangles bridge_by_hull(const std::vector<BridgeEnd>& ends);
 
 /// The strip between two loops whose cross edges are shortest, squared (dynamic programming): for an island in a loop,
-/// and for wavy rims. Numbered as in bridge_by_hull; empty when there is none.
+/// and for wavy boundaries. Numbered as in bridge_by_hull; empty when there is none.
 Triangles bridge_by_strip(const Points& a, const Points& b);
 
 /// Points and triangles of a bridge that has vertices of its own; the loops' vertices come first.

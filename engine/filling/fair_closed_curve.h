@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A smooth closed curve through given points: the rim of a surface that is known at some places only.
+// A smooth closed curve through given points: the boundary of a surface that is known at some places only.
 #pragma once
 
 #include "core/types.h"

@@ -30,14 +30,14 @@ constexpr int beyond_the_cache = 5000;       // free vertices on the last coarse
 
 /// Everything the initial patch needs to know about a loop, in the patch frame; the loop's places are 0..n−1. A vertex that
 /// the loop passes twice has two places.
-struct LoopSite {
+struct FillContext {
   int n = 0;
   Points points;             ///< the loop, then the rings around it
   std::vector<int> vertex;   ///< n: for each place the first with the same vertex
   std::vector<char> shared;  ///< n: whether another boundary, or this one again, passes the vertex
   Triangles neighborhood;    ///< over `points`, by the first places
   std::vector<double> size;  ///< n: mean length of the edges of the neighborhood at each loop vertex
-  RimNormals rim_normals;
+  BoundaryNormals boundary_normals;
   ConstrainedRemesher::Watch watch;                             ///< ends remeshing with Cancelled or TooManyVertices
   Patch frame;                                                  ///< an empty patch: its centre and scale
   enum class Cuts { may_come, may_not } cuts = Cuts::may_come;  ///< in exchange for folds, where there were none
@@ -47,76 +47,78 @@ struct LoopSite {
 struct Cancelled {};
 struct TooManyVertices {};
 
-/// Sizes and normals at the rim.
-void measure_neighborhood(LoopSite& site) {
-  std::vector<double> sum(site.points.size(), 0), count(site.points.size(), 0);
-  std::map<std::pair<int, int>, int> rim;
-  for (int i = 0; i < site.n; ++i) rim[{site.vertex[i], site.vertex[(i + 1) % site.n]}] = i;
-  for (const Triangle& t : site.neighborhood)
+/// Sizes and normals at the boundary.
+void measure_neighborhood(FillContext& context) {
+  std::vector<double> sum(context.points.size(), 0), count(context.points.size(), 0);
+  std::map<std::pair<int, int>, int> boundary;
+  for (int i = 0; i < context.n; ++i) boundary[{context.vertex[i], context.vertex[(i + 1) % context.n]}] = i;
+  for (const Triangle& t : context.neighborhood)
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
-      const double length = (site.points[a] - site.points[b]).norm();
+      const double length = (context.points[a] - context.points[b]).norm();
       for (int v : {a, b}) {
         sum[v] += length;
         count[v] += 1;
       }
-      if (const auto edge = rim.find({b, a}); edge != rim.end())
-        site.rim_normals[{edge->second, (edge->second + 1) % site.n}] =
-            unit_normal(site.points[t[0]], site.points[t[1]], site.points[t[2]]);
+      if (const auto edge = boundary.find({b, a}); edge != boundary.end())
+        context.boundary_normals[{edge->second, (edge->second + 1) % context.n}] =
+            unit_normal(context.points[t[0]], context.points[t[1]], context.points[t[2]]);
     }
-  for (int i = 0; i < site.n; ++i) site.size.push_back(sum[site.vertex[i]] / std::max(1.0, count[site.vertex[i]]));
+  for (int i = 0; i < context.n; ++i)
+    context.size.push_back(sum[context.vertex[i]] / std::max(1.0, count[context.vertex[i]]));
 }
 
-LoopSite make_site(const SurfaceModel& model, const BoundaryLoop& loop) {
-  LoopSite site;
+FillContext make_context(const SurfaceModel& model, const BoundaryLoop& loop) {
+  FillContext context;
   LoopPatch empty;
   for (int v : loop.vertices) empty.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
-  site.frame = make_patch(model, {loop}, {empty});
-  site.n = loop.edges();
-  const std::vector<int>& visited = site.frame.loops.front();  // no free vertices, and ring 1 comes first
+  context.frame = make_patch(model, {loop}, {empty});
+  context.n = loop.edges();
+  const std::vector<int>& visited = context.frame.loops.front();  // no free vertices, and ring 1 comes first
   const int distinct = 1 + *std::max_element(visited.begin(), visited.end());
   std::vector<int> place(distinct, -1);
-  for (int i = 0; i < site.n; ++i) {
+  for (int i = 0; i < context.n; ++i) {
     if (place[visited[i]] < 0) place[visited[i]] = i;
-    site.vertex.push_back(place[visited[i]]);
-    site.shared.push_back(fan_count(model.mesh, TriMesh::VertexHandle(loop.vertices[i])) > 1);
-    site.points.push_back(site.frame.positions[visited[i]]);
+    context.vertex.push_back(place[visited[i]]);
+    context.shared.push_back(fan_count(model.mesh, TriMesh::VertexHandle(loop.vertices[i])) > 1);
+    context.points.push_back(context.frame.positions[visited[i]]);
   }
-  site.points.insert(site.points.end(), site.frame.positions.begin() + distinct, site.frame.positions.end());
-  site.neighborhood = site.frame.triangles;
-  for (Triangle& t : site.neighborhood)
-    for (int& v : t) v = v < distinct ? place[v] : v - distinct + site.n;
+  context.points.insert(context.points.end(), context.frame.positions.begin() + distinct,
+                        context.frame.positions.end());
+  context.neighborhood = context.frame.triangles;
+  for (Triangle& t : context.neighborhood)
+    for (int& v : t) v = v < distinct ? place[v] : v - distinct + context.n;
 
-  measure_neighborhood(site);
-  return site;
+  measure_neighborhood(context);
+  return context;
 }
 
 /// The same, but the neighborhood is all triangles of the scan that meet the loop's bounding box.
-LoopSite make_wide_site(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop) {
-  LoopSite site = make_site(model, loop);
-  site.points.resize(site.n);
-  site.neighborhood.clear();
+FillContext make_wide_context(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop) {
+  FillContext context = make_context(model, loop);
+  context.points.resize(context.n);
+  context.neighborhood.clear();
   std::unordered_map<int, int> place;  // of soup points
   Eigen::AlignedBox3d box;
-  for (int i = 0; i < site.n; ++i) {
+  for (int i = 0; i < context.n; ++i) {
     // Where the surface was parted at a vertex, the loop passes several at one point: they are one here.
-    site.vertex[i] = place.emplace(model.soup_vertex[loop.vertices[i]], site.vertex[i]).first->second;
+    context.vertex[i] = place.emplace(model.soup_vertex[loop.vertices[i]], context.vertex[i]).first->second;
     box.extend(model.mesh.point(TriMesh::VertexHandle(loop.vertices[i])));
   }
   for (int f : index.near(box.min(), box.max())) {
     Triangle t = model.soup.triangles[f];
     for (int& v : t) {
-      const auto [entry, added] = place.emplace(v, static_cast<int>(site.points.size()));
-      if (added) site.points.push_back(site.frame.to_frame(model.soup.points[v]));
+      const auto [entry, added] = place.emplace(v, static_cast<int>(context.points.size()));
+      if (added) context.points.push_back(context.frame.to_frame(model.soup.points[v]));
       v = entry->second;
     }
-    site.neighborhood.push_back(t);
+    context.neighborhood.push_back(t);
   }
-  site.cuts = LoopSite::Cuts::may_not;
-  site.size.clear();
-  site.rim_normals.clear();
-  measure_neighborhood(site);
-  return site;
+  context.cuts = FillContext::Cuts::may_not;
+  context.size.clear();
+  context.boundary_normals.clear();
+  measure_neighborhood(context);
+  return context;
 }
 
 /// A triangulation on its way to an initial patch: the loop's n points first, then new ones.
@@ -126,28 +128,30 @@ struct Candidate {
   Validity quality;
 
   int defect_count() const { return quality.folds + quality.intersections; }
-  /// Bad enough to try another triangulation: the folds on a rim that turns back are nobody's fault.
-  bool wants_another(int rim) const { return quality.intersections > 0 || (quality.folds > 0 && quality.folds < rim); }
+  /// Bad enough to try another triangulation: the folds on a boundary that turns back are nobody's fault.
+  bool wants_another(int boundary) const {
+    return quality.intersections > 0 || (quality.folds > 0 && quality.folds < boundary);
+  }
 };
 
 /// Patch and neighborhood in one list, the patch's triangles first.
-void join(const LoopSite& site, const Candidate& c, Points& points, Triangles& triangles) {
+void join(const FillContext& context, const Candidate& c, Points& points, Triangles& triangles) {
   points = c.points;
-  points.insert(points.end(), site.points.begin() + site.n, site.points.end());
+  points.insert(points.end(), context.points.begin() + context.n, context.points.end());
   triangles = c.triangles;
   for (Triangle& t : triangles)
-    for (int& v : t) v = v < site.n ? site.vertex[v] : v;
-  const int shift = static_cast<int>(c.points.size()) - site.n;
-  for (Triangle t : site.neighborhood) {
-    for (int& v : t) v = v < site.n ? v : v + shift;
+    for (int& v : t) v = v < context.n ? context.vertex[v] : v;
+  const int shift = static_cast<int>(c.points.size()) - context.n;
+  for (Triangle t : context.neighborhood) {
+    for (int& v : t) v = v < context.n ? v : v + shift;
     triangles.push_back(t);
   }
 }
 
-Validity assess(const LoopSite& site, const Candidate& c) {
+Validity assess(const FillContext& context, const Candidate& c) {
   Points points;
   Triangles triangles;
-  join(site, c, points, triangles);
+  join(context, c, points, triangles);
   const int count = static_cast<int>(c.triangles.size());
   Validity quality;
   quality.folds = count_folds(points, triangles, count);
@@ -158,10 +162,11 @@ Validity assess(const LoopSite& site, const Candidate& c) {
 
 /// Chords between vertices that boundaries share get a vertex in their middle: a patch across the other gap might have the
 /// same chord, and the surface has room for one.
-void split_shared_chords(const LoopSite& site, Candidate& c) {
+void split_shared_chords(const FillContext& context, Candidate& c) {
   const auto is_chord = [&](int a, int b) {
     const int apart = std::abs(a - b);
-    return a < site.n && b < site.n && apart != 1 && apart != site.n - 1 && site.shared[a] && site.shared[b];
+    return a < context.n && b < context.n && apart != 1 && apart != context.n - 1 && context.shared[a] &&
+           context.shared[b];
   };
   std::map<std::pair<int, int>, int> middle;
   for (std::size_t f = 0; f < c.triangles.size();) {
@@ -181,13 +186,13 @@ void split_shared_chords(const LoopSite& site, Candidate& c) {
 }
 
 /// The triangulations to try, best first; stops at the first that is neither folded nor cut.
-std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelToken& cancel) {
+std::vector<Candidate> first_triangulations(const FillContext& context, const CancelToken& cancel) {
   std::vector<TriangulationMethod> methods;
-  if (site.n <= longest_for_cubic_first)
+  if (context.n <= longest_for_cubic_first)
     methods = {TriangulationMethod::cubic, TriangulationMethod::delaunay, TriangulationMethod::planar};
-  else if (site.n <= longest_for_cubic)
+  else if (context.n <= longest_for_cubic)
     methods = {TriangulationMethod::delaunay_only, TriangulationMethod::cubic, TriangulationMethod::planar};
-  else if (site.n <= longest_for_all_methods)
+  else if (context.n <= longest_for_all_methods)
     methods = {TriangulationMethod::delaunay_only, TriangulationMethod::planar};
   else
     methods = {TriangulationMethod::planar, TriangulationMethod::delaunay_only};
@@ -195,33 +200,33 @@ std::vector<Candidate> first_triangulations(const LoopSite& site, const CancelTo
   for (TriangulationMethod method : methods) {
     if (cancel.cancelled()) break;
     Candidate c;
-    c.triangles = triangulate_loop(site.points, site.neighborhood, site.vertex, method);
+    c.triangles = triangulate_loop(context.points, context.neighborhood, context.vertex, method);
     if (c.triangles.empty()) continue;
-    c.points.assign(site.points.begin(), site.points.begin() + site.n);
-    split_shared_chords(site, c);
-    split_double_edges(site.n, c.points, c.triangles);
-    c.quality = assess(site, c);
+    c.points.assign(context.points.begin(), context.points.begin() + context.n);
+    split_shared_chords(context, c);
+    split_double_edges(context.n, c.points, c.triangles);
+    c.quality = assess(context, c);
     candidates.push_back(std::move(c));
-    if (!candidates.back().wants_another(site.n)) break;
+    if (!candidates.back().wants_another(context.n)) break;
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.defect_count() < b.defect_count(); });
   return candidates;
 }
 
-ConstrainedRemesher guarded(const LoopSite& site, const SizeField& size, const Candidate& c) {
-  ConstrainedRemesher mesh(c.points, c.triangles, site.n, site.rim_normals,
+ConstrainedRemesher guarded(const FillContext& context, const SizeField& size, const Candidate& c) {
+  ConstrainedRemesher mesh(c.points, c.triangles, context.n, context.boundary_normals,
                            [&size](const Vec3& p) { return size.at(p); });
-  mesh.set_watch(site.watch);
+  mesh.set_watch(context.watch);
   return mesh;
 }
 
-Candidate harvest(const LoopSite& site, const ConstrainedRemesher& mesh) {
+Candidate harvest(const FillContext& context, const ConstrainedRemesher& mesh) {
   Candidate c;
   c.points = mesh.points();
   c.triangles = mesh.triangles();
-  split_double_edges(site.n, c.points, c.triangles);
-  c.quality = assess(site, c);
+  split_double_edges(context.n, c.points, c.triangles);
+  c.quality = assess(context, c);
   return c;
 }
 
@@ -262,27 +267,28 @@ void coarse_to_fine(ConstrainedRemesher& mesh, InitialShape shape, const CancelT
 
 /// Runs a phase on a copy; keeps its result unless it is worse than what was.
 template <class Phase>
-bool try_phase(const LoopSite& site, const SizeField& size, Candidate& best, const Phase& phase) {
-  ConstrainedRemesher mesh = guarded(site, size, best);
+bool try_phase(const FillContext& context, const SizeField& size, Candidate& best, const Phase& phase) {
+  ConstrainedRemesher mesh = guarded(context, size, best);
   phase(mesh);
-  Candidate next = harvest(site, mesh);
+  Candidate next = harvest(context, mesh);
   if (next.defect_count() > best.defect_count()) return false;
-  if (site.cuts == LoopSite::Cuts::may_not && next.quality.intersections > best.quality.intersections) return false;
+  if (context.cuts == FillContext::Cuts::may_not && next.quality.intersections > best.quality.intersections)
+    return false;
   best = std::move(next);
   return true;
 }
 
 /// Where a round would make a patch worse that cuts nothing: those parts of it that do not. Splits leave the shape as it is,
 /// only that there are more edges to count along its folds.
-void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& best, const CancelToken& cancel) {
+void remesh_bit_by_bit(const FillContext& context, const SizeField& size, Candidate& best, const CancelToken& cancel) {
   if (best.quality.intersections > 0 || cancel.cancelled()) return;
-  ConstrainedRemesher mesh = guarded(site, size, best);
+  ConstrainedRemesher mesh = guarded(context, size, best);
   mesh.split_long_edges();
-  Candidate split = harvest(site, mesh);
-  if (site.cuts == LoopSite::Cuts::may_not && split.quality.intersections > 0) return;
+  Candidate split = harvest(context, mesh);
+  if (context.cuts == FillContext::Cuts::may_not && split.quality.intersections > 0) return;
   best = std::move(split);
   const auto keep_if_no_worse = [&](const auto& part) {
-    if (!cancel.cancelled()) try_phase(site, size, best, part);
+    if (!cancel.cancelled()) try_phase(context, size, best, part);
   };
   keep_if_no_worse([](ConstrainedRemesher& m) { m.flip_to_delaunay(); });
   keep_if_no_worse([](ConstrainedRemesher& m) { m.collapse_short_edges(); });
@@ -291,7 +297,7 @@ void remesh_bit_by_bit(const LoopSite& site, const SizeField& size, Candidate& b
 
 /// Refinement, remeshing and relaxation (docs/dev/filling.md, "Remeshing and relaxation"). A phase that makes the patch
 /// worse is tried again in its first round only, then left out or, if it is the remeshing, taken apart.
-Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, InitialShape shape, double vertices,
+Candidate refine(const FillContext& context, const SizeField& size, Candidate best, InitialShape shape, double vertices,
                  const CancelToken& cancel) {
   const bool large = vertices > from_coarse_to_fine, very_large = vertices > one_try_only;
   const auto rounds = [&](int count, bool (*round)(ConstrainedRemesher&)) {
@@ -300,21 +306,21 @@ Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, In
         if (!round(mesh)) break;
     };
   };
-  if (large && try_phase(site, size, best, [&](ConstrainedRemesher& mesh) { coarse_to_fine(mesh, shape, cancel); }))
+  if (large && try_phase(context, size, best, [&](ConstrainedRemesher& mesh) { coarse_to_fine(mesh, shape, cancel); }))
     return best;
   if (very_large) {
-    try_phase(site, size, best, rounds(1, remesh_once));
+    try_phase(context, size, best, rounds(1, remesh_once));
     return best;
   }
-  if (!try_phase(site, size, best, rounds(remesh_rounds, remesh_once)) &&
-      !try_phase(site, size, best, rounds(1, remesh_once)))
-    remesh_bit_by_bit(site, size, best, cancel);
+  if (!try_phase(context, size, best, rounds(remesh_rounds, remesh_once)) &&
+      !try_phase(context, size, best, rounds(1, remesh_once)))
+    remesh_bit_by_bit(context, size, best, cancel);
   const int most = shape == InitialShape::triangulated ? 0 : large ? 2 : relax_rounds;
-  if (most > 0 && !try_phase(site, size, best, rounds(most, relax_once)))
-    try_phase(site, size, best, rounds(1, relax_once));
+  if (most > 0 && !try_phase(context, size, best, rounds(most, relax_once)))
+    try_phase(context, size, best, rounds(1, relax_once));
   for (int attempt = 0; attempt < 3 && best.defect_count() > 0 && !cancel.cancelled(); ++attempt) {
     const int before = best.defect_count();
-    try_phase(site, size, best, [](ConstrainedRemesher& mesh) {
+    try_phase(context, size, best, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
       remesh_once(mesh);
     });
@@ -324,8 +330,8 @@ Candidate refine(const LoopSite& site, const SizeField& size, Candidate best, In
 }
 
 /// A loop of three edges whose triangle is there already, on the other side: an isolated triangle, not a hole.
-bool closes_a_lone_triangle(const LoopSite& site) {
-  return site.n == 3 && std::any_of(site.neighborhood.begin(), site.neighborhood.end(), [](const Triangle& t) {
+bool closes_a_lone_triangle(const FillContext& context) {
+  return context.n == 3 && std::any_of(context.neighborhood.begin(), context.neighborhood.end(), [](const Triangle& t) {
            return std::max({t[0], t[1], t[2]}) < 3;
          });
 }
@@ -347,17 +353,17 @@ std::string reason_not_to_fill(const BoundaryLoop& loop) {
   return "";
 }
 
-/// Vertices of equilateral triangles with the rim's mean edge length over the loop's area.
+/// Vertices of equilateral triangles with the boundary's mean edge length over the loop's area.
 double expected_vertices(double area, const std::vector<double>& sizes) {
   double mean = 0;
   for (double size : sizes) mean += size / static_cast<double>(sizes.size());
   return area / (0.866 * mean * mean);
 }
 
-double expected_vertices(const LoopSite& site, const BoundaryLoop& loop, double density) {
-  std::vector<double> sizes = site.size;
+double expected_vertices(const FillContext& context, const BoundaryLoop& loop, double density) {
+  std::vector<double> sizes = context.size;
   for (double& size : sizes) size /= density;
-  return expected_vertices(loop.area / (site.frame.scale * site.frame.scale), sizes);
+  return expected_vertices(loop.area / (context.frame.scale * context.frame.scale), sizes);
 }
 
 ConstrainedRemesher::Watch watch_for(double most_vertices, const CancelToken& cancel) {
@@ -374,9 +380,9 @@ std::string number_of(double vertices) {
                         : std::to_string(static_cast<long>(vertices / 1e6)) + " million";
 }
 
-std::string why_no_triangulation(const LoopSite& site) {
+std::string why_no_triangulation(const FillContext& context) {
   int without_length = 0;
-  for (int i = 0; i < site.n; ++i) without_length += site.points[i] == site.points[(i + 1) % site.n];
+  for (int i = 0; i < context.n; ++i) without_length += context.points[i] == context.points[(i + 1) % context.n];
   if (without_length > 0)
     return std::to_string(without_length) + " edges of this loop have no length; welding their vertices would help";
   return "no valid triangulation of this loop was found";
@@ -390,10 +396,12 @@ std::string remaining_faults(const Validity& quality) {
   return text.empty() ? text : "the initial patch has " + text + " left";
 }
 
-LoopPatchOutcome finished(const SurfaceModel& model, const BoundaryLoop& loop, const LoopSite& site, Candidate best) {
+LoopPatchOutcome finished(const SurfaceModel& model, const BoundaryLoop& loop, const FillContext& context,
+                          Candidate best) {
   LoopPatch patch;
   for (int v : loop.vertices) patch.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
-  for (std::size_t i = site.n; i < best.points.size(); ++i) patch.points.push_back(site.frame.to_mesh(best.points[i]));
+  for (std::size_t i = context.n; i < best.points.size(); ++i)
+    patch.points.push_back(context.frame.to_mesh(best.points[i]));
   patch.triangles = std::move(best.triangles);
   return {std::move(patch), remaining_faults(best.quality), best.quality};
 }
@@ -411,29 +419,30 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   LoopPatchOutcome outcome;
   outcome.message = reason_not_to_fill(loop);
   if (!outcome.message.empty()) return outcome;
-  LoopSite site = make_site(model, loop);
-  if (closes_a_lone_triangle(site)) {
+  FillContext context = make_context(model, loop);
+  if (closes_a_lone_triangle(context)) {
     outcome.message = "the loop is the boundary of a single triangle";
     return outcome;
   }
-  const double vertices = expected_vertices(site, loop, options.density);
+  const double vertices = expected_vertices(context, loop, options.density);
   if (vertices > options.most_vertices) {
     outcome.message = "the patch would need about " + number_of(vertices) + " vertices: a lower density needs fewer";
     return outcome;
   }
-  site.watch = watch_for(options.most_vertices + site.n, cancel);
-  const std::vector<Candidate> candidates = first_triangulations(site, cancel);
+  context.watch = watch_for(options.most_vertices + context.n, cancel);
+  const std::vector<Candidate> candidates = first_triangulations(context, cancel);
   if (candidates.empty()) {
-    if (!cancel.cancelled()) outcome.message = why_no_triangulation(site);
+    if (!cancel.cancelled()) outcome.message = why_no_triangulation(context);
     return outcome;
   }
-  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
+  const SizeField size(Points(context.points.begin(), context.points.begin() + context.n), context.size,
+                       {options.density});
   Candidate best;
   try {
     for (const Candidate& candidate : candidates) {
-      Candidate refined = refine(site, size, candidate, options.shape, vertices, cancel);
+      Candidate refined = refine(context, size, candidate, options.shape, vertices, cancel);
       if (best.triangles.empty() || refined.defect_count() < best.defect_count()) best = std::move(refined);
-      if (!best.wants_another(site.n) || vertices > one_try_only || cancel.cancelled()) break;
+      if (!best.wants_another(context.n) || vertices > one_try_only || cancel.cancelled()) break;
     }
   } catch (const Cancelled&) {
     return outcome;
@@ -444,33 +453,34 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   }
   if (cancel.cancelled()) return outcome;
 
-  return finished(model, loop, site, std::move(best));
+  return finished(model, loop, context, std::move(best));
 }
 
 LoopPatchOutcome fill_loop_uncut(const SurfaceModel& model, const TriangleIndex& index, const BoundaryLoop& loop,
                                  const InitialPatchOptions& options, const CancelToken& cancel) {
   check(options);
-  LoopSite site = make_wide_site(model, index, loop);
+  FillContext context = make_wide_context(model, index, loop);
   Candidate best;
-  best.triangles = triangulate_loop_uncut(site.points, site.neighborhood, site.vertex, cancel);
+  best.triangles = triangulate_loop_uncut(context.points, context.neighborhood, context.vertex, cancel);
   if (best.triangles.empty()) return {};
-  best.points.assign(site.points.begin(), site.points.begin() + site.n);
-  split_shared_chords(site, best);
-  split_double_edges(site.n, best.points, best.triangles);
-  best.quality = assess(site, best);
+  best.points.assign(context.points.begin(), context.points.begin() + context.n);
+  split_shared_chords(context, best);
+  split_double_edges(context.n, best.points, best.triangles);
+  best.quality = assess(context, best);
   if (best.quality.intersections > 0) return {};
-  const double vertices = expected_vertices(site, loop, options.density);
-  site.watch = watch_for(options.most_vertices + site.n, cancel);
-  const SizeField size(Points(site.points.begin(), site.points.begin() + site.n), site.size, {options.density});
+  const double vertices = expected_vertices(context, loop, options.density);
+  context.watch = watch_for(options.most_vertices + context.n, cancel);
+  const SizeField size(Points(context.points.begin(), context.points.begin() + context.n), context.size,
+                       {options.density});
   try {
-    best = refine(site, size, best, InitialShape::triangulated, vertices, cancel);
+    best = refine(context, size, best, InitialShape::triangulated, vertices, cancel);
   } catch (const Cancelled&) {
     return {};
   } catch (const TooManyVertices&) {
     return {};
   }
   if (cancel.cancelled()) return {};
-  return finished(model, loop, site, std::move(best));
+  return finished(model, loop, context, std::move(best));
 }
 
 }  // namespace loopmend

@@ -24,7 +24,7 @@ constexpr std::size_t most_triangles = 4'000'000;
 struct Subdivision {
   Points points;
   Triangles triangles;
-  std::vector<RimPlace> rim_place;  ///< #points
+  std::vector<BoundaryPlace> boundary_place;  ///< #points
 };
 
 void split_into_four(Subdivision& mesh) {
@@ -46,29 +46,31 @@ void split_into_four(Subdivision& mesh) {
     split.insert(split.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
   }
   mesh.triangles = std::move(split);
-  for (RimPlace& place : mesh.rim_place) place.step *= 2;
-  mesh.rim_place.resize(mesh.points.size());
+  for (BoundaryPlace& place : mesh.boundary_place) place.step *= 2;
+  mesh.boundary_place.resize(mesh.points.size());
   for (const auto& [edge, m] : middles) {
     if (m.faces != 1) continue;
-    const RimPlace &a = mesh.rim_place[edge.first], &b = mesh.rim_place[edge.second];
+    const BoundaryPlace &a = mesh.boundary_place[edge.first], &b = mesh.boundary_place[edge.second];
     const auto [first, last] = std::minmax(a.step, b.step);
-    mesh.rim_place[m.vertex] = {a.rim, last - first == 2 ? first + 1 : last + 1};  // or round the rim's first corner
+    mesh.boundary_place[m.vertex] = {a.boundary,
+                                     last - first == 2 ? first + 1 : last + 1};  // or round the boundary's first corner
   }
 }
 
-/// Puts rim vertices onto the rims' curves. The others follow smoothly, but for those that are fixed themselves.
-void round_rims(Subdivision& mesh, const std::vector<Points>& rims, int subdivisions, const std::vector<char>& fixed) {
-  if (rims.empty()) return;
+/// Puts boundary vertices onto the boundaries' curves. The others follow smoothly, but for those that are fixed themselves.
+void round_boundaries(Subdivision& mesh, const std::vector<Points>& boundaries, int subdivisions,
+                      const std::vector<char>& fixed) {
+  if (boundaries.empty()) return;
   std::vector<Points> curves;
-  for (const Points& corners : rims) curves.push_back(fair_closed_curve(corners, 1 << subdivisions));
+  for (const Points& corners : boundaries) curves.push_back(fair_closed_curve(corners, 1 << subdivisions));
   Points way(mesh.points.size(), Vec3::Zero());
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (const RimPlace& place = mesh.rim_place[i]; place.rim >= 0)
-      way[i] = curves[place.rim][place.step] - mesh.points[i];
+    if (const BoundaryPlace& place = mesh.boundary_place[i]; place.boundary >= 0)
+      way[i] = curves[place.boundary][place.step] - mesh.points[i];
   extend_evenly(mesh.triangles, fixed, way);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (const RimPlace& place = mesh.rim_place[i]; place.rim >= 0)
-      mesh.points[i] = curves[place.rim][place.step];
+    if (const BoundaryPlace& place = mesh.boundary_place[i]; place.boundary >= 0)
+      mesh.points[i] = curves[place.boundary][place.step];
     else if (!fixed[i])
       mesh.points[i] += way[i];
 }
@@ -100,11 +102,11 @@ void check_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& 
   const std::size_t faces = polyhedron.mesh.n_faces();
   if ((faces << (2 * options.subdivisions)) > most_triangles)
     throw InvalidArgument("the subdivided polyhedron would have more than 4 million triangles: fewer subdivisions do");
-  const std::vector<BoundaryLoop> rims = find_boundary_loops(polyhedron);
-  if (options.rim == PolyhedronRim::refuse && !rims.empty())
-    throw InvalidArgument("the polyhedron has " + std::to_string(rims.size()) +
-                          (rims.size() == 1 ? " hole" : " holes") + ", the largest with " +
-                          std::to_string(rims.front().edges()) +
+  const std::vector<BoundaryLoop> boundaries = find_boundary_loops(polyhedron);
+  if (options.boundary == PolyhedronBoundary::refuse && !boundaries.empty())
+    throw InvalidArgument("the polyhedron has " + std::to_string(boundaries.size()) +
+                          (boundaries.size() == 1 ? " hole" : " holes") + ", the largest with " +
+                          std::to_string(boundaries.front().edges()) +
                           " edges: close it, or let its boundary loops become smooth curves (--open)");
 }
 
@@ -126,10 +128,10 @@ std::vector<char> fixed_vertices(const SurfaceModel& polyhedron, const Subdivisi
   return fixed;
 }
 
-void hold_rims(const Subdivision& mesh, std::vector<char>& fixed) {
+void hold_boundaries(const Subdivision& mesh, std::vector<char>& fixed) {
   fixed.resize(mesh.points.size(), 0);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (mesh.rim_place[i].rim >= 0) fixed[i] = 1;
+    if (mesh.boundary_place[i].boundary >= 0) fixed[i] = 1;
 }
 
 /// Free vertices first, then the fixed ones, each in their order. @param frame  its centre and scale count.
@@ -147,7 +149,7 @@ PolyhedronPatch numbered(const Patch& frame, const Subdivision& mesh, const std:
     patch.view_vertex.push_back(ring > 0 && static_cast<int>(i) < view_vertices ? static_cast<int>(i) : -1);
     if (ring == 0) return;
     result.fixed.push_back(mesh.points[i]);
-    result.rim_place.push_back(mesh.rim_place[i]);
+    result.boundary_place.push_back(mesh.boundary_place[i]);
   };
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     if (!fixed[i]) add(i, 0);
@@ -166,19 +168,19 @@ PolyhedronPatch subdivide_polyhedron(const SurfaceModel& polyhedron, const Subdi
   check_flatness(points_of(polyhedron.mesh));
   std::vector<char> fixed = fixed_vertices(polyhedron, options);
   Subdivision mesh{points_of(polyhedron.mesh), triangles_of(polyhedron.mesh), {}};
-  mesh.rim_place.resize(mesh.points.size());
-  std::vector<Points> rims;
+  mesh.boundary_place.resize(mesh.points.size());
+  std::vector<Points> boundaries;
   for (const BoundaryLoop& loop : find_boundary_loops(polyhedron)) {
     Points corners;
     for (int v : loop.vertices) {
-      mesh.rim_place[v] = {static_cast<int>(rims.size()), static_cast<int>(corners.size())};
+      mesh.boundary_place[v] = {static_cast<int>(boundaries.size()), static_cast<int>(corners.size())};
       corners.push_back(mesh.points[v]);
     }
-    rims.push_back(std::move(corners));
+    boundaries.push_back(std::move(corners));
   }
   for (int k = 0; k < options.subdivisions; ++k) split_into_four(mesh);
-  hold_rims(mesh, fixed);
-  round_rims(mesh, rims, options.subdivisions, fixed);
+  hold_boundaries(mesh, fixed);
+  round_boundaries(mesh, boundaries, options.subdivisions, fixed);
 
   Eigen::AlignedBox3d box;
   for (const Vec3& p : mesh.points) box.extend(p);
@@ -186,7 +188,7 @@ PolyhedronPatch subdivide_polyhedron(const SurfaceModel& polyhedron, const Subdi
   frame.center = box.center();
   frame.scale = box.diagonal().norm();
   PolyhedronPatch result = numbered(frame, mesh, fixed, static_cast<int>(polyhedron.mesh.n_vertices()));
-  result.rims = std::move(rims);
+  result.boundaries = std::move(boundaries);
   result.subdivisions = options.subdivisions;
   return result;
 }
@@ -194,14 +196,14 @@ PolyhedronPatch subdivide_polyhedron(const SurfaceModel& polyhedron, const Subdi
 PolyhedronPatch split_further(const PolyhedronPatch& start, const Patch& evolved) {
   // The fixed vertices first, as polyhedron_surface has them, so that they keep their order.
   TriangleSoup surface = polyhedron_surface(start, evolved);
-  Subdivision mesh{std::move(surface.points), std::move(surface.triangles), start.rim_place};
-  mesh.rim_place.resize(mesh.points.size());
+  Subdivision mesh{std::move(surface.points), std::move(surface.triangles), start.boundary_place};
+  mesh.boundary_place.resize(mesh.points.size());
   std::vector<char> fixed(start.fixed.size(), 1);
   split_into_four(mesh);
-  hold_rims(mesh, fixed);
-  round_rims(mesh, start.rims, start.subdivisions + 1, fixed);
+  hold_boundaries(mesh, fixed);
+  round_boundaries(mesh, start.boundaries, start.subdivisions + 1, fixed);
   PolyhedronPatch result = numbered(evolved, mesh, fixed, static_cast<int>(start.fixed.size()));
-  result.rims = start.rims;
+  result.boundaries = start.boundaries;
   result.subdivisions = start.subdivisions + 1;
   return result;
 }

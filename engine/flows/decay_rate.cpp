@@ -50,11 +50,11 @@ double slowest_decay_rate(FlowKind flow, const Patch& patch, const CancelToken& 
 }
 
 double rough_decay_rate(FlowKind flow, const Patch& patch) {
-  double rim = 0;
+  double boundary = 0;
   for (const std::vector<int>& loop : patch.loops)
     for (std::size_t k = 0; k < loop.size(); ++k)
-      rim += (patch.positions[loop[(k + 1) % loop.size()]] - patch.positions[loop[k]]).norm();
-  const double area = patch_area(patch), R = std::min(std::sqrt(area / std::numbers::pi), 2 * area / rim);
+      boundary += (patch.positions[loop[(k + 1) % loop.size()]] - patch.positions[loop[k]]).norm();
+  const double area = patch_area(patch), R = std::min(std::sqrt(area / std::numbers::pi), 2 * area / boundary);
   switch (flow) {  // docs/dev/numerics.md, "Time step": measured on discs
     case FlowKind::mcf: return 0.5 * std::pow(2.41 / R, 2);
     case FlowKind::sdf:

@@ -18,7 +18,7 @@ SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
 /// or when cancelled.
 double slowest_decay_rate(FlowKind flow, const Patch& patch, const CancelToken& cancel = {});
 
-/// The same of a flat disc that has the patch's area or, if that makes a smaller one, as much area for its rim. For MMCVF on
+/// The same of a flat disc that has the patch's area or, if that makes a smaller one, as much area for its boundary. For MMCVF on
 /// a long slit up to (2π/3.9)⁶ = 17 times too small, but it costs nothing.
 double rough_decay_rate(FlowKind flow, const Patch& patch);
 

@@ -31,9 +31,9 @@ GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& o
 
 SparseMatrix near_gauss_newton(const Patch& patch, const EnergyWeights& weights, double mu) {
   const SparseMatrix M(barycentric_areas(patch.positions, patch.triangles).head(patch.free_count).asDiagonal());
-  SparseMatrix nearby = mu * M + 0.25 * weights.variation * clamped_polyharmonic(FlowKind::mmcvf, patch);
-  if (weights.bending > 0) nearby += 0.25 * weights.bending * clamped_polyharmonic(FlowKind::wf, patch);
-  return nearby.triangularView<Eigen::Lower>();
+  SparseMatrix preconditioner = mu * M + 0.25 * weights.variation * clamped_polyharmonic(FlowKind::mmcvf, patch);
+  if (weights.bending > 0) preconditioner += 0.25 * weights.bending * clamped_polyharmonic(FlowKind::wf, patch);
+  return preconditioner.triangularView<Eigen::Lower>();
 }
 
 }  // namespace loopmend

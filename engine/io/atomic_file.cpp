@@ -2,10 +2,8 @@
 #include "io/atomic_file.h"
 
 #include "core/error.h"
+#include "io/system_files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,10 +11,8 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <random>
@@ -85,10 +81,15 @@ class Registration {
 
 std::string reason_text(int reason) { return std::generic_category().message(reason); }
 
+/// As a value of errno.
+int reason_of(const std::error_code& error) { return error.default_error_condition().value(); }
+
 std::string cure_for(int reason) {
   switch (reason) {
-    case ENOSPC:
-    case EDQUOT: return "Make room on the disk, or choose another place.";
+#ifdef EDQUOT
+    case EDQUOT:
+#endif
+    case ENOSPC: return "Make room on the disk, or choose another place.";
     case EFBIG: return "The file would be larger than is allowed here; choose another place.";
     case EACCES:
     case EPERM: return "Choose a folder in which you may write.";
@@ -147,30 +148,30 @@ class DescriptorBuffer : public std::streambuf {
 std::filesystem::path follow_links(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path target = std::filesystem::absolute(path, error);
-  if (error) fail(path, "cannot be written", error.value());
+  if (error) fail(path, "cannot be written", reason_of(error));
   for (int step = 0; step < 40; ++step) {
     if (!std::filesystem::is_symlink(std::filesystem::symlink_status(target, error))) return target;
     const std::filesystem::path link = std::filesystem::read_symlink(target, error);
-    if (error) fail(path, "cannot be written", error.value());
+    if (error) fail(path, "cannot be written", reason_of(error));
     target = link.is_absolute() ? link : target.parent_path() / link;
   }
   fail(path, "cannot be written", ELOOP);
 }
 
-/// What stands at the target now; nothing if there is no file yet.
-std::optional<struct stat> existing_file(const std::filesystem::path& path, const std::filesystem::path& target) {
-  struct stat status {};
-  if (::stat(target.c_str(), &status) != 0) {
-    if (errno == ENOENT) return std::nullopt;
-    fail(path, "cannot be written", errno);
-  }
-  if (S_ISDIR(status.st_mode)) throw WriteError(path, "is a folder, not a file", "Choose a file name inside it.");
-  if (!S_ISREG(status.st_mode)) throw WriteError(path, "is not a regular file", "Choose another name.");
+/// Whether a file stands at the target now. @throws WriteError if it cannot be replaced.
+bool has_file(const std::filesystem::path& path, const std::filesystem::path& target) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(target, error);
+  if (status.type() == std::filesystem::file_type::not_found) return false;
+  if (!std::filesystem::status_known(status)) fail(path, "cannot be written", reason_of(error));
+  if (std::filesystem::is_directory(status))
+    throw WriteError(path, "is a folder, not a file", "Choose a file name inside it.");
+  if (!std::filesystem::is_regular_file(status))
+    throw WriteError(path, "is not a regular file", "Choose another name.");
   // Renaming over a write-protected file would succeed; the protection was meant, though.
-  if (::access(target.c_str(), W_OK) != 0) {
+  if (!may_write(target))
     throw WriteError(path, "the file is write-protected: " + reason_text(errno), "Save under another name.");
-  }
-  return status;
+  return true;
 }
 
 constexpr std::string_view temporary_prefix = ".loopmend-";
@@ -187,31 +188,24 @@ std::string hexadecimal(std::uint32_t bits) {
 /// In the names of temporary files: where their process ids mean something. A folder may be shared between machines, or
 /// between containers of one machine, and the id of another's process says nothing here.
 std::string machine_tag() {
-  std::string identity;
-  std::ifstream machine("/etc/machine-id");
-  std::getline(machine, identity);
-  std::array<char, 256> host{};
-  if (::gethostname(host.data(), host.size() - 1) == 0) identity += host.data();
-  struct stat processes {};
-  if (::stat("/proc/self/ns/pid", &processes) == 0) identity.append(" ").append(std::to_string(processes.st_ino));
   std::uint32_t hash = 2166136261U;  // FNV-1a, which is the same in every build
-  for (const char c : identity) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  for (const char c : process_namespace()) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
   return hexadecimal(hash);
 }
 
 std::filesystem::path temporary_name(const std::filesystem::path& folder) {
   std::random_device random;
   std::string name(temporary_prefix);
-  name += std::to_string(::getpid()) + "-" + machine_tag() + hexadecimal(random());
+  name += std::to_string(process_id()) + "-" + machine_tag() + hexadecimal(random());
   return folder / name.append(temporary_suffix);
 }
 
 /// The process that made a temporary file of this machine; nothing if the name is no such file's.
-std::optional<pid_t> maker_of(std::string_view name, std::string_view tag) {
+std::optional<std::int32_t> maker_of(std::string_view name, std::string_view tag) {
   if (!name.starts_with(temporary_prefix) || !name.ends_with(temporary_suffix)) return std::nullopt;
   name.remove_prefix(temporary_prefix.size());
   name.remove_suffix(temporary_suffix.size());
-  pid_t process = 0;
+  std::int32_t process = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
   if (error != std::errc() || process <= 0) return std::nullopt;
   name.remove_prefix(static_cast<std::size_t>(end - name.data()));
@@ -225,13 +219,11 @@ std::optional<pid_t> maker_of(std::string_view name, std::string_view tag) {
 /// in use again stays.
 void remove_leftovers(const std::filesystem::path& folder) {
   const std::string tag = machine_tag();
-  std::error_code error;
+  std::error_code error, ignored;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::optional<pid_t> maker = maker_of(entry->path().filename().native(), tag);
-    if (!maker || ::kill(*maker, 0) == 0 || errno != ESRCH) continue;
-    struct stat status {};
-    if (::lstat(entry->path().c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid())
-      ::unlink(entry->path().c_str());
+    const std::optional<std::int32_t> maker = maker_of(entry->path().filename().string(), tag);
+    if (maker && process_has_ended(*maker) && is_own_file(entry->path()))
+      std::filesystem::remove(entry->path(), ignored);
   }
 }
 
@@ -239,56 +231,30 @@ void remove_leftovers(const std::filesystem::path& folder) {
 class TemporaryFile {
  public:
   /// @param path  the name that error messages speak of
-  /// @param mode  before the umask
-  TemporaryFile(const std::filesystem::path& path, const std::filesystem::path& folder, mode_t mode)
+  TemporaryFile(const std::filesystem::path& path, const std::filesystem::path& folder, Readers readers)
       : path_(path),
         name_(temporary_name(folder)),
         registration_(name_.string(), path.string()) {
-    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    descriptor_ = open_new_file(name_, readers);
     if (descriptor_ < 0) fail(path_, "cannot be written in this folder", errno);
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
-    if (!renamed_) ::unlink(name_.c_str());
+    std::error_code ignored;
+    if (!renamed_) std::filesystem::remove(name_, ignored);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   int descriptor() const { return descriptor_; }
 
-  /// Owner first, since changing it may take away bits of the mode. A foreign owner cannot be kept by everyone; what ran
-  /// with the owner's rights must not run with another's then.
-  void take_mode_of(const struct stat& status) const {
-    mode_t mode = status.st_mode & 07777U;
-    if (::fchown(descriptor_, status.st_uid, status.st_gid) != 0) {
-      const bool group_kept = ::fchown(descriptor_, static_cast<uid_t>(-1), status.st_gid) == 0;
-      if (status.st_uid != ::geteuid()) mode &= ~static_cast<mode_t>(S_ISUID);
-      if (!group_kept) mode &= ~static_cast<mode_t>(S_ISGID);
-    }
-    if (::fchmod(descriptor_, mode) != 0) fail(path_, "cannot be written", errno);
-  }
-
-  /// Access lists and whatever a person or a desktop has noted with the file; what the system refuses is left.
-  /// Signatures of the content and rights of a program do not hold for another content.
-  void take_attributes_of(const std::filesystem::path& target) const {
-    const ssize_t length = ::listxattr(target.c_str(), nullptr, 0);
-    if (length <= 0) return;
-    std::vector<char> names(static_cast<std::size_t>(length));
-    const ssize_t filled = ::listxattr(target.c_str(), names.data(), names.size());
-    for (ssize_t at = 0; at < filled; at += static_cast<ssize_t>(std::strlen(&names[at])) + 1) {
-      const char* name = &names[at];
-      if (std::string_view(name).starts_with("security.") && std::string_view(name) != "security.selinux") continue;
-      const ssize_t size = ::getxattr(target.c_str(), name, nullptr, 0);
-      if (size < 0) continue;
-      std::vector<char> value(static_cast<std::size_t>(size) + 1);
-      if (::getxattr(target.c_str(), name, value.data(), value.size()) == size)
-        static_cast<void>(::fsetxattr(descriptor_, name, value.data(), static_cast<std::size_t>(size), 0));
-    }
+  void take_properties_of(const std::filesystem::path& target) const {
+    if (const int reason = take_properties(descriptor_, target); reason != 0) fail(path_, "cannot be written", reason);
   }
 
   /// Everything is on the disk when this returns; a full disk may tell only now.
   void finish() {
-    if (::fsync(descriptor_) != 0) fail(path_, "cannot be written", errno);
+    if (flush_to_disk(descriptor_) != 0) fail(path_, "cannot be written", errno);
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) fail(path_, "cannot be written", errno);
@@ -296,10 +262,9 @@ class TemporaryFile {
 
   void rename_to(const std::filesystem::path& target) {
     registration_.become(KnownFile::in_transit);
-    if (::rename(name_.c_str(), target.c_str()) != 0) {
-      const int reason = errno;
+    if (const std::error_code error = replace_file(name_, target); error) {
       registration_.become(KnownFile::unfinished);
-      fail(path_, "cannot be replaced", reason);
+      fail(path_, "cannot be replaced", reason_of(error));
     }
     renamed_ = true;
     registration_.become(KnownFile::in_place);
@@ -313,14 +278,6 @@ class TemporaryFile {
   int descriptor_ = -1;
   bool renamed_ = false;
 };
-
-/// So that the new name survives a power cut. The file stands already: a folder that cannot be synced is no failure.
-void sync_folder(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
 
 /// A file that is complete but for its name.
 struct PreparedFile {
@@ -336,15 +293,12 @@ PreparedFile prepare(const std::filesystem::path& path, const std::function<void
   require_file_name(path);
   PreparedFile prepared;
   prepared.target = follow_links(path);
-  const std::optional<struct stat> old = existing_file(path, prepared.target);
+  const bool replaces = has_file(path, prepared.target);
   remove_leftovers(prepared.target.parent_path());
   // What few may read is never open to more, not even while it is written.
-  const mode_t mode = old ? S_IRUSR | S_IWUSR : 0666;
-  prepared.file = std::make_unique<TemporaryFile>(path, prepared.target.parent_path(), mode);
-  if (old) {
-    prepared.file->take_mode_of(*old);
-    prepared.file->take_attributes_of(prepared.target);
-  }
+  prepared.file = std::make_unique<TemporaryFile>(path, prepared.target.parent_path(),
+                                                  replaces ? Readers::owner : Readers::by_default);
+  if (replaces) prepared.file->take_properties_of(prepared.target);
   DescriptorBuffer buffer(prepared.file->descriptor());
   std::ostream stream(&buffer);
   write(stream);
@@ -362,7 +316,8 @@ class NewFolder {
       : name_(std::filesystem::absolute(path)),
         registration_(name_.string(), "", KnownFile::folder) {}
   ~NewFolder() {
-    if (!kept_) ::rmdir(name_.c_str());  // does nothing where something stands in it by now
+    std::error_code ignored;
+    if (!kept_) std::filesystem::remove(name_, ignored);  // does nothing where something stands in it by now
   }
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;
@@ -379,7 +334,7 @@ class NewFolder {
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
   const PreparedFile prepared = prepare(path, write);
   prepared.file->rename_to(prepared.target);
-  sync_folder(prepared.target.parent_path());
+  flush_folder(prepared.target.parent_path());
 }
 
 struct OutputTransaction::Impl {
@@ -423,37 +378,35 @@ void OutputTransaction::commit() {
   for (const PreparedFile& prepared : impl_->files) {
     const std::filesystem::path folder = prepared.target.parent_path();
     if (std::find(synced.begin(), synced.end(), folder) != synced.end()) continue;
-    sync_folder(folder);
+    flush_folder(folder);
     synced.push_back(folder);
   }
   impl_->files.clear();
 }
 
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  struct stat first {
-  }, second{};
-  const auto same = [&] { return first.st_dev == second.st_dev && first.st_ino == second.st_ino; };
-  const bool a_exists = ::stat(a.c_str(), &first) == 0, b_exists = ::stat(b.c_str(), &second) == 0;
+  std::error_code error;
+  const bool a_exists = std::filesystem::exists(a, error), b_exists = std::filesystem::exists(b, error);
   if (a_exists != b_exists) return false;
-  if (a_exists) return same();
+  if (a_exists) return std::filesystem::equivalent(a, b, error);
   const std::filesystem::path target_a = follow_links(a), target_b = follow_links(b);
   if (target_a.filename() != target_b.filename()) return false;
-  if (::stat(target_a.parent_path().c_str(), &first) == 0 && ::stat(target_b.parent_path().c_str(), &second) == 0)
-    return same();
-  return target_a.lexically_normal() == target_b.lexically_normal();
+  const bool same_folder = std::filesystem::equivalent(target_a.parent_path(), target_b.parent_path(), error);
+  return error ? target_a.lexically_normal() == target_b.lexically_normal() : same_folder;
 }
 
 void check_writable(const std::filesystem::path& path) {
   require_file_name(path);
   const std::filesystem::path target = follow_links(path);
-  existing_file(path, target);
-  const TemporaryFile probe(path, target.parent_path(), 0666);  // gone at once
+  has_file(path, target);
+  const TemporaryFile probe(path, target.parent_path(), Readers::by_default);  // gone at once
 }
 
 std::size_t other_names(const std::filesystem::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink == 0) return 0;
-  return static_cast<std::size_t>(status.st_nlink) - 1;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return 0;
+  const std::uintmax_t names = std::filesystem::hard_link_count(path, error);
+  return error || names == 0 ? 0 : static_cast<std::size_t>(names) - 1;
 }
 
 void remove_unfinished_files() noexcept {
@@ -461,11 +414,11 @@ void remove_unfinished_files() noexcept {
     const int state = file.state.load();
     if (state != KnownFile::unfinished && state != KnownFile::in_transit) continue;
     // What is being renamed by another thread is either still there, and then never gets its name, or has it already.
-    const bool gone = ::unlink(file.path.data()) != 0 && errno == ENOENT;
+    const bool gone = remove_file_at_exit(file.path.data()) == ENOENT;
     if (gone && state == KnownFile::in_transit) file.state.store(KnownFile::in_place);
   }
   for (auto file = known_files.rbegin(); file != known_files.rend(); ++file)
-    if (file->state.load() == KnownFile::folder) ::rmdir(file->path.data());
+    if (file->state.load() == KnownFile::folder) remove_folder_at_exit(file->path.data());
 }
 
 const char* file_in_place(std::size_t k) noexcept {

@@ -5,35 +5,17 @@
 #include "io/gzip.h"
 #include "io/text_cursor.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 
 namespace loopmend {
 
 namespace {
-
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 [[noreturn]] void fail_open(const std::filesystem::path& path, int reason) {
   if (reason == ENOENT || reason == ENOTDIR) {
@@ -45,12 +27,15 @@ class Descriptor {
   throw ReadError(path, "cannot be read: " + std::generic_category().message(reason), "", "");
 }
 
-/// Looks before opening: opening a pipe would wait for ever.
-void require_regular_file(const std::filesystem::path& path, const struct stat& status) {
-  if (S_ISDIR(status.st_mode)) throw ReadError(path, "is a folder, not a file", "", "Choose a file inside it.");
-  if (!S_ISREG(status.st_mode)) {
+/// Before it is opened: to open a pipe would wait for ever.
+void require_regular_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail_open(path, error.default_error_condition().value());
+  if (std::filesystem::is_directory(status))
+    throw ReadError(path, "is a folder, not a file", "", "Choose a file inside it.");
+  if (!std::filesystem::is_regular_file(status))
     throw ReadError(path, "is not a regular file", "", "Copy its content to a file first.");
-  }
 }
 
 bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
@@ -141,25 +126,19 @@ std::string_view mesh_text(const FileContent& file) {
 }
 
 FileContent load_bytes(const std::filesystem::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) fail_open(path, errno);
-  require_regular_file(path, status);
-  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (descriptor.number() < 0) fail_open(path, errno);
-  if (::fstat(descriptor.number(), &status) != 0) fail_open(path, errno);
-  require_regular_file(path, status);
+  require_regular_file(path);
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail_open(path, errno);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) fail_open(path, error.default_error_condition().value());
 
   FileContent file{path, {}};
-  file.bytes.resize(static_cast<std::size_t>(status.st_size));
-  std::size_t got = 0;
-  while (got < file.bytes.size()) {
-    const ssize_t count = ::read(descriptor.number(), file.bytes.data() + got, file.bytes.size() - got);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_open(path, errno);
-    if (count == 0) break;  // it shrank meanwhile: what is there is judged like any other file
-    got += static_cast<std::size_t>(count);
-  }
-  file.bytes.resize(got);
+  file.bytes.resize(static_cast<std::size_t>(size));
+  stream.read(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+  if (stream.bad()) fail_open(path, errno);
+  file.bytes.resize(static_cast<std::size_t>(stream.gcount()));  // it may have shrunk: judged like any other file
   if (file.bytes.empty()) throw ReadError(path, "the file is empty (0 bytes)", "", "Export or copy the mesh again.");
   return file;
 }

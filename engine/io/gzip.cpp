@@ -2,9 +2,9 @@
 #include "io/gzip.h"
 
 #include "core/error.h"
+#include "core/system_memory.h"
 #include "io/text_cursor.h"
 
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -34,12 +34,6 @@ struct Inflation {
   Inflation& operator=(const Inflation&) = delete;
 };
 
-std::size_t most_bytes() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-  return pages > 0 && page > 0 ? static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page)
-                               : std::numeric_limits<std::size_t>::max();
-}
-
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem, std::size_t byte) {
   throw ReadError(path, problem, "byte " + std::to_string(byte), "Copy or compress it again.");
 }
@@ -53,11 +47,11 @@ std::string gunzip(const std::filesystem::path& path, std::string_view bytes) {
   z_stream& stream = inflation.stream;
   std::string result, buffer(piece, '\0');
   std::size_t at = 0;
-  const std::size_t most = most_bytes();
+  const double most = memory_of_machine() / 2;
   while (is_gzip(bytes.substr(at))) {
     inflateReset(&stream);
     for (int outcome = Z_OK; outcome != Z_STREAM_END;) {
-      if (result.size() > most)
+      if (static_cast<double>(result.size()) > most)
         throw ReadError(path, "the unpacked mesh would take more than half of this computer's memory", "",
                         "Reduce it first.");
       stream.next_in = bytes_of(bytes.data() + at);

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <clocale>
-#include <cstdlib>
+#include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -16,10 +17,15 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
-/// from_chars leaves the value open when it is too large or too small for a double; strtod says which of the two.
-double out_of_range_value(std::string_view token) {
-  static const locale_t c_locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
-  return ::strtod_l(std::string(token).c_str(), nullptr, c_locale);
+/// Of a decimal number, in the C locale: its nearest double, infinity or zero where there is none.
+double value_by_stream(std::string_view token) {
+  std::istringstream stream{std::string(token)};
+  stream.imbue(std::locale::classic());
+  double value = 0;
+  stream >> value;  // where the number is too large, standard libraries leave the largest double or infinity
+  return std::abs(value) < std::numeric_limits<double>::max()
+             ? value
+             : std::copysign(std::numeric_limits<double>::infinity(), value);
 }
 
 /// What old Visual C++ prints after "1." for what is no finite number, as in "-1.#IND" and "1.#INF00".
@@ -52,6 +58,29 @@ std::size_t comment_in(std::string_view line, char mark) {
   return at;
 }
 
+#ifndef __cpp_lib_to_chars
+/// [-]digits[.digits][e[+-]digits], with a digit before or after the point.
+bool is_decimal(std::string_view token) {
+  const auto digits = [&token] {
+    const std::size_t count = std::min(token.find_first_not_of("0123456789"), token.size());
+    token.remove_prefix(count);
+    return count;
+  };
+  const auto take = [&token](std::string_view any) {
+    if (token.empty() || any.find(token.front()) == std::string_view::npos) return false;
+    token.remove_prefix(1);
+    return true;
+  };
+  take("-");
+  std::size_t count = digits();
+  if (take(".")) count += digits();
+  if (count == 0) return false;
+  if (!take("eE")) return token.empty();
+  take("+-");
+  return digits() > 0 && token.empty();
+}
+#endif
+
 }  // namespace
 
 char ascii_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -69,12 +98,16 @@ std::optional<double> parse_double(std::string_view token) {
     token.remove_prefix(1);
     if (!token.empty() && token.front() == '-') return std::nullopt;
   }
+#ifdef __cpp_lib_to_chars
   double value = 0.0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (token.empty() || end != token.data() + token.size()) return not_finite_value(token);
-  if (error == std::errc::result_out_of_range) return out_of_range_value(token);
+  if (error == std::errc::result_out_of_range) return value_by_stream(token);
   if (error != std::errc()) return std::nullopt;
   return value;
+#else  // such as libc++ before LLVM 20
+  return is_decimal(token) ? value_by_stream(token) : not_finite_value(token);
+#endif
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view token) {

@@ -22,12 +22,12 @@ namespace loopmend {
 
 namespace {
 
-/// A rim whose geodesic curvature is above this share of 2π bounds a sheet. A ball of which less than a fifth is left
+/// A boundary whose geodesic curvature is above this share of 2π bounds a sheet. A ball of which less than a fifth is left
 /// (opening angle over 127°) is a sheet too; the end of a tube (0) and a hole (−1) are not. A small loop that turns so is a
 /// hole at the tip of something.
 constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
-/// So does a rim that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
-/// mask, or a ragged scan seen from one side, however its rim turns.
+/// So does a boundary that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
+/// mask, or a ragged scan seen from one side, however its boundary turns.
 constexpr double whole_extent = 0.84, sheet_depth = 0.475, straight_on = 0.9;
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {

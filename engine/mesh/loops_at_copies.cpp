@@ -33,7 +33,7 @@ std::set<int> joinable_points(const SurfaceModel& model, const std::vector<int>&
 }
 
 /// A vertex of a loop on the way round, and the loop's own neighbors of it; once joined, `to` is that of the last copy.
-struct Passage {
+struct Visit {
   int first, from, to;
   bool is_joined = false;
 };
@@ -43,12 +43,12 @@ void part(const SurfaceModel& model, const std::vector<int>& number, const std::
   const std::set<int> joinable = joinable_points(model, loop);
   if (joinable.empty()) return;
   const std::size_t n = loop.size();
-  std::vector<Passage> open;         // since the last closed part
+  std::vector<Visit> open;           // since the last closed part
   std::vector<int> point_of;         // of each of these
   std::map<int, std::size_t> place;  // of joinable points among them
   for (std::size_t i = 0; i < n; ++i) {
     const int point = model.soup_vertex[loop[i]];
-    const Passage here{number[loop[i]], number[loop[(i + n - 1) % n]], number[loop[(i + 1) % n]]};
+    const Visit here{number[loop[i]], number[loop[(i + n - 1) % n]], number[loop[(i + 1) % n]]};
     const auto met = place.find(point);
     if (met == place.end()) {
       if (joinable.contains(point)) place.emplace(point, open.size());
@@ -56,21 +56,21 @@ void part(const SurfaceModel& model, const std::vector<int>& number, const std::
       point_of.push_back(point);
       continue;
     }
-    Passage& before = open[met->second];
+    Visit& before = open[met->second];
     result.joined.emplace(here.first, before.first);
     result.links.push_back({here.from, before.first, before.to});
     before.to = here.to;
     before.is_joined = true;
     while (open.size() > met->second + 1) {  // the part that is closed now
-      const Passage& closed = open.back();
+      const Visit& closed = open.back();
       if (closed.is_joined) result.links.push_back({closed.from, closed.first, closed.to});
       place.erase(point_of.back());
       open.pop_back();
       point_of.pop_back();
     }
   }
-  for (const Passage& passage : open)
-    if (passage.is_joined) result.links.push_back({passage.from, passage.first, passage.to});
+  for (const Visit& visit : open)
+    if (visit.is_joined) result.links.push_back({visit.from, visit.first, visit.to});
 }
 
 }  // namespace

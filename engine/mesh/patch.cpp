@@ -37,19 +37,19 @@ Neighborhood collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>&
   return s;
 }
 
-void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopPatch>& fillers) {
-  if (loops.size() != fillers.size() || loops.empty())
+void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopPatch>& initial_patches) {
+  if (loops.size() != initial_patches.size() || loops.empty())
     throw InvalidArgument("a patch needs one initial patch for each loop, and at least one loop");
   for (std::size_t k = 0; k < loops.size(); ++k)
-    if (fillers[k].points.size() < loops[k].vertices.size())
+    if (initial_patches[k].points.size() < loops[k].vertices.size())
       throw InvalidArgument("an initial patch has fewer points than its loop");
 }
 
 }  // namespace
 
 Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                 const std::vector<LoopPatch>& fillers) {
-  check_sizes(loops, fillers);
+                 const std::vector<LoopPatch>& initial_patches) {
+  check_sizes(loops, initial_patches);
   Patch patch;
   Eigen::AlignedBox3d box;
   for (const BoundaryLoop& loop : loops)
@@ -59,21 +59,21 @@ Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
   if (!(patch.scale > 0)) throw InvalidArgument("a loop has no extent: all its vertices are in one place");
 
   for (std::size_t k = 0; k < loops.size(); ++k)
-    patch.free_count += static_cast<int>(fillers[k].points.size() - loops[k].vertices.size());
+    patch.free_count += static_cast<int>(initial_patches[k].points.size() - loops[k].vertices.size());
   const Neighborhood around = collect_rings(model.mesh, loops);
 
   int next_free = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const int rim = loops[k].edges();
-    std::vector<int> number(fillers[k].points.size());
-    for (int i = 0; i < rim; ++i) number[i] = patch.free_count + around.index.at(loops[k].vertices[i]);
-    for (std::size_t i = rim; i < number.size(); ++i) {
+    const int boundary = loops[k].edges();
+    std::vector<int> number(initial_patches[k].points.size());
+    for (int i = 0; i < boundary; ++i) number[i] = patch.free_count + around.index.at(loops[k].vertices[i]);
+    for (std::size_t i = boundary; i < number.size(); ++i) {
       number[i] = next_free++;
-      patch.positions.push_back(patch.to_frame(fillers[k].points[i]));
+      patch.positions.push_back(patch.to_frame(initial_patches[k].points[i]));
     }
-    for (const Triangle& t : fillers[k].triangles)
+    for (const Triangle& t : initial_patches[k].triangles)
       patch.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-    patch.loops.emplace_back(number.begin(), number.begin() + rim);
+    patch.loops.emplace_back(number.begin(), number.begin() + boundary);
     patch.loop_numbers.push_back(loops[k].number);
   }
   patch.patch_triangles = static_cast<int>(patch.triangles.size());
@@ -104,13 +104,14 @@ Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
 
 PatchGeometry patch_geometry(const Patch& patch) {
   PatchGeometry geometry;
-  int rim = 0;
-  while (patch.free_count + rim < patch.vertex_count() && patch.ring[patch.free_count + rim] == 1) ++rim;
-  geometry.rim.assign(patch.view_vertex.begin() + patch.free_count, patch.view_vertex.begin() + patch.free_count + rim);
+  int boundary = 0;
+  while (patch.free_count + boundary < patch.vertex_count() && patch.ring[patch.free_count + boundary] == 1) ++boundary;
+  geometry.boundary.assign(patch.view_vertex.begin() + patch.free_count,
+                           patch.view_vertex.begin() + patch.free_count + boundary);
   for (int i = 0; i < patch.free_count; ++i) geometry.points.push_back(patch.to_mesh(patch.positions[i]));
   for (int f = 0; f < patch.patch_triangles; ++f) {
     Triangle t = patch.triangles[f];
-    for (int& v : t) v = v < patch.free_count ? v + rim : v - patch.free_count;
+    for (int& v : t) v = v < patch.free_count ? v + boundary : v - patch.free_count;
     geometry.triangles.push_back(t);
   }
   return geometry;

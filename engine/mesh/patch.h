@@ -16,10 +16,10 @@ struct LoopPatch {
   Triangles triangles;  ///< oriented like the neighborhood
 };
 
-/// How the target length of a patch's edges changes inward from its rim.
+/// How the target length of a patch's edges changes inward from its boundary.
 struct Grading {
-  double density = 1;  ///< 0.1..10: edges aim at those of the rim divided by this
-  double growth = 0;   ///< 0..1: where not 0, what edges gain per length of way from the rim, whatever the density
+  double density = 1;  ///< 0.1..10: edges aim at those of the boundary divided by this
+  double growth = 0;   ///< 0..1: where not 0, what edges gain per length of way from the boundary, whatever the density
   double longest = std::numeric_limits<double>::max();  ///< edge that growth may lead to, patch frame
 };
 
@@ -50,7 +50,7 @@ inline constexpr int patch_rings = 6;
 /// Joins loops and their initial patches into one problem. Several loops are given together when their rings overlap.
 /// @throws InvalidArgument if sizes disagree.
 Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                 const std::vector<LoopPatch>& fillers);
+                 const std::vector<LoopPatch>& initial_patches);
 
 /// The patch in mesh units, ready for append_patch.
 PatchGeometry patch_geometry(const Patch& patch);

@@ -130,8 +130,8 @@ std::vector<HoleWithIslands> find_islands(const SurfaceModel& model, const std::
       if ((loop.center - loops[island].center).norm() > loop.diameter) continue;
       if (pieces.beside(loop) == pieces.beside(loops[island])) continue;
       const Outline& outline = outlines.try_emplace(hole, mesh, loop).first->second;
-      const std::vector<int>& rim = loops[island].vertices;
-      if (std::all_of(rim.begin(), rim.end(),
+      const std::vector<int>& boundary = loops[island].vertices;
+      if (std::all_of(boundary.begin(), boundary.end(),
                       [&](int v) { return outline.holds(mesh.point(TriMesh::VertexHandle(v))); }))
         around = hole;
     }

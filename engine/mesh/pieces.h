@@ -47,7 +47,7 @@ class Pieces {
 
 struct HoleWithIslands {
   int hole = 0;              ///< index into the loops
-  std::vector<int> islands;  ///< rims of other pieces that lie within it, ascending
+  std::vector<int> islands;  ///< boundaries of other pieces that lie within it, ascending
 };
 
 /// Holes in which other pieces lie: seen square to the hole's best plane, the piece's outer rim is inside the hole, and no

@@ -77,7 +77,7 @@ void check_held(const TriMesh& mesh, const std::vector<char>& free) {
 }
 
 /// Closed chains of the directed edges that only one of the patch's own triangles has.
-std::vector<std::vector<int>> rims_of(const Patch& patch) {
+std::vector<std::vector<int>> boundaries_of(const Patch& patch) {
   std::map<std::pair<int, int>, char> open;
   for (int f = 0; f < patch.patch_triangles; ++f)
     for (int k = 0; k < 3; ++k) {
@@ -86,19 +86,19 @@ std::vector<std::vector<int>> rims_of(const Patch& patch) {
     }
   std::multimap<int, int> next;
   for (const auto& [edge, unused] : open) next.emplace(edge.first, edge.second);
-  std::vector<std::vector<int>> rims;
+  std::vector<std::vector<int>> boundaries;
   while (!next.empty()) {
-    std::vector<int> rim;
-    for (auto at = next.begin(); at != next.end(); at = next.find(rim.back())) {
-      if (rim.empty()) rim.push_back(at->first);
+    std::vector<int> boundary;
+    for (auto at = next.begin(); at != next.end(); at = next.find(boundary.back())) {
+      if (boundary.empty()) boundary.push_back(at->first);
       const int to = at->second;
       next.erase(at);
-      if (to == rim.front()) break;
-      rim.push_back(to);
+      if (to == boundary.front()) break;
+      boundary.push_back(to);
     }
-    rims.push_back(std::move(rim));
+    boundaries.push_back(std::move(boundary));
   }
-  return rims;
+  return boundaries;
 }
 
 bool same_triangle(const Triangle& a, const Triangle& b) {
@@ -156,7 +156,7 @@ Region make_region(const SurfaceModel& model, const std::vector<int>& vertices) 
   }
   patch.patch_triangles = static_cast<int>(patch.triangles.size());
   patch.triangles.insert(patch.triangles.end(), around.begin(), around.end());
-  patch.loops = rims_of(patch);
+  patch.loops = boundaries_of(patch);
   for (std::size_t k = 0; k < patch.loops.size(); ++k) patch.loop_numbers.push_back(static_cast<int>(k) + 1);
   return region;
 }

@@ -10,7 +10,7 @@
 namespace loopmend {
 
 struct Region {
-  Patch patch;                    ///< its loops are the region's rims; every triangle with a free corner is its own
+  Patch patch;  ///< its loops are the region's boundaries; every triangle with a free corner is its own
   std::vector<int> free_vertex;   ///< #free: soup point of each free vertex
   std::vector<int> own_triangle;  ///< #patch_triangles: soup triangle of each
   int held_at_boundary = 0;       ///< vertices of the region on the surface's own boundary: they stay

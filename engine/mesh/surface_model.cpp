@@ -221,8 +221,8 @@ bool is_cut_off(const SurfaceModel& model, int view_vertex) {
 namespace {
 
 void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
-  const int rim_size = static_cast<int>(patch.rim.size());
-  const int vertex_count = rim_size + static_cast<int>(patch.points.size());
+  const int boundary_size = static_cast<int>(patch.boundary.size());
+  const int vertex_count = boundary_size + static_cast<int>(patch.points.size());
   const DirectedEdges directed(patch.triangles, static_cast<int>(patch.triangles.size()));
   for (const auto& [a, b] : directed.all())
     if (a < 0 || a >= vertex_count || a == b)
@@ -230,10 +230,10 @@ void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
   if (directed.any_twice()) throw InvalidArgument("the patch is not an oriented manifold");
   for (const auto& [a, b] : directed.all()) {
     const bool open = !directed.contains({b, a});
-    const bool on_rim = a < rim_size && b < rim_size;
-    if (open && !on_rim) throw InvalidArgument("the patch has an open edge away from its boundary");
-    if (!on_rim) continue;
-    const auto h = model.mesh.find_halfedge(VertexHandle(patch.rim[a]), VertexHandle(patch.rim[b]));
+    const bool on_boundary = a < boundary_size && b < boundary_size;
+    if (open && !on_boundary) throw InvalidArgument("the patch has an open edge away from its boundary");
+    if (!on_boundary) continue;
+    const auto h = model.mesh.find_halfedge(VertexHandle(patch.boundary[a]), VertexHandle(patch.boundary[b]));
     if (open && (!h.is_valid() || !model.mesh.is_boundary(h)))
       throw InvalidArgument("a boundary edge of the patch is not a boundary edge of the surface");
     if (!open && h.is_valid()) throw InvalidArgument("a chord of the patch is an edge of the surface already");
@@ -256,8 +256,8 @@ void reserve_patches(SurfaceModel& model, std::size_t points, std::size_t triang
 void append_patch(SurfaceModel& model, const PatchGeometry& patch) {
   check_patch_fits(model, patch);
   std::vector<VertexHandle> view;
-  view.reserve(patch.rim.size() + patch.points.size());
-  for (int v : patch.rim) view.emplace_back(v);
+  view.reserve(patch.boundary.size() + patch.points.size());
+  for (int v : patch.boundary) view.emplace_back(v);
   for (const Vec3& p : patch.points) {
     view.push_back(model.mesh.add_vertex(p));
     model.soup_vertex.push_back(static_cast<int>(model.soup.points.size()));
@@ -271,7 +271,7 @@ void append_patch(SurfaceModel& model, const PatchGeometry& patch) {
     model.soup.triangles.push_back({model.soup_vertex[view[t[0]].idx()], model.soup_vertex[view[t[1]].idx()],
                                     model.soup_vertex[view[t[2]].idx()]});
   }
-  for (int v : patch.rim)
+  for (int v : patch.boundary)
     if (fan_count(model.mesh, VertexHandle(v)) > 1) link_fans(model.mesh, VertexHandle(v));
 }
 

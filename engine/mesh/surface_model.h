@@ -94,9 +94,10 @@ std::vector<int> triangles_outside(const SurfaceModel& model);
 
 /// A triangulation that fits into one or more boundary loops of a model, ready to be pasted.
 struct PatchGeometry {
-  std::vector<int> rim;  ///< view vertices that the patch shares with the model; patch vertex i < #rim is rim[i]
-  Points points;         ///< the patch's own vertices; patch vertex #rim + k is points[k]
-  Triangles triangles;   ///< over patch vertices, oriented like the neighborhood
+  std::vector<int>
+      boundary;   ///< view vertices that the patch shares with the model; patch vertex i < #boundary is boundary[i]
+  Points points;  ///< the patch's own vertices; patch vertex #boundary + k is points[k]
+  Triangles triangles;  ///< over patch vertices, oriented like the neighborhood
 };
 
 /// Room for patches of so many points and triangles together: append_patch then takes no more memory for the model.
@@ -104,7 +105,7 @@ struct PatchGeometry {
 void reserve_patches(SurfaceModel& model, std::size_t points, std::size_t triangles);
 
 /// Appends the patch to soup and view. New soup points and triangles come last; nothing that was there moves.
-/// @throws InvalidArgument if the patch does not fit (a rim edge is not a boundary edge); the model is then unchanged, as it
+/// @throws InvalidArgument if the patch does not fit (a boundary edge is not a boundary edge); the model is then unchanged, as it
 ///         is on std::bad_alloc where there is room for the patch.
 void append_patch(SurfaceModel& model, const PatchGeometry& patch);
 

@@ -14,11 +14,11 @@ namespace {
 
 /// Three channels of the patch's colours as vectors: those of its boundary first.
 Points continued(const SparseMatrix& stiffness, const Points& boundary, std::size_t vertices) {
-  const auto rim = static_cast<int>(boundary.size());
+  const auto count = static_cast<int>(boundary.size());
   Points all = boundary;
   const Vec3 sum = std::accumulate(boundary.begin(), boundary.end(), Vec3(Vec3::Zero()));
-  all.resize(vertices, sum / std::max(1, rim));
-  minimise_quadratic_form(stiffness, all, rim, static_cast<int>(vertices));
+  all.resize(vertices, sum / std::max(1, count));
+  minimise_quadratic_form(stiffness, all, count, static_cast<int>(vertices));
   return all;
 }
 
@@ -27,7 +27,7 @@ unsigned char channel(double value) { return static_cast<unsigned char>(std::lro
 std::vector<Color> patch_colors(const SurfaceModel& model, const PatchGeometry& patch) {
   if (model.soup.colors.empty() || patch.points.empty()) return {};
   Points points, rgb, alpha;
-  for (int v : patch.rim) {
+  for (int v : patch.boundary) {
     const auto soup_point = static_cast<std::size_t>(model.soup_vertex[static_cast<std::size_t>(v)]);
     points.push_back(model.soup.points[soup_point]);
     const Color& color = model.soup.colors[soup_point];
@@ -41,7 +41,7 @@ std::vector<Color> patch_colors(const SurfaceModel& model, const PatchGeometry& 
   rgb = continued(stiffness, rgb, points.size());
   alpha = continued(stiffness, alpha, points.size());
   std::vector<Color> colors;
-  for (std::size_t v = patch.rim.size(); v < points.size(); ++v)
+  for (std::size_t v = patch.boundary.size(); v < points.size(); ++v)
     colors.push_back({channel(rgb[v].x()), channel(rgb[v].y()), channel(rgb[v].z()), channel(alpha[v].x())});
   return colors;
 }

@@ -58,7 +58,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   const PatchProblem& problem = context.problem;
   const double reach =
       mean_edge_length(problem.initial.positions, problem.initial.triangles, problem.initial.patch_triangles);
-  const Patch from = context.calm ? carried_to(context.calm->patch, start, reach) : start;
+  const Patch from = context.clean_neighborhood ? carried_to(context.clean_neighborhood->patch, start, reach) : start;
   Evolution evolution(from, options);
   Patch faired = from;  // where the descent of a split sets out
   const PatchStatus status = evolution.run(
@@ -74,7 +74,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
     return false;
   }
   result.reason = is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : "";
-  Patch patch = context.calm ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch();
+  Patch patch = context.clean_neighborhood ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch();
   Validity validity;
   std::vector<SeamReport> seams;
   parallel_invoke([&] { validity = validate(problem.scan, patch); }, [&] { seams = seam_reports(patch); });
@@ -86,7 +86,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
     seams = seam_reports(patch);
   }
   if (!validity.is_clean() && !no_worse(validity, validate(problem.scan, problem.initial))) {
-    if (evolution.method() == Method::split_flow && !context.calm &&
+    if (evolution.method() == Method::split_flow && !context.clean_neighborhood &&
         take_rolled_back(context, faired, evolution, result))
       return true;
     result.message = "the flow would have folded the patch or cut the surface";
@@ -97,8 +97,9 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   result.seams = std::move(seams);
   result.status = status;
   result.method = evolution.method();
-  result.message =
-      evolution.message().empty() && context.calm ? message_on_outliers(context.calm->outliers) : evolution.message();
+  result.message = evolution.message().empty() && context.clean_neighborhood
+                       ? message_on_outliers(context.clean_neighborhood->outliers)
+                       : evolution.message();
   if (bent) {
     result.energy.final = energy_of(result.patch, options.flow);
     add_message(result, bent_message);

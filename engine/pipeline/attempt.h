@@ -2,9 +2,9 @@
 // What all attempts at one patch share, and one run of a flow within them.
 #pragma once
 
+#include "neighborhood/outlier_vertices.h"
 #include "pipeline/patch_result.h"
 #include "pipeline/validate.h"
-#include "rim/outlier_vertices.h"
 
 #include <optional>
 #include <vector>
@@ -22,7 +22,7 @@ struct PatchProblem {
 struct AttemptContext {
   const PatchProblem& problem;
   /// The neighborhood without its outliers, which the patch meets all the same; null: as it is.
-  const CalmNeighborhood* calm;
+  const CleanNeighborhood* clean_neighborhood;
   const Evolution::OnStep& on_step;
   const CancelToken& cancel;
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/compare.h"
 
+#include "neighborhood/boundary_fits.h"
 #include "operators/curvature_energy.h"
 #include "operators/operator_set.h"
 #include "pipeline/evolve_patch.h"
-#include "rim/rim_fits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "neighborhood/trim_boundary.h"
 #include "pipeline/solve_group.h"
-#include "rim/trim_rim.h"
 
 #include <functional>
 #include <limits>

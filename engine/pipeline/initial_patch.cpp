@@ -162,14 +162,14 @@ InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<Bou
 InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
                                  const InitialPatchOptions& options, const CancelToken& cancel) {
   InitialPatch initial;
-  RimSurvey survey;
+  BoundarySurvey survey;
   const bool surveyable = group.size() == 1 && group.front().diameter > 0;
   const auto make = [&] { initial = make_initial_patch(model, group, options, cancel); };
   if (!surveyable) {
     make();
     return initial;
   }
-  parallel_invoke(make, [&] { survey = survey_rim(without_patches(model, group), cancel); });
+  parallel_invoke(make, [&] { survey = survey_boundary(without_patches(model, group), cancel); });
   if (initial.patch) initial.survey = std::move(survey);
   return initial;
 }

@@ -5,7 +5,7 @@
 #include "core/cancel.h"
 #include "filling/loop_patch.h"
 #include "mesh/boundary_loops.h"
-#include "rim/rim_survey.h"
+#include "neighborhood/boundary_survey.h"
 
 #include <optional>
 #include <vector>
@@ -31,8 +31,8 @@ struct InitialPatch {
   enum class Origin { loops, evolved, uncut } origin = Origin::loops;
   /// Whether the loops are known to ask for one treatment of the boundary data.
   enum class Alike { unknown, known } alike = Alike::unknown;
-  std::optional<RimSurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
-  double seconds = 0;               ///< that it took
+  std::optional<BoundarySurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
+  double seconds = 0;                    ///< that it took
 
   /// What is to be said of the loops that were filled; empty when all is well.
   std::string message() const;

@@ -15,9 +15,9 @@ struct Interpolation {
 };
 
 /// Subdivides and evolves from coarse to fine: the shape is found where there are few vertices, and each finer
-/// subdivision starts from it. With evolution options empty the surface is the subdivided polyhedron. Rims are held, and
+/// subdivision starts from it. With evolution options empty the surface is the subdivided polyhedron. Boundaries are held, and
 /// nothing else is asked there: what the flow then finds meets the natural conditions of ∫‖∇H‖², whose least value a sphere
-/// or a cylinder through the rim has.
+/// or a cylinder through the boundary has.
 /// @throws InvalidArgument as subdivide_polyhedron and Evolution.
 Interpolation interpolate_points(const SurfaceModel& polyhedron, const SubdivisionOptions& subdivision,
                                  const std::optional<EvolutionOptions>& evolution, const CancelToken& cancel,

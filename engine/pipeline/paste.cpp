@@ -30,7 +30,7 @@ struct PastedPart {
   PastedPart(const SurfaceModel& model, const PatchGeometry& patch, int first)
       : triangles(patch.triangles),
         loop(first) {
-    for (int v : patch.rim) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+    for (int v : patch.boundary) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
     points.insert(points.end(), patch.points.begin(), patch.points.end());
     for (const Vec3& p : points) box.extend(p);
   }

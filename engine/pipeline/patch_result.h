@@ -6,8 +6,8 @@
 #include "evolution/evolution.h"
 #include "mesh/patch.h"
 #include "mesh/validity.h"
+#include "neighborhood/boundary_fits.h"
 #include "pipeline/proportion.h"
-#include "rim/rim_fits.h"
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct PatchResult {
   std::string message;                    ///< for a person: what is to be known of the patch; empty when all is well
   std::string reason;  ///< why it was not the flow that was asked for, and how to get that; empty if it was
   std::vector<std::string> attempts;  ///< of the strategy's table, those that were made, in order
-  std::string made_by;  ///< the attempt that made the patch; empty where it is the initial patch
+  std::string made_by;                ///< the attempt that made the patch; empty where it is the initial patch
   Patch patch;
   int steps = 0;                    ///< accepted steps, over all runs that made the patch
   double bending = 0;               ///< EvolutionOptions::bending that was used
@@ -37,7 +37,7 @@ struct PatchResult {
   std::vector<Proportion> proportions;
   std::vector<SeamReport> seams_before;  ///< of the initial patch
   std::vector<SeamReport> seams;
-  std::vector<RimSummary> neighborhood;
+  std::vector<BoundarySummary> neighborhood;
 };
 
 /// Takes steps, times, energies and history of a run.

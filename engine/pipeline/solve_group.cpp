@@ -180,7 +180,7 @@ class GroupSolver {
 
   PatchResult solved(const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
-    const RimSurvey survey = initial.survey ? *initial.survey : survey_rim(*initial.patch, cancel_);
+    const BoundarySurvey survey = initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_);
     const bool from_loops = initial.origin == InitialPatch::Origin::loops;
     const std::vector<BoundaryLoop> loops = from_loops ? initial.loops : std::vector<BoundaryLoop>();
     const PatchProblem problem{scan_, *initial.patch, loops};
@@ -202,7 +202,7 @@ class GroupSolver {
         [&] { before = seam_reports(*initial.patch); });
     if (result.seams.empty()) result.seams = before;
     result.seams_before = std::move(before);
-    result.neighborhood = rim_summaries(*initial.patch, survey.split, survey.loops);
+    result.neighborhood = boundary_summaries(*initial.patch, survey.split, survey.loops);
     result.seconds.initial_patch = initial.seconds;
     result.seconds.total = initial.seconds + seconds_since(start);
     return result;

@@ -38,7 +38,7 @@ struct HoleResult {
   SeamReport seam_before() const { return entry(&PatchResult::seams_before); }
   SeamReport seam_after() const { return entry(&PatchResult::seams); }
   Proportion proportion() const { return entry(&PatchResult::proportions); }
-  RimSummary neighborhood() const { return entry(&PatchResult::neighborhood); }
+  BoundarySummary neighborhood() const { return entry(&PatchResult::neighborhood); }
 
  private:
   template <class T>

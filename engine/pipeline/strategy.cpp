@@ -15,11 +15,12 @@ namespace {
 /// One problem with all that decides which attempts are made.
 struct Situation {
   AttemptContext context;
-  EvolutionOptions options;              ///< as asked for
-  std::optional<SplitEstimate> split;    ///< where the options leave the treatment of the boundary to be judged
-  std::optional<CalmNeighborhood> calm;  ///< where single vertices stand off a neighborhood that is smooth without them
-  std::optional<Patch> triangulation;    ///< the initial patch before it was relaxed
-  bool flat_cut = false;                 ///< every loop is one, and the options leave that to be judged
+  EvolutionOptions options;            ///< as asked for
+  std::optional<SplitEstimate> split;  ///< where the options leave the treatment of the boundary to be judged
+  std::optional<CleanNeighborhood>
+      clean_neighborhood;              ///< where single vertices stand off a neighborhood that is smooth without them
+  std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
+  bool flat_cut = false;               ///< every loop is one, and the options leave that to be judged
 
   const Patch& initial() const { return context.problem.initial; }
   bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
@@ -258,12 +259,12 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   }
   Situation situation{{problem, nullptr, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt};
   if (is_judged(options)) {
-    if (CalmNeighborhood calm = remove_outliers(problem.initial); calm.outliers > 0) {
-      const SplitEstimate without = estimate_split(calm.patch, cancel);
+    if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {
+      const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {
         situation.split = without;
-        situation.calm = std::move(calm);
-        situation.context.calm = &*situation.calm;
+        situation.clean_neighborhood = std::move(clean_neighborhood);
+        situation.context.clean_neighborhood = &*situation.clean_neighborhood;
       }
     }
     if (!situation.split) situation.split = options.split ? options.split : estimate_split(problem.initial, cancel);

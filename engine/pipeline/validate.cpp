@@ -18,17 +18,17 @@ namespace {
 /// As cuts_of(), each pair within the patch once.
 std::vector<std::pair<int, int>> cuts(const ScanIndex& scan, const PatchGeometry& patch,
                                       const std::function<void(int, int)>& within) {
-  const int rim = static_cast<int>(patch.rim.size());
+  const int boundary = static_cast<int>(patch.boundary.size());
   Points points;
   Eigen::AlignedBox3d box;
   const TriangleSoup& soup = scan.model.soup;
-  for (int v : patch.rim) points.push_back(soup.points[scan.model.soup_vertex[v]]);
+  for (int v : patch.boundary) points.push_back(soup.points[scan.model.soup_vertex[v]]);
   points.insert(points.end(), patch.points.begin(), patch.points.end());
   for (const Vec3& p : points) box.extend(p);
   Triangles triangles = patch.triangles;
   std::vector<int> soup_face;
   std::unordered_map<int, int> local;
-  for (int i = 0; i < rim; ++i) local.emplace(scan.model.soup_vertex[patch.rim[i]], i);
+  for (int i = 0; i < boundary; ++i) local.emplace(scan.model.soup_vertex[patch.boundary[i]], i);
   for (int f : scan.index.near(box.min(), box.max())) {
     Triangle t = soup.triangles[f];
     for (int& v : t) {

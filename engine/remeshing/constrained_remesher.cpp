@@ -38,7 +38,7 @@ void request_status(TriMesh& mesh) {
 }  // namespace
 
 ConstrainedRemesher::ConstrainedRemesher(const Points& points, const Triangles& triangles, int locked,
-                                         const RimNormals& rim_normals, TargetSize target_size)
+                                         const BoundaryNormals& boundary_normals, TargetSize target_size)
     : locked_(locked),
       target_size_(std::move(target_size)) {
   request_status(mesh_);
@@ -47,16 +47,16 @@ ConstrainedRemesher::ConstrainedRemesher(const Points& points, const Triangles& 
     size_.push_back(target_size_(p));
   }
   for (const Triangle& t : triangles) mesh_.add_face(VH(t[0]), VH(t[1]), VH(t[2]));
-  set_rim_normals(rim_normals);
+  set_boundary_normals(boundary_normals);
   normal_.resize(mesh_.n_faces());
   for (const auto f : mesh_.faces()) update_normal(f);
 }
 
-void ConstrainedRemesher::set_rim_normals(const RimNormals& rim_normals) {
-  rim_normal_.assign(mesh_.n_edges(), Vec3::Zero());
-  for (const auto& [edge, normal] : rim_normals) {
+void ConstrainedRemesher::set_boundary_normals(const BoundaryNormals& boundary_normals) {
+  boundary_normal_.assign(mesh_.n_edges(), Vec3::Zero());
+  for (const auto& [edge, normal] : boundary_normals) {
     const HH h = mesh_.find_halfedge(VH(edge.first), VH(edge.second));
-    if (h.is_valid()) rim_normal_[mesh_.edge_handle(h).idx()] = normal;
+    if (h.is_valid()) boundary_normal_[mesh_.edge_handle(h).idx()] = normal;
   }
 }
 
@@ -81,12 +81,12 @@ void ConstrainedRemesher::update_normals_around(VH v) {
   for (const auto f : mesh_.vf_range(v)) update_normal(f);
 }
 
-/// Normal on the other side of h; on the rim that of the neighborhood, or this face's own where there are none.
+/// Normal on the other side of h; on the boundary that of the neighborhood, or this face's own where there are none.
 Vec3 ConstrainedRemesher::normal_across(HH h) const {
   const HH other = mesh_.opposite_halfedge_handle(h);
   if (!mesh_.is_boundary(other)) return face_normal(mesh_.face_handle(other));
-  const Vec3& rim = rim_normal_[mesh_.edge_handle(h).idx()];
-  return rim.isZero() ? face_normal(mesh_.face_handle(h)) : rim;
+  const Vec3& boundary = boundary_normal_[mesh_.edge_handle(h).idx()];
+  return boundary.isZero() ? face_normal(mesh_.face_handle(h)) : boundary;
 }
 
 double ConstrainedRemesher::edge_cosine(EH e) const {
@@ -106,13 +106,13 @@ double ConstrainedRemesher::fan_worst(VH v) const {
     const HH across = mesh_.opposite_halfedge_handle(link);
     if (!mesh_.is_boundary(across))
       worst = std::min(worst, cosine(normal, face_normal(mesh_.face_handle(across))));
-    else if (const Vec3& rim = rim_normal_[mesh_.edge_handle(link).idx()]; !rim.isZero())
-      worst = std::min(worst, cosine(normal, rim));
+    else if (const Vec3& boundary = boundary_normal_[mesh_.edge_handle(link).idx()]; !boundary.isZero())
+      worst = std::min(worst, cosine(normal, boundary));
   }
   return worst;
 }
 
-/// The same, were v, which is not on the rim, at `position`; the normals are left in fan_.
+/// The same, were v, which is not on the boundary, at `position`; the normals are left in fan_.
 double ConstrainedRemesher::fan_worst(VH v, const Vec3& position) {
   double worst = 1;
   fan_.clear();
@@ -125,8 +125,8 @@ double ConstrainedRemesher::fan_worst(VH v, const Vec3& position) {
     const HH across = mesh_.opposite_halfedge_handle(link);
     if (!mesh_.is_boundary(across))
       worst = std::min(worst, cosine(normal, face_normal(mesh_.face_handle(across))));
-    else if (const Vec3& rim = rim_normal_[mesh_.edge_handle(link).idx()]; !rim.isZero())
-      worst = std::min(worst, cosine(normal, rim));
+    else if (const Vec3& boundary = boundary_normal_[mesh_.edge_handle(link).idx()]; !boundary.isZero())
+      worst = std::min(worst, cosine(normal, boundary));
     if (!fan_.empty()) worst = std::min(worst, cosine(fan_.back(), normal));
     fan_.push_back(normal);
   }
@@ -167,8 +167,8 @@ double ConstrainedRemesher::pair_worst(HH h, const Vec3* place) const {
         if (!mesh_.is_boundary(across) && gone(mesh_.face_handle(across))) across = beyond_collapsed(across, h);
         if (!mesh_.is_boundary(across)) {
           worst = std::min(worst, cosine(own, normal(mesh_.face_handle(across))));
-        } else if (const Vec3& rim = rim_normal_[mesh_.edge_handle(across).idx()]; !rim.isZero()) {
-          worst = std::min(worst, cosine(own, rim));
+        } else if (const Vec3& boundary = boundary_normal_[mesh_.edge_handle(across).idx()]; !boundary.isZero()) {
+          worst = std::min(worst, cosine(own, boundary));
         }
       }
     }
@@ -197,11 +197,12 @@ void ConstrainedRemesher::scale_sizes(double factor) {
 }
 
 void ConstrainedRemesher::sort_in_space() {
-  RimNormals rim_normals;
+  BoundaryNormals boundary_normals;
   for (const auto e : mesh_.edges())
-    if (mesh_.is_boundary(e) && !rim_normal_[e.idx()].isZero()) {
+    if (mesh_.is_boundary(e) && !boundary_normal_[e.idx()].isZero()) {
       const HH h = mesh_.halfedge_handle(e, 0);
-      rim_normals[{mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx()}] = rim_normal_[e.idx()];
+      boundary_normals[{mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx()}] =
+          boundary_normal_[e.idx()];
     }
   std::vector<VH> order;
   for (const auto v : mesh_.vertices()) order.push_back(v);
@@ -230,7 +231,7 @@ void ConstrainedRemesher::sort_in_space() {
   for (const Triangle& t : triangles) sorted.add_face(VH(t[0]), VH(t[1]), VH(t[2]));
   mesh_ = std::move(sorted);
   size_ = std::move(sizes);
-  set_rim_normals(rim_normals);
+  set_boundary_normals(boundary_normals);
   normal_.resize(mesh_.n_faces());
   for (const auto f : mesh_.faces()) update_normal(f);
 }
@@ -259,7 +260,7 @@ int ConstrainedRemesher::split_long_edges() {
       size_.resize(mesh_.n_vertices());
       size_[v.idx()] = std::min(target(e), coarser_ * target_size_(middle));
       mesh_.split(e, v);
-      rim_normal_.resize(mesh_.n_edges(), Vec3::Zero());
+      boundary_normal_.resize(mesh_.n_edges(), Vec3::Zero());
       update_normals_around(v);
     }
   }
@@ -332,9 +333,10 @@ bool ConstrainedRemesher::flip_guarded(EH e) {
   double after = cosine(left, right);
   for (int k = 0; k < 4; ++k) {
     const HH across = mesh_.opposite_halfedge_handle(sides[k]);
-    const bool rim = mesh_.is_boundary(across);
-    const Vec3& beyond = rim ? rim_normal_[mesh_.edge_handle(across).idx()] : face_normal(mesh_.face_handle(across));
-    if (rim && beyond.isZero()) continue;
+    const bool boundary = mesh_.is_boundary(across);
+    const Vec3& beyond =
+        boundary ? boundary_normal_[mesh_.edge_handle(across).idx()] : face_normal(mesh_.face_handle(across));
+    if (boundary && beyond.isZero()) continue;
     before = std::min(before, cosine(face_normal(mesh_.face_handle(sides[k])), beyond));
     after = std::min(after, cosine(*after_of[k], beyond));
   }
@@ -410,7 +412,7 @@ double ConstrainedRemesher::move_towards(const Points& goal) {
 std::vector<ConstrainedRemesher::EH> ConstrainedRemesher::edges_beyond(double limit) const {
   std::vector<EH> edges;
   for (const auto e : mesh_.edges()) {
-    if (mesh_.is_boundary(e) && rim_normal_[e.idx()].isZero()) continue;
+    if (mesh_.is_boundary(e) && boundary_normal_[e.idx()].isZero()) continue;
     if (edge_cosine(e) < limit) edges.push_back(e);
   }
   return edges;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A patch that is being remeshed under guard: no operation may fold it, none may touch its rim.
+// A patch that is being remeshed under guard: no operation may fold it, none may touch its boundary.
 #pragma once
 
 #include "mesh/tri_mesh.h"
@@ -11,19 +11,19 @@
 
 namespace loopmend {
 
-/// Normals of the neighborhood across the rim: key (a, b) is the rim edge as it runs in the patch.
-using RimNormals = std::map<std::pair<int, int>, Vec3>;
+/// Normals of the neighborhood across the boundary: key (a, b) is the boundary edge as it runs in the patch.
+using BoundaryNormals = std::map<std::pair<int, int>, Vec3>;
 
 /// A guarded operation is undone, or not done, when it takes the worst dihedral of the edges it touches beyond 80° and
-/// beyond what it was (docs/dev/filling.md, "Guarded operations"). Vertices 0..locked−1 are the rim: they never move, and no
+/// beyond what it was (docs/dev/filling.md, "Guarded operations"). Vertices 0..locked−1 are the boundary: they never move, and no
 /// edge between two of them is ever made.
 class ConstrainedRemesher {
  public:
   /// Target edge length at a place.
   using TargetSize = std::function<double(const Vec3&)>;
 
-  ConstrainedRemesher(const Points& points, const Triangles& triangles, int locked, const RimNormals& rim_normals,
-                      TargetSize target_size);
+  ConstrainedRemesher(const Points& points, const Triangles& triangles, int locked,
+                      const BoundaryNormals& boundary_normals, TargetSize target_size);
 
   /// Is asked with the number of vertices before each operation, and while edges are split; may throw to end it, after
   /// which the mesh is of no use.
@@ -34,7 +34,7 @@ class ConstrainedRemesher {
   /// Numbers vertices and triangles anew, so that those near each other in space are near each other in memory: after many
   /// splits everything else takes twice the time. Locked vertices keep their numbers.
   void sort_in_space();
-  /// Splits edges above 4/3 of the target (chords between rim vertices above 1/2); the midpoints stay on the edges.
+  /// Splits edges above 4/3 of the target (chords between boundary vertices above 1/2); the midpoints stay on the edges.
   /// @returns how many.
   int split_long_edges();
   int collapse_short_edges();  ///< below 3/4 of the target. @returns how many.
@@ -59,7 +59,7 @@ class ConstrainedRemesher {
   using HH = TriMesh::HalfedgeHandle;
   using FH = TriMesh::FaceHandle;
 
-  void set_rim_normals(const RimNormals& rim_normals);
+  void set_boundary_normals(const BoundaryNormals& boundary_normals);
   bool is_locked(VH v) const { return v.idx() < locked_; }
   double target(EH e) const;
   double length(EH e) const;
@@ -86,7 +86,7 @@ class ConstrainedRemesher {
   TriMesh mesh_;
   int locked_;
   Watch watch_;
-  std::vector<Vec3> rim_normal_;  ///< by edge; zero where the edge is not on the rim or nothing lies across
+  std::vector<Vec3> boundary_normal_;  ///< by edge; zero where the edge is not on the boundary or nothing lies across
   TargetSize target_size_;
   double coarser_ = 1;        ///< factor on all target sizes
   std::vector<double> size_;  ///< by vertex: target_size_ where it was made, times coarser_

@@ -15,33 +15,33 @@ namespace loopmend {
 namespace {
 
 /// Fixed vertices of the patch's own triangles: those on the loops, and those that stand alone among free ones.
-int rim_size(const Patch& patch) {
-  int rim = 0;
-  while (patch.free_count + rim < patch.vertex_count() && patch.ring[patch.free_count + rim] == 1) ++rim;
-  return rim;
+int boundary_size(const Patch& patch) {
+  int boundary = 0;
+  while (patch.free_count + boundary < patch.vertex_count() && patch.ring[patch.free_count + boundary] == 1) ++boundary;
+  return boundary;
 }
 
-/// The locked vertices of a remesher: those of the rim. Where holes touch, the patch's own triangles at a rim vertex lie in
+/// The locked vertices of a remesher: those of the boundary. Where holes touch, the patch's own triangles at a boundary vertex lie in
 /// several fans; each but the first gets a copy of the vertex, so that the remesher has an ordinary mesh.
 class LockedVertices {
  public:
-  LockedVertices(const Patch& patch, int rim)
+  LockedVertices(const Patch& patch, int boundary)
       : own_(patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles) {
-    rim_vertex_.resize(rim);
-    std::iota(rim_vertex_.begin(), rim_vertex_.end(), 0);
-    std::vector<std::vector<int>> faces(rim);
+    boundary_vertex_.resize(boundary);
+    std::iota(boundary_vertex_.begin(), boundary_vertex_.end(), 0);
+    std::vector<std::vector<int>> faces(boundary);
     for (int f = 0; f < patch.patch_triangles; ++f)
       for (int v : own_[f])
-        if (const int i = v - patch.free_count; i >= 0 && i < rim) faces[i].push_back(f);
-    for (int i = 0; i < rim; ++i) add_copies(patch.free_count + i, i, std::move(faces[i]));
+        if (const int i = v - patch.free_count; i >= 0 && i < boundary) faces[i].push_back(f);
+    for (int i = 0; i < boundary; ++i) add_copies(patch.free_count + i, i, std::move(faces[i]));
     for (Triangle& t : own_)
       for (int& v : t) v = v < patch.free_count ? v + count() : v - patch.free_count;
     for (auto& [corner, copy] : copies_) own_[corner.first][corner.second] = copy;
   }
 
-  int count() const { return static_cast<int>(rim_vertex_.size()); }
+  int count() const { return static_cast<int>(boundary_vertex_.size()); }
   /// #count: in the order of the patch's fixed vertices.
-  const std::vector<int>& rim_vertex() const { return rim_vertex_; }
+  const std::vector<int>& boundary_vertex() const { return boundary_vertex_; }
   /// The patch's own, over locked vertices and then free ones.
   const Triangles& own_triangles() const { return own_; }
 
@@ -61,7 +61,7 @@ class LockedVertices {
       for (int f : fan)
         for (int k = 0; k < 3; ++k)
           if (own_[f][k] == v) copies_.push_back({{f, k}, count()});
-      rim_vertex_.push_back(i);
+      boundary_vertex_.push_back(i);
     }
   }
 
@@ -71,13 +71,13 @@ class LockedVertices {
   }
 
   Triangles own_;
-  std::vector<int> rim_vertex_;
+  std::vector<int> boundary_vertex_;
   std::vector<std::pair<std::pair<int, int>, int>> copies_;  ///< (triangle, corner) → locked vertex
 };
 
-/// Mean length of the edges at each rim vertex: of those in the neighborhood, or of all where there are none.
-std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
-  std::vector<double> outside(rim, 0), inside(rim, 0), outside_count(rim, 0), inside_count(rim, 0);
+/// Mean length of the edges at each boundary vertex: of those in the neighborhood, or of all where there are none.
+std::vector<double> boundary_edge_lengths(const Patch& patch, int boundary) {
+  std::vector<double> outside(boundary, 0), inside(boundary, 0), outside_count(boundary, 0), inside_count(boundary, 0);
   for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
     const bool own = static_cast<int>(f) < patch.patch_triangles;
     for (int k = 0; k < 3; ++k) {
@@ -85,13 +85,13 @@ std::vector<double> rim_edge_lengths(const Patch& patch, int rim) {
       const double length = (patch.positions[a] - patch.positions[b]).norm();
       for (int v : {a, b}) {
         const int i = v - patch.free_count;
-        if (i < 0 || i >= rim) continue;
+        if (i < 0 || i >= boundary) continue;
         (own ? inside : outside)[i] += length;
         (own ? inside_count : outside_count)[i] += 1;
       }
     }
   }
-  for (int i = 0; i < rim; ++i)
+  for (int i = 0; i < boundary; ++i)
     outside[i] = outside_count[i] > 0 ? outside[i] / outside_count[i] : inside[i] / std::max(1.0, inside_count[i]);
   return outside;
 }
@@ -108,27 +108,27 @@ bool remesh_once(ConstrainedRemesher& mesh) {
 }
 
 ConstrainedRemesher open_for_remeshing(const Patch& patch) {
-  const int n = patch.free_count, rim = rim_size(patch);
-  const LockedVertices locked(patch, rim);
+  const int n = patch.free_count, boundary = boundary_size(patch);
+  const LockedVertices locked(patch, boundary);
   const Triangles& triangles = locked.own_triangles();
   Points points;
-  for (int i : locked.rim_vertex()) points.push_back(patch.positions[n + i]);
+  for (int i : locked.boundary_vertex()) points.push_back(patch.positions[n + i]);
   points.insert(points.end(), patch.positions.begin(), patch.positions.begin() + n);
-  // Edges along the rim as they run in the patch, by rim vertices: where no triangle of the patch is on their other side.
+  // Edges along the boundary as they run in the patch, by boundary vertices: where no triangle of the patch is on their other side.
   const DirectedEdges edges(triangles, patch.patch_triangles);
   std::map<std::pair<int, int>, std::pair<int, int>> open_edges;
   for (const auto& edge : edges.all())
     if (edge.first < locked.count() && edge.second < locked.count() && edges.is_open(edge))
-      open_edges[{locked.rim_vertex()[edge.first], locked.rim_vertex()[edge.second]}] = edge;
-  RimNormals normals;
+      open_edges[{locked.boundary_vertex()[edge.first], locked.boundary_vertex()[edge.second]}] = edge;
+  BoundaryNormals normals;
   for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
     const Triangle& t = patch.triangles[f];
     for (int k = 0; k < 3; ++k)
       if (const auto edge = open_edges.find({t[(k + 1) % 3] - n, t[k] - n}); edge != open_edges.end())
         normals[edge->second] = unit_normal(patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]]);
   }
-  const auto field = std::make_shared<SizeField>(Points(points.begin(), points.begin() + rim),
-                                                 rim_edge_lengths(patch, rim), patch.grading);
+  const auto field = std::make_shared<SizeField>(Points(points.begin(), points.begin() + boundary),
+                                                 boundary_edge_lengths(patch, boundary), patch.grading);
   return ConstrainedRemesher(points, triangles, locked.count(), normals,
                              [field](const Vec3& p) { return field->at(p); });
 }
@@ -137,7 +137,7 @@ Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {
   Points points = mesh.points();
   Triangles own = mesh.triangles();
   const int locked = mesh.locked();
-  const std::vector<int> rim_vertex = LockedVertices(patch, rim_size(patch)).rim_vertex();
+  const std::vector<int> boundary_vertex = LockedVertices(patch, boundary_size(patch)).boundary_vertex();
   split_double_edges(locked, points, own);
   Patch result = patch;
   result.free_count = static_cast<int>(points.size()) - locked;
@@ -151,7 +151,7 @@ Patch with_interior(const Patch& patch, const ConstrainedRemesher& mesh) {
                             patch.view_vertex.end());
   result.triangles.clear();
   for (Triangle t : own) {
-    for (int& v : t) v = v < locked ? rim_vertex[v] + result.free_count : v - locked;
+    for (int& v : t) v = v < locked ? boundary_vertex[v] + result.free_count : v - locked;
     result.triangles.push_back(t);
   }
   result.patch_triangles = static_cast<int>(result.triangles.size());

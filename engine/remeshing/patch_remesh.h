@@ -11,7 +11,7 @@ namespace loopmend {
 /// @returns false when another round would change next to nothing.
 bool remesh_once(ConstrainedRemesher& mesh);
 
-/// The patch's own triangles, the loops locked, guarded against the neighborhood; target sizes from the rim and
+/// The patch's own triangles, the loops locked, guarded against the neighborhood; target sizes from the boundary and
 /// Patch::grading.
 ConstrainedRemesher open_for_remeshing(const Patch& patch);
 

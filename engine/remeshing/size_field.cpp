@@ -16,10 +16,10 @@ namespace {
 namespace bg = boost::geometry;
 using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 
-/// By how much the target may fall per length of way from the rim.
+/// By how much the target may fall per length of way from the boundary.
 constexpr double steepest_fall = 0.4;
 
-/// A rim vertex with tiny edges among ordinary ones, as where a scan has two vertices nearly in one place, would fill its
+/// A boundary vertex with tiny edges among ordinary ones, as where a scan has two vertices nearly in one place, would fill its
 /// neighborhood with millions of triangles: no size is below this share of the median of those near it.
 constexpr double least_of_the_median = 0.2;
 constexpr std::size_t near_sizes = 9;
@@ -40,7 +40,7 @@ std::vector<double> without_tiny_ones(const Points& places, const std::vector<do
 
 }  // namespace
 
-struct SizeField::Rim {
+struct SizeField::Boundary {
   bg::index::rtree<TreePoint, bg::index::quadratic<16>> tree;
 
   double distance(const Vec3& p) const {
@@ -64,8 +64,8 @@ SizeField::SizeField(const Points& places, const std::vector<double>& sizes, con
   if (grading.density <= 1 && grading.growth == 0) return;
   std::vector<TreePoint> points;
   for (const Vec3& p : places) points.emplace_back(p.x(), p.y(), p.z());
-  rim_ = std::make_unique<Rim>();
-  rim_->tree = decltype(rim_->tree)(points);
+  boundary_ = std::make_unique<Boundary>();
+  boundary_->tree = decltype(boundary_->tree)(points);
 }
 
 SizeField::~SizeField() = default;
@@ -80,11 +80,11 @@ double SizeField::at(const Vec3& p) const {
     sum += weight * size_[k];
     total += weight;
   }
-  const double rim = sum / total;
-  if (!rim_) return rim / grading_.density;
-  const double way = rim_->distance(p);
-  if (grading_.growth > 0) return std::max(rim, std::min(rim + grading_.growth * way, grading_.longest));
-  return std::max(rim / grading_.density, rim - steepest_fall * way);
+  const double boundary = sum / total;
+  if (!boundary_) return boundary / grading_.density;
+  const double way = boundary_->distance(p);
+  if (grading_.growth > 0) return std::max(boundary, std::min(boundary + grading_.growth * way, grading_.longest));
+  return std::max(boundary / grading_.density, boundary - steepest_fall * way);
 }
 
 }  // namespace loopmend

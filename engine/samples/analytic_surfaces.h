@@ -30,12 +30,12 @@ TriangleSoup make_torus(double major, double minor, int around_major, int around
 TriangleSoup make_graph(const std::function<double(double, double)>& height, double half, int cells);
 
 /// Removes every triangle that has a corner for which `inside` holds, and the points that are then unused, so that the
-/// rim is as regular as the mesh allows. The order of what stays is kept.
+/// boundary is as regular as the mesh allows. The order of what stays is kept.
 TriangleSoup cut(const TriangleSoup& soup, const std::function<bool(const Vec3&)>& inside);
 
 /// Removes triangles that hang on the rest by one edge or one vertex only, until every boundary vertex lies on exactly
 /// one loop and no triangle has two boundary edges; then the unused points. The order of what stays is kept.
 /// @param soup  edge-manifold and consistently oriented.
-TriangleSoup trim_rims(const TriangleSoup& soup);
+TriangleSoup trim_boundaries(const TriangleSoup& soup);
 
 }  // namespace loopmend

@@ -45,23 +45,23 @@ int drop_hanging(const TriangleSoup& soup, std::vector<char>& keep) {
     const Triangle& t = soup.triangles[f];
     for (int k = 0; keep[f] && k < 3; ++k) edges.insert(directed_edge(t[k], t[(k + 1) % 3]));
   }
-  const auto is_rim = [&](int from, int to) { return !edges.contains(directed_edge(to, from)); };
-  std::vector<int> rim_edges_from(soup.points.size(), 0);
+  const auto is_boundary = [&](int from, int to) { return !edges.contains(directed_edge(to, from)); };
+  std::vector<int> boundary_edges_from(soup.points.size(), 0);
   for (const std::uint64_t edge : edges) {
     const int from = static_cast<int>(edge >> 32U);
-    if (is_rim(from, static_cast<int>(edge & 0xffffffffU))) ++rim_edges_from[from];
+    if (is_boundary(from, static_cast<int>(edge & 0xffffffffU))) ++boundary_edges_from[from];
   }
   int dropped = 0;
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     if (!keep[f]) continue;
     const Triangle& t = soup.triangles[f];
-    int rim_sides = 0;
+    int boundary_sides = 0;
     bool touching = false;
     for (int k = 0; k < 3; ++k) {
-      rim_sides += is_rim(t[k], t[(k + 1) % 3]) ? 1 : 0;
-      touching = touching || rim_edges_from[t[k]] > 1;
+      boundary_sides += is_boundary(t[k], t[(k + 1) % 3]) ? 1 : 0;
+      touching = touching || boundary_edges_from[t[k]] > 1;
     }
-    if (rim_sides < 2 && !touching) continue;
+    if (boundary_sides < 2 && !touching) continue;
     keep[f] = 0;
     ++dropped;
   }
@@ -81,7 +81,7 @@ TriangleSoup cut(const TriangleSoup& soup, const std::function<bool(const Vec3&)
   return keep_triangles(soup, keep);
 }
 
-TriangleSoup trim_rims(const TriangleSoup& soup) {
+TriangleSoup trim_boundaries(const TriangleSoup& soup) {
   std::vector<char> keep(soup.triangles.size(), 1);
   while (drop_hanging(soup, keep) > 0) {
   }

@@ -19,7 +19,7 @@ TriangleSoup make_tube(const TubeShape& shape) {
 }
 
 TriangleSoup make_pierced_cylinder() {
-  return trim_rims(cut(make_cylinder(6, 99), [](const Vec3& p) {
+  return trim_boundaries(cut(make_cylinder(6, 99), [](const Vec3& p) {
     for (int k = 0; k < 3; ++k)
       if ((p - Vec3(std::cos(2.1 * k), std::sin(2.1 * k), 2 + k)).norm() < 0.745) return true;
     return false;
@@ -27,7 +27,7 @@ TriangleSoup make_pierced_cylinder() {
 }
 
 TriangleSoup make_sphere_wireframe() {
-  return trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.cwiseAbs().minCoeff() > 0.22; }));
+  return trim_boundaries(cut(make_icosphere(5), [](const Vec3& p) { return p.cwiseAbs().minCoeff() > 0.22; }));
 }
 
 namespace {
@@ -75,7 +75,7 @@ TriangleSoup make_holed_head() {
   std::map<std::array<double, 3>, char> at;
   for (std::size_t i = 0; i < inside.size(); ++i)
     at[{head.points[i].x(), head.points[i].y(), head.points[i].z()}] = inside[i];
-  return trim_rims(cut(head, [&](const Vec3& p) { return at.at({p.x(), p.y(), p.z()}) != 0; }));
+  return trim_boundaries(cut(head, [&](const Vec3& p) { return at.at({p.x(), p.y(), p.z()}) != 0; }));
 }
 
 TriangleSoup make_dodecahedron() {

@@ -8,7 +8,7 @@
 
 namespace loopmend {
 
-/// Open tube of circular section, outward normals, first rim at `start`.
+/// Open tube of circular section, outward normals, first boundary at `start`.
 /// @param direction  unit: the tube runs that way for `length`.
 /// @param around     vertices on a circle, ≥ 8; the spacing along the tube follows it.
 struct TubeShape {

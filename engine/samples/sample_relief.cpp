@@ -57,7 +57,7 @@ double bump_height(const Bump& bump, double x, double y) {
   return bump.height * bell(u * u + v * v);
 }
 
-/// The head under the features. The slope at the rim stays below 45°.
+/// The head under the features. The slope at the boundary stays below 45°.
 double dome_height(double x, double y) {
   const double q = x * x / (60.0 * 60.0) + y * y / (76.0 * 76.0);
   return 36 * (1 - q) * (1 - 0.35 * q);

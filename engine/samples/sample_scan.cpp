@@ -25,7 +25,7 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase>>;
 
 constexpr double spacing = 0.86;   ///< mm, smallest distance of two samples before smoothing
-constexpr double margin = 4;       ///< mm, sampled beyond the rim, so that the rim is no worse than the rest
+constexpr double margin = 4;       ///< mm, sampled beyond the boundary, so that the boundary is no worse than the rest
 constexpr double half_width = 60;  ///< mm, of the outline
 constexpr double half_height = 76;
 constexpr double noise = 0.011;            ///< mm, rms along the normal: about 1 % of the mean edge
@@ -151,11 +151,11 @@ TriangleSoup make_complete_sample_scan() {
   TriangleSoup soup;
   soup.triangles = triangulate(samples);
   soup.points = std::move(samples);
-  soup = trim_rims(cut(soup, [](const Vec3& p) { return outline(p.x(), p.y(), 0) < 0; }));
+  soup = trim_boundaries(cut(soup, [](const Vec3& p) { return outline(p.x(), p.y(), 0) < 0; }));
   add_noise(soup.points, random);
   return soup;
 }
 
-TriangleSoup make_sample_scan() { return trim_rims(cut(make_complete_sample_scan(), in_hole)); }
+TriangleSoup make_sample_scan() { return trim_boundaries(cut(make_complete_sample_scan(), in_hole)); }
 
 }  // namespace loopmend

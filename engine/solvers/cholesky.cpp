@@ -2,8 +2,8 @@
 #include "solvers/cholmod_solve.h"
 #include "solvers/dissection.h"
 #include "solvers/factoring.h"
-#include "solvers/halved_cholesky.h"
 #include "solvers/linear_solver.h"
+#include "solvers/nested_cholesky.h"
 
 #include <Eigen/CholmodSupport>
 
@@ -19,8 +19,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 static_assert(CHOLMOD_OUT_OF_MEMORY == -2 && CHOLMOD_TOO_LARGE == -3, "as check_memory() has them");
 
-constexpr int least_halved = 2000;    ///< rows: below, a second thread does not pay
-constexpr int least_dissected = 300;  ///< rows
+constexpr int least_separated = 2000;  ///< rows: below, a second thread does not pay
+constexpr int least_dissected = 300;   ///< rows
 constexpr int least_dissected_of_widest = 450;
 constexpr double wide_stencil = 10;    ///< entries of the lower triangle in a column, in the mean
 constexpr double widest_stencil = 25;  ///< the same
@@ -109,7 +109,7 @@ class CholeskySolver : public SpdSolver {
     const bool same_pattern = pattern_.matches(A);
     if (!same_pattern || !factors_) {
       factors_.reset();  // its memory first
-      factors_ = A.rows() >= least_halved ? make_halved_cholesky(A, cancel) : nullptr;
+      factors_ = A.rows() >= least_separated ? make_nested_cholesky(A, cancel) : nullptr;
       if (cancel.cancelled()) return false;
       if (!factors_) factors_ = std::make_unique<WholeCholesky>(A);
     }

@@ -12,7 +12,7 @@ SolveReport conjugate_gradients(const GeneralSystem& system, SpdSolver& factors,
                                 const Eigen::VectorXd& b, Eigen::VectorXd& x, const CancelToken& cancel) {
   SolveReport report;
   report.factored = true;
-  if (!factors.factorize(system.nearby(), cancel)) return report;
+  if (!factors.factorize(system.preconditioner(), cancel)) return report;
   Eigen::VectorXd solution = Eigen::VectorXd::Zero(b.size()), r = b, p = solution;
   Eigen::MatrixXd z;  // one column
   if (!factors.solve(r, z)) return report;

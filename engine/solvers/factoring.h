@@ -8,9 +8,11 @@
 #include <new>
 #include <vector>
 
-// Of OpenBLAS; and of the OpenMP that CHOLMOD runs on.
+// Of OpenBLAS, where that is the BLAS; and of the OpenMP that CHOLMOD runs on.
 extern "C" {
+#ifdef LOOPMEND_OPENBLAS
 void openblas_set_num_threads(int threads);
+#endif
 int omp_get_max_active_levels();
 void omp_set_max_active_levels(int levels);
 }
@@ -20,8 +22,10 @@ namespace loopmend {
 /// OpenBLAS threads spin-wait and lose tenfold on a busy machine (docs/dev/numerics.md, "Linear solvers"); loops run in
 /// parallel instead.
 inline void use_one_blas_thread() {
+#ifdef LOOPMEND_OPENBLAS
   static const bool done = (openblas_set_num_threads(1), true);
   static_cast<void>(done);
+#endif
 }
 
 /// While it lives, libraries that this thread calls start no OpenMP threads of their own. CHOLMOD asks for four at every

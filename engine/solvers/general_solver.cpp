@@ -55,7 +55,7 @@ class GmresSolver : public GeneralSolver {
     report.solved = size_ == b.size() && iterate(system, b, with_old_factors, x, report, cancel);
     if (report.solved || cancel.cancelled()) return report;
     report.factored = true;
-    size_ = factors_->factorize(system.nearby(), cancel) ? b.size() : 0;
+    size_ = factors_->factorize(system.preconditioner(), cancel) ? b.size() : 0;
     report.solved = size_ > 0 && iterate(system, b, with_new_factors, x, report, cancel);
     return report;
   }

@@ -41,7 +41,7 @@ struct GeneralSystem {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> times;  ///< A x
   std::function<Eigen::SparseMatrix<double>()> matrix;           ///< A, n by n, compressed
   /// A symmetric positive definite matrix near A, n by n, compressed; only the lower triangle is read.
-  std::function<Eigen::SparseMatrix<double>()> nearby;
+  std::function<Eigen::SparseMatrix<double>()> preconditioner;
 };
 
 /// Until the residual in the norm of the nearby matrix, relative to b, is at most `wanted`; that is near the error of x in

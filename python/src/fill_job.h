@@ -27,7 +27,7 @@ struct FilledScan {
   std::size_t turned_faces = 0;                     ///< to agree with their neighbours
   bool stopped = false;                             ///< some loops may be unfinished
   Preparation prepared;
-  std::vector<BadRimFace> trimmed;  ///< faces of the scan as it was before trimming
+  std::vector<BadBoundaryFace> trimmed;  ///< faces of the scan as it was before trimming
 };
 
 /// What is finished when `cancel` is set, or when the command's time is over, is kept.

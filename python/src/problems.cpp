@@ -83,13 +83,13 @@ py::dict blend(const std::vector<std::pair<py::array, py::array>>& parts, const 
 }
 
 py::dict interpolate(const py::array& vertices, const py::array& faces, const std::vector<int>& fixed, int subdivide,
-                     const std::string& rim, const py::dict& options, const py::object& on_step) {
+                     const std::string& boundary, const py::dict& options, const py::object& on_step) {
   TriangleSoup soup = soup_of(vertices, faces, py::none());
   const GroupOptions group = group_options(options);
   SubdivisionOptions subdivision;
   subdivision.subdivisions = subdivide;
   subdivision.fixed = fixed;
-  subdivision.rim = rim == "smooth" ? PolyhedronRim::smooth : PolyhedronRim::refuse;
+  subdivision.boundary = boundary == "smooth" ? PolyhedronBoundary::smooth : PolyhedronBoundary::refuse;
   return solved(
       [&](const Evolution::OnStep& tell, const CancelToken& cancel) {
         const SurfaceModel polyhedron = make_surface_model(std::move(soup));

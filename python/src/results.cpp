@@ -41,9 +41,9 @@ py::dict hole_figures(const HoleResult& hole, NewPart part) {
   return figures;
 }
 
-py::list faces_of(const std::vector<BadRimFace>& faces) {
+py::list faces_of(const std::vector<BadBoundaryFace>& faces) {
   py::list list;
-  for (const BadRimFace& bad : faces)
+  for (const BadBoundaryFace& bad : faces)
     list.append(py::dict("face"_a = bad.face, "fault"_a = to_string(bad.fault), "ring"_a = bad.ring));
   return list;
 }

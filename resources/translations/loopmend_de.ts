@@ -2982,7 +2982,11 @@
         </message>
     </context>
     <context>
-        <name>loopmend::FileDesk</name>
+        <name>loopmend::FileController</name>
+        <message>
+            <source>Work on %1 is neither saved nor exported.</source>
+            <translation>Die Arbeit an %1 ist weder gespeichert noch exportiert.</translation>
+        </message>
         <message>
             <source>&amp;Save session</source>
             <translation>Sitzung &amp;speichern</translation>
@@ -3004,8 +3008,43 @@
             <translation>Öffnen</translation>
         </message>
         <message>
+            <source>Scans and sessions (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;All files (*)</source>
+            <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</source>
+            <translation>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln hole(s) closed by an initial patch: no flow has smoothed it yet.</source>
+            <translation>
+                <numerusform>%Ln Loch ist mit einem ersten Flicken geschlossen: kein Fluss hat ihn geglättet.</numerusform>
+                <numerusform>%Ln Löcher sind mit ersten Flicken geschlossen: kein Fluss hat sie geglättet.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>&amp;Smooth, then export</source>
+            <translation>&amp;Glätten, dann exportieren</translation>
+        </message>
+        <message>
+            <source>E&amp;xport as they are</source>
+            <translation>E&amp;xportieren, wie sie sind</translation>
+        </message>
+        <message>
             <source>&amp;Close without saving</source>
             <translation>Ohne Speichern s&amp;chließen</translation>
+        </message>
+        <message>
+            <source>&amp;Quit without saving</source>
+            <translation>Ohne Speichern &amp;beenden</translation>
+        </message>
+        <message>
+            <source>The result of the tool was not accepted yet.</source>
+            <translation>Das Ergebnis des Werkzeugs wurde noch nicht übernommen.</translation>
+        </message>
+        <message>
+            <source>&amp;Close without it</source>
+            <translation>Ohne es &amp;schließen</translation>
         </message>
         <message>
             <source>Loopmend ended unexpectedly. Work was kept: %1.</source>
@@ -3016,16 +3055,28 @@
             <translation>Wiede&amp;rherstellen</translation>
         </message>
         <message>
-            <source>recovered work</source>
-            <translation>wiederhergestellte Arbeit</translation>
-        </message>
-        <message>
             <source>&amp;Discard</source>
             <translation>&amp;Verwerfen</translation>
         </message>
         <message>
             <source>&amp;Later</source>
             <translation>&amp;Später</translation>
+        </message>
+        <message>
+            <source>recovered work</source>
+            <translation>wiederhergestellte Arbeit</translation>
+        </message>
+        <message>
+            <source>Where is %1?</source>
+            <translation>Wo ist %1?</translation>
+        </message>
+        <message>
+            <source>%1 needs %2, which is not there any more.</source>
+            <translation>%1 braucht %2; dort ist die Datei nicht mehr.</translation>
+        </message>
+        <message>
+            <source>&amp;Locate…</source>
+            <translation>&amp;Suchen…</translation>
         </message>
         <message>
             <source>&amp;%1  %2</source>
@@ -3042,57 +3093,6 @@
         <message>
             <source>Nothing is open</source>
             <translation>Nichts ist offen</translation>
-        </message>
-        <message>
-            <source>Scans and sessions (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;All files (*)</source>
-            <translation>Scans und Sitzungen (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend *.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;Alle Dateien (*)</translation>
-        </message>
-        <message>
-            <source>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</source>
-            <translation>PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)</translation>
-        </message>
-        <message>
-            <source>&amp;Smooth, then export</source>
-            <translation>&amp;Glätten, dann exportieren</translation>
-        </message>
-        <message>
-            <source>Where is %1?</source>
-            <translation>Wo ist %1?</translation>
-        </message>
-        <message>
-            <source>%1 needs %2, which is not there any more.</source>
-            <translation>%1 braucht %2; dort ist die Datei nicht mehr.</translation>
-        </message>
-        <message>
-            <source>&amp;Locate…</source>
-            <translation>&amp;Suchen…</translation>
-        </message>
-        <message>
-            <source>The result of the tool was not accepted yet.</source>
-            <translation>Das Ergebnis des Werkzeugs wurde noch nicht übernommen.</translation>
-        </message>
-        <message>
-            <source>&amp;Close without it</source>
-            <translation>Ohne es &amp;schließen</translation>
-        </message>
-        <message>
-            <source>E&amp;xport as they are</source>
-            <translation>E&amp;xportieren, wie sie sind</translation>
-        </message>
-        <message>
-            <source>Work on %1 is neither saved nor exported.</source>
-            <translation>Die Arbeit an %1 ist weder gespeichert noch exportiert.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%Ln hole(s) closed by an initial patch: no flow has smoothed it yet.</source>
-            <translation>
-                <numerusform>%Ln Loch ist mit einem ersten Flicken geschlossen: kein Fluss hat ihn geglättet.</numerusform>
-                <numerusform>%Ln Löcher sind mit ersten Flicken geschlossen: kein Fluss hat sie geglättet.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>&amp;Quit without saving</source>
-            <translation>Ohne Speichern &amp;beenden</translation>
         </message>
     </context>
     <context>

@@ -22,7 +22,7 @@
         </message>
     </context>
     <context>
-        <name>loopmend::FileDesk</name>
+        <name>loopmend::FileController</name>
         <message numerus="yes">
             <source>%Ln hole(s) closed by an initial patch: no flow has smoothed it yet.</source>
             <translation>

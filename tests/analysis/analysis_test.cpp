@@ -24,7 +24,7 @@ TEST(SeamReport, SeesNoJumpOnTheExactSphereAndTheUnitOfLength) {
 }
 
 TEST(SeamReport, MeasuresTheAngleAndTheJumpOfAFlatLid) {
-  // A flat disc on the rim z = 0.9 of a unit sphere: the normals differ by acos 0.9, H jumps from −1 to 0.
+  // A flat disc on the boundary z = 0.9 of a unit sphere: the normals differ by acos 0.9, H jumps from −1 to 0.
   const SurfaceModel model =
       make_surface_model(make_revolution([](double z) { return std::sqrt(1 - z * z); }, 0.5, 0.9, 80, 10));
   const BoundaryLoop loop = find_boundary_loops(model).at(1);

@@ -33,7 +33,7 @@ int frequency_for(double angle, int removed) {
   return static_cast<int>(std::lround(std::sqrt(removed / (10 * (1 - std::cos(angle)) / 2))));
 }
 
-/// The cap's rim lies slightly off the pole of the icosahedron, so that no symmetry helps anybody.
+/// The cap's boundary lies slightly off the pole of the icosahedron, so that no symmetry helps anybody.
 HoleProblem sphere_cap(const std::string& name, double angle, int removed, MeshKind kind) {
   const int frequency = frequency_for(angle, removed);
   const double edge = 1.2 / frequency;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend_blends: random sets of tubes joined by default settings, their seams under refinement, and ring-shaped gaps.
 #include "analysis/seam_profile.h"
-#include "pipeline/blend.h"
-#include "pipeline/fill_holes.h"
-#include "pipeline/evolve_patch.h"
 #include "flows/flow_terms.h"
 #include "mesh/quality.h"
+#include "pipeline/blend.h"
+#include "pipeline/evolve_patch.h"
+#include "pipeline/fill_holes.h"
 #include "ring_gaps.h"
 #include "table.h"
 #include "tube_sets.h"
@@ -26,7 +26,7 @@ using namespace loopmend::bench;
 
 struct Problem {
   SurfaceModel model;
-  std::vector<BoundaryLoop> rims;
+  std::vector<BoundaryLoop> boundaries;
 };
 
 Problem problem_of(const std::vector<TubeShape>& tubes) {
@@ -36,9 +36,10 @@ Problem problem_of(const std::vector<TubeShape>& tubes) {
   problem.model = make_surface_model(joined(parts));
   const std::vector<BoundaryLoop> all = find_boundary_loops(problem.model);
   for (const TubeShape& tube : tubes)
-    problem.rims.push_back(*std::min_element(all.begin(), all.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
-      return (a.center - tube.start).norm() < (b.center - tube.start).norm();
-    }));
+    problem.boundaries.push_back(
+        *std::min_element(all.begin(), all.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
+          return (a.center - tube.start).norm() < (b.center - tube.start).norm();
+        }));
   return problem;
 }
 
@@ -57,18 +58,21 @@ void run_sets(std::uint64_t first, int count) {
   for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
     const TubeSet set = make_tube_set(seed);
     Problem problem = problem_of(set.tubes);
-    const BlendResult result = blend_loops(problem.model, problem.rims, {}, {});
-    const bool valid = result.outcome.status != PatchStatus::failed && result.outcome.validity.folds == 0 && result.outcome.validity.intersections == 0;
-    const bool finished = result.outcome.status == PatchStatus::converged || result.outcome.status == PatchStatus::faired;
+    const BlendResult result = blend_loops(problem.model, problem.boundaries, {}, {});
+    const bool valid = result.outcome.status != PatchStatus::failed && result.outcome.validity.folds == 0 &&
+                       result.outcome.validity.intersections == 0;
+    const bool finished =
+        result.outcome.status == PatchStatus::converged || result.outcome.status == PatchStatus::faired;
     const int ending = !valid ? 2 : finished ? 0 : 1;
     for (const std::string& group :
          {std::string("all"), size_text(set.tubes.size()) + " tubes", set.angles + " angles", set.radii + " radii"})
       ++shares[group][static_cast<std::size_t>(ending)];
-    table.add({std::to_string(seed), size_text(set.tubes.size()), set.angles, set.radii, to_string(result.outcome.status),
-               number(result.outcome.patch.free_count), number(result.outcome.steps), number(result.outcome.bending),
-               number(result.outcome.validity.min_angle_deg), number(worst_jump(result.outcome.seams)),
-               number(result.outcome.seconds.total), result.outcome.message});
-    std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.outcome.status), result.outcome.steps);
+    table.add({std::to_string(seed), size_text(set.tubes.size()), set.angles, set.radii,
+               to_string(result.outcome.status), number(result.outcome.patch.free_count), number(result.outcome.steps),
+               number(result.outcome.bending), number(result.outcome.validity.min_angle_deg),
+               number(worst_jump(result.outcome.seams)), number(result.outcome.seconds.total), result.outcome.message});
+    std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.outcome.status),
+                 result.outcome.steps);
   }
   Table summary({"problems", "converged or faired", "valid, not converged", "invalid or refused"});
   for (const auto& [group, n] : shares) summary.add({group, number(n[0]), number(n[1]), number(n[2])});
@@ -79,7 +83,7 @@ void run_sets(std::uint64_t first, int count) {
 void trace(std::uint64_t seed) {
   const TubeSet set = make_tube_set(seed);
   const Problem problem = problem_of(set.tubes);
-  const BridgeOutcome outcome = bridge_loops(problem.model, problem.rims, {}, {});
+  const BridgeOutcome outcome = bridge_loops(problem.model, problem.boundaries, {}, {});
   if (!outcome.bridge) {
     std::printf("%s\n", outcome.message.c_str());
     return;
@@ -120,7 +124,7 @@ void run_refinement(std::uint64_t first, int count) {
         Problem problem = problem_of(set.tubes);
         FillOptions options;
         options.evolution->flow = flow;
-        const BlendResult result = blend_loops(problem.model, problem.rims, options, {});
+        const BlendResult result = blend_loops(problem.model, problem.boundaries, options, {});
         const bool good = result.outcome.status == PatchStatus::converged;
         wide.push_back(good ? number(wide_curvature_jump(result.outcome.patch)) : to_string(result.outcome.status));
         double square = 0;

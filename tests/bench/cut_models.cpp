@@ -86,7 +86,7 @@ struct Hole {
 TriangleSoup load(const std::filesystem::path& path) {
   const SurfaceModel model = make_surface_model(read_mesh(path).soup);
   const TriangleSoup soup{points_of(model.mesh), triangles_of(model.mesh), {}};
-  return largest_component(soup.points.size() > most_kept_whole ? soup : trim_rims(soup));
+  return largest_component(soup.points.size() > most_kept_whole ? soup : trim_boundaries(soup));
 }
 
 double mean_edge(const TriangleSoup& soup) {

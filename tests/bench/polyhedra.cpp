@@ -3,12 +3,12 @@
 // run counts as bad if the program ends by a signal or a sanitizer, or what it says or leaves behind cannot be true.
 #include "core/error.h"
 #include "mesh/region.h"
+#include "neighborhood/trim_boundary.h"
 #include "pipeline/blend.h"
+#include "pipeline/compare.h"
 #include "pipeline/evolve_patch.h"
 #include "pipeline/fill_holes.h"
-#include "pipeline/compare.h"
 #include "pipeline/interpolate.h"
-#include "rim/trim_rim.h"
 #include "support/small_polyhedra.h"
 
 #include <CLI/CLI.hpp>
@@ -141,7 +141,7 @@ std::string run_compare(const TriangleSoup& soup, const NamedOptions& options, d
 std::string run_points(const TriangleSoup& soup, const NamedOptions& options, double) {
   SubdivisionOptions subdivision;
   subdivision.subdivisions = 1;
-  subdivision.rim = PolyhedronRim::smooth;
+  subdivision.boundary = PolyhedronBoundary::smooth;
   const Interpolation result =
       interpolate_points(make_surface_model(soup), subdivision, options.evolution, CancelToken());
   for (const Vec3& p : result.surface.points)
@@ -151,7 +151,7 @@ std::string run_points(const TriangleSoup& soup, const NamedOptions& options, do
 
 std::string run_trim(const TriangleSoup& soup, const NamedOptions& options, double density) {
   const SurfaceModel model = make_surface_model(soup);
-  const TrimmedModel trimmed = trim_rim(model, find_boundary_loops(model), 2);
+  const TrimmedModel trimmed = trim_boundary(model, find_boundary_loops(model), 2);
   return run_fill(trimmed.model.soup, options, density);
 }
 

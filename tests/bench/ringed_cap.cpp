@@ -95,17 +95,17 @@ RingedCap make_ringed_cap(int free, double angle, int rings) {
   // The view keeps the soup's order: loop vertex v is point free + v of the whole.
   std::vector<int> index(free + loop_size, -1);
   for (int v : cap.problem.loops.at(0).vertices) {
-    index[free + v] = static_cast<int>(cap.filler.points.size());
-    cap.filler.points.push_back(whole.points[free + v]);
+    index[free + v] = static_cast<int>(cap.initial_patch.points.size());
+    cap.initial_patch.points.push_back(whole.points[free + v]);
   }
   for (int v = 0; v < free; ++v) {
     const double x = std::acos(std::clamp(whole.points[v].z(), -1.0, 1.0)) / angle;
-    index[v] = static_cast<int>(cap.filler.points.size());
-    cap.filler.points.push_back(whole.points[v] * (1 + 0.05 * std::pow(1 - x * x, 2)));
+    index[v] = static_cast<int>(cap.initial_patch.points.size());
+    cap.initial_patch.points.push_back(whole.points[v] * (1 + 0.05 * std::pow(1 - x * x, 2)));
   }
   for (const Triangle& t : whole.triangles)
     if (*std::min_element(t.begin(), t.end()) < free)
-      cap.filler.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
+      cap.initial_patch.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
   return cap;
 }
 

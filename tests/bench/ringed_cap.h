@@ -9,7 +9,8 @@ namespace loopmend::bench {
 
 struct RingedCap {
   HoleProblem problem;  ///< the neighborhood with its one hole; distances are from the sphere
-  LoopPatch filler;  ///< fits the hole; its free vertices lie on a bump over the sphere, zero with its slope at the rim
+  LoopPatch
+      initial_patch;  ///< fits the hole; its free vertices lie on a bump over the sphere, zero with its slope at the boundary
 };
 
 /// @param free   vertices of the initial patch, ≥ 7.

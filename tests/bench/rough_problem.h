@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces cut out of real scans, and noisy surfaces: what a rim that is not smooth does to a filling.
+// Pieces cut out of real scans, and noisy surfaces: what a boundary that is not smooth does to a filling.
 #pragma once
 
 #include "hole_problem.h"
@@ -18,7 +18,7 @@ struct RoughProblem {
 };
 
 /// Number k ≥ 0 of a fixed list: the scans in turn; disc, ellipse, star, slit; 5 to 30 % of the object. Even numbers are
-/// for tuning, odd ones are set aside. Cuts whose rim runs through the scan itself are not taken: no patch could do without
+/// for tuning, odd ones are set aside. Cuts whose boundary runs through the scan itself are not taken: no patch could do without
 /// cutting it. Empty when no clean cut was found.
 std::optional<RoughProblem> make_rough_problem(std::uint64_t seed, int k);
 

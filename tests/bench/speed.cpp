@@ -36,7 +36,7 @@ constexpr int surrounding_rings = 8;
 struct Sized {
   explicit Sized(int free)
       : cap(make_ringed_cap(free, hole_angle, surrounding_rings)),
-        patch(make_patch(cap.problem.model, cap.problem.loops, {cap.filler})) {}
+        patch(make_patch(cap.problem.model, cap.problem.loops, {cap.initial_patch})) {}
   RingedCap cap;
   Patch patch;
 };

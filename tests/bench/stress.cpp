@@ -94,11 +94,11 @@ void judge(const HoleProblem& problem, const Filling& filling, Outcome& outcome)
   }
   const PatchFigures figures = measure(problem, filling);
   outcome.d = figures.d_rms;
-  const std::string trouble = what_is_invalid(problem, filling, figures);
+  const std::string fault = what_is_invalid(problem, filling, figures);
   // Without a free vertex there is nothing that could converge.
   const bool converged = filling.status == "converged" || filling.status == "faired" || filling.points.empty();
-  outcome.ending = !trouble.empty() ? Ending::invalid : converged ? Ending::finished : Ending::not_converged;
-  outcome.reason = !trouble.empty() ? trouble : converged ? "" : filling.status + ": " + filling.message;
+  outcome.ending = !fault.empty() ? Ending::invalid : converged ? Ending::finished : Ending::not_converged;
+  outcome.reason = !fault.empty() ? fault : converged ? "" : filling.status + ": " + filling.message;
 }
 
 /// As one line for the pipe, fields in the order of Outcome.
@@ -177,9 +177,9 @@ Outcome outcome_of(std::uint64_t seed, const IsolatedResult& result) {
   outcome.seed = seed;
   std::istringstream lines(result.text);
   for (std::string line; std::getline(lines, line);) outcome = from_line(line);
-  if (result.trouble.empty()) return outcome;
+  if (result.fault.empty()) return outcome;
   outcome.ending = Ending::invalid;
-  outcome.reason = result.trouble;
+  outcome.reason = result.fault;
   outcome.seconds = result.seconds;
   return outcome;
 }

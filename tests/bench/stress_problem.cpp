@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 constexpr int least_removed = 3, most_removed = 5000, most_vertices = 120000;
 
 /// What a seed asks for, before it is known whether it can be had.
-struct Wish {
+struct Request {
   int surface = 0;  ///< 0..6 analytic, from 7 on scans
   MeshKind mesh = MeshKind::regular;
   HoleShape shape;
@@ -28,17 +28,17 @@ struct Wish {
 
 constexpr int analytic_surfaces = 7;
 
-Wish draw(Random& random) {
-  Wish wish;
+Request draw(Random& random) {
+  Request request;
   const bool analytic = random.uniform() < 0.75;
-  wish.surface = static_cast<int>(analytic ? random.next() % analytic_surfaces
-                                           : analytic_surfaces + random.next() % scan_names().size());
-  wish.mesh = static_cast<MeshKind>(random.next() % 3);
-  wish.shape = random_shape(static_cast<ShapeKind>(random.next() % 5), random);
-  wish.size = 0.03 * std::pow(20, std::sqrt(random.uniform()));
-  wish.removed = least_removed * std::pow(double(most_removed) / least_removed, std::sqrt(random.uniform()));
-  wish.mesh_seed = random.next();
-  return wish;
+  request.surface = static_cast<int>(analytic ? random.next() % analytic_surfaces
+                                              : analytic_surfaces + random.next() % scan_names().size());
+  request.mesh = static_cast<MeshKind>(random.next() % 3);
+  request.shape = random_shape(static_cast<ShapeKind>(random.next() % 5), random);
+  request.size = 0.03 * std::pow(20, std::sqrt(random.uniform()));
+  request.removed = least_removed * std::pow(double(most_removed) / least_removed, std::sqrt(random.uniform()));
+  request.mesh_seed = random.next();
+  return request;
 }
 
 /// Extent and area of each analytic surface as built below, to choose a mesh for a wish.
@@ -49,19 +49,19 @@ constexpr SurfaceSize sizes[analytic_surfaces] = {{2, 12.6}, {3, 18.9}, {2.8, 15
                                                   {6, 34},   {2, 5},    {2, 7.9}};
 
 /// Edge length at which the hole holds as many vertices as wished, within what a mesh may have in all.
-double edge_length(const Wish& wish) {
-  const SurfaceSize& size = sizes[wish.surface];
-  const double radius = wish.size * size.extent / 2;
-  const double hole = wish.shape.area() * radius * radius;
+double edge_length(const Request& request) {
+  const SurfaceSize& size = sizes[request.surface];
+  const double radius = request.size * size.extent / 2;
+  const double hole = request.shape.area() * radius * radius;
   const double finest = std::sqrt(size.area / (0.87 * most_vertices)), coarsest = std::sqrt(size.area / (0.87 * 300));
-  return std::clamp(std::sqrt(hole / (0.87 * wish.removed)), finest, coarsest);
+  return std::clamp(std::sqrt(hole / (0.87 * request.removed)), finest, coarsest);
 }
 
-KnownSurface analytic_surface(const Wish& wish) {
-  const double edge = edge_length(wish);
+KnownSurface analytic_surface(const Request& request) {
+  const double edge = edge_length(request);
   const int around = std::max(8, static_cast<int>(std::lround(2 * pi / edge)));
   const int frequency = std::max(1, static_cast<int>(std::lround(1.2 / edge)));
-  switch (wish.surface) {
+  switch (request.surface) {
     case 0: return known_sphere(frequency);
     case 1: return known_cylinder(3, around);
     case 2: return known_torus(0.4, around);
@@ -79,10 +79,10 @@ bool sound(const RegionCut& cut) {
 }
 
 /// A few places for the hole; the first that gives a clean cut of the right size out of a sound surface.
-std::optional<RegionCut> find_cut(const TriangleSoup& whole, const Wish& wish, double scale, Random& random) {
+std::optional<RegionCut> find_cut(const TriangleSoup& whole, const Request& request, double scale, Random& random) {
   RegionPlan plan;
-  plan.shape = wish.shape;
-  plan.radius = wish.size * scale / 2;
+  plan.shape = request.shape;
+  plan.radius = request.size * scale / 2;
   plan.clearance = 2;
   for (int attempt = 0; attempt < 8; ++attempt) {
     plan.center = static_cast<int>(random.next() % whole.points.size());
@@ -95,15 +95,15 @@ std::optional<RegionCut> find_cut(const TriangleSoup& whole, const Wish& wish, d
   return std::nullopt;
 }
 
-std::optional<StressProblem> realise(const Wish& wish, Random& random) {
+std::optional<StressProblem> realise(const Request& request, Random& random) {
   StressProblem result;
-  const bool analytic = wish.surface < analytic_surfaces;
-  const std::string name = analytic ? "" : scan_names()[wish.surface - analytic_surfaces];
+  const bool analytic = request.surface < analytic_surfaces;
+  const std::string name = analytic ? "" : scan_names()[request.surface - analytic_surfaces];
   KnownSurface surface;
-  if (analytic) surface = with_mesh(analytic_surface(wish), wish.mesh, wish.mesh_seed);
+  if (analytic) surface = with_mesh(analytic_surface(request), request.mesh, request.mesh_seed);
   const TriangleSoup& whole = analytic ? surface.mesh : scan(name);
-  const double scale = analytic ? sizes[wish.surface].extent : extent(whole);
-  std::optional<RegionCut> cut = find_cut(whole, wish, scale, random);
+  const double scale = analytic ? sizes[request.surface].extent : extent(whole);
+  std::optional<RegionCut> cut = find_cut(whole, request, scale, random);
   if (!cut) return std::nullopt;
   result.removed = cut->removed;
   result.problem = problem_of("", std::move(*cut),
@@ -112,8 +112,8 @@ std::optional<StressProblem> realise(const Wish& wish, Random& random) {
   result.has_answer = analytic && surface.name != "torus" && surface.name != "graph" && surface.name != "ellipsoid";
   if (result.problem.loops.size() != 1) return std::nullopt;
   result.surface = analytic ? surface.name : "scan " + name;
-  result.mesh = analytic ? to_string(wish.mesh) : "scan";
-  result.shape = to_string(wish.shape.kind);
+  result.mesh = analytic ? to_string(request.mesh) : "scan";
+  result.shape = to_string(request.shape.kind);
   result.size = result.problem.diameter() / scale;
   return result;
 }
@@ -123,8 +123,8 @@ std::optional<StressProblem> realise(const Wish& wish, Random& random) {
 std::optional<StressProblem> make_stress_problem(std::uint64_t seed) {
   Random random(seed);
   for (int attempt = 0; attempt < 12; ++attempt) {
-    const Wish wish = draw(random);
-    if (std::optional<StressProblem> result = realise(wish, random)) {
+    const Request request = draw(random);
+    if (std::optional<StressProblem> result = realise(request, random)) {
       result->problem.name = result->surface + ", " + result->shape + ", " + result->mesh;
       return result;
     }

@@ -11,11 +11,11 @@ namespace loopmend::bench {
 
 namespace {
 
-constexpr double least_room = 0.15;  ///< radians between the rims of two tubes, as seen from the origin
+constexpr double least_room = 0.15;  ///< radians between the boundaries of two tubes, as seen from the origin
 
 double half_width(const TubeShape& tube) { return std::atan2(tube.radius, tube.start.norm()); }
 
-/// The tubes run straight outwards: where their rims are apart, so are they.
+/// The tubes run straight outwards: where their boundaries are apart, so are they.
 bool has_room(const std::vector<TubeShape>& tubes, const TubeShape& next) {
   return std::all_of(tubes.begin(), tubes.end(), [&](const TubeShape& tube) {
     const double angle = std::acos(std::clamp(tube.direction.dot(next.direction), -1.0, 1.0));

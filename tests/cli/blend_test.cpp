@@ -111,7 +111,7 @@ TEST_F(CliBlend, OneSheetThatWouldHaveToFaceBothWaysIsRefused) {
 }
 
 TEST_F(CliBlend, LoopsThatCannotBeJoinedAreTold) {
-  // A closed wall lies between the two rims: every bridge would run through it.
+  // A closed wall lies between the two boundaries: every bridge would run through it.
   write("inside.ply", make_tube({{0, 0, 0.2}, {0, 0, -1}, 0.3, 0.4, 24}));
   write("outside.ply", make_tube({{0, 0, 2}, {0, 0, 1}, 0.3, 1, 24}));
   write("wall.ply", make_icosphere(3));

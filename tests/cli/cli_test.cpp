@@ -117,7 +117,7 @@ TEST_F(Cli, LoopsAreChosenByNumberVertexAndSize) {
 }
 
 TEST_F(Cli, OuterRimIsLeftUnlessAskedFor) {
-  // A bowl with a hole in its bottom: a lid on its rim cuts nothing.
+  // A bowl with a hole in its bottom: a lid on its boundary cuts nothing.
   write_mesh(holes, cut(make_icosphere(4), [](const Vec3& p) { return p.z() < 0.75 || p.z() > 0.97; }));
   const auto kinds = [&](const std::string& options) {
     const json report = json::parse(loopmend_program("fill " + in_out() + options + " --flow none --report -").out);
@@ -147,7 +147,7 @@ TEST_F(Cli, IslandsAreJoinedByDefault) {
   const TriangleSoup before = read_mesh(holes).soup, after = read_mesh(out).soup;
   EXPECT_TRUE(find_boundary_loops(make_surface_model(after)).empty());
   for (std::size_t i = before.points.size(); i < after.points.size(); ++i) EXPECT_NEAR(after.points[i].norm(), 1, 1e-4);
-  // On request they are left as they are: rims of sheets.
+  // On request they are left as they are: boundaries of sheets.
   const json left = json::parse(loopmend_program("fill " + in_out() + "--islands cover --report - --flow none").out);
   EXPECT_EQ(left["loops"][3]["status"], "skipped");
 }
@@ -365,13 +365,13 @@ TEST_F(Cli, SampleIsWrittenAndFilled) {
   const Outcome run = loopmend_program("fill " + in_out() + "--report -");
   EXPECT_EQ(run.code, 0) << run.err;
   const json report = json::parse(run.out);
-  int filled = 0, rims = 0;
+  int filled = 0, boundaries = 0;
   for (const json& loop : report["loops"]) {
     filled += loop["status"] == "converged";
-    rims += loop["kind"] == "outer rim";
+    boundaries += loop["kind"] == "outer rim";
   }
   EXPECT_EQ(filled, 5);
-  EXPECT_EQ(rims, 1);
+  EXPECT_EQ(boundaries, 1);
 }
 
 TEST_F(Cli, RenderNeedsNoDisplay) {

@@ -49,7 +49,7 @@ TEST_F(CliPaper, InterpolateIsTheWindowsToTheLastBit) {
   ASSERT_EQ(run("interpolate", "open.off", "--open --subdivide 2 --quiet").code, 0);
   SubdivisionOptions options;
   options.subdivisions = 2;
-  options.rim = PolyhedronRim::smooth;
+  options.boundary = PolyhedronBoundary::smooth;
   const auto polyhedron = std::make_shared<const SurfaceModel>(make_surface_model(read_mesh(work / "open.off").soup));
   const Solution solution = pose_points(polyhedron, options).solve(EvolutionOptions{}, nullptr, CancelToken());
   const TriangleSoup written = read_mesh(work / "out.ply").soup;

@@ -71,7 +71,7 @@ TriangleSoup small_scan(Dice& dice) {
     const double radius = dice.between(0.2, 0.6);
     soup = cut(soup, [&](const Vec3& p) { return (p - middle).norm() < radius; });
   }
-  return trim_rims(soup);
+  return trim_boundaries(soup);
 }
 
 void add_bits(std::vector<std::uint64_t>& bits, const Points& points) {
@@ -399,7 +399,8 @@ TEST(Cycles, AFlowWhoseFirstStepIsRefusedGoesOnWithCubicFits) {
 /// The one is large and takes longer to be written than the other, which is saved when the first was cancelled.
 TEST(Cycles, ASaveThatWasCancelledDoesNotReplaceTheOneAfterIt) {
   const QTemporaryDir folder;
-  const QString scan = folder.filePath(QStringLiteral("scan.ply")), path = folder.filePath(QStringLiteral("a.loopmend"));
+  const QString scan = folder.filePath(QStringLiteral("scan.ply")),
+                path = folder.filePath(QStringLiteral("a.loopmend"));
   write_mesh(scan.toStdString(), cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.5; }));
   Document document;
   UndoHistory undo;

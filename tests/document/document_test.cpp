@@ -11,8 +11,8 @@ namespace {
 TEST(Document, KnowsTheLoopsOfItsScans) {
   SheetDocument document;
   ASSERT_EQ(document.loop_count(), 3);
-  EXPECT_EQ(document.loop(rim).kind, LoopKind::outer_rim);
-  EXPECT_EQ(document.loop(rim).edges(), 40);
+  EXPECT_EQ(document.loop(boundary).kind, LoopKind::outer_rim);
+  EXPECT_EQ(document.loop(boundary).edges(), 40);
   EXPECT_EQ(document.loop(square).edges(), 8);
   EXPECT_DOUBLE_EQ(document.loop(square).diameter, 2 * std::sqrt(2.0));
   EXPECT_EQ(document.loop(diamond).edges(), 4);
@@ -29,10 +29,10 @@ TEST(Document, KnowsTheLoopsOfItsScans) {
 
 TEST(Document, TellsTheStateOfEveryLoop) {
   SheetDocument document;
-  EXPECT_EQ(document.state(rim), HoleState::left_out);
+  EXPECT_EQ(document.state(boundary), HoleState::left_out);
   EXPECT_EQ(document.state(square), HoleState::open);
   document.set_outer_rims(OuterRims::include);
-  EXPECT_EQ(document.state(rim), HoleState::open);
+  EXPECT_EQ(document.state(boundary), HoleState::open);
   document.add_failures({{diamond, "no room"}});
   EXPECT_EQ(document.state(diamond), HoleState::failed);
   EXPECT_EQ(document.message(diamond), "no room");

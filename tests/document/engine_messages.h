@@ -170,7 +170,7 @@ inline constexpr const char* engine_messages[] = {
     "3 fixed vertices are too few for a surface: at least 4 are needed",
     "a closed curve needs at least 3 points, not 2",
     "two neighbouring points of the curve lie in one place",
-    // rim/trim_rim.cpp, repair/stitch_boundaries.cpp, mesh/surface_model.cpp, mesh/flat_view.cpp
+    // neighborhood/trim_boundary.cpp, repair/stitch_boundaries.cpp, mesh/surface_model.cpp, mesh/flat_view.cpp
     "between 0 and 100 rings of a boundary can be trimmed, not 101",
     "trimming the boundary would leave no triangle",
     "the tolerance of stitching must lie between 0 and 0.4, not 0.500000",

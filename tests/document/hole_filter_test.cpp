@@ -27,14 +27,14 @@ struct HoleFilterTest : testing::Test {
 };
 
 TEST_F(HoleFilterTest, ShowsTheGroupThatIsAskedFor) {
-  EXPECT_EQ(shown(), (Loops{rim, square, diamond}));
+  EXPECT_EQ(shown(), (Loops{boundary, square, diamond}));
   EXPECT_FALSE(filter.narrowed());
   document.add_failures({{diamond, "no room"}});
   const int id = add_patch(document, {square}, state_at(PatchStatus::doubtful));
-  EXPECT_EQ(shown(HoleGroup::left_out), Loops{rim});
+  EXPECT_EQ(shown(HoleGroup::left_out), Loops{boundary});
   EXPECT_EQ(shown(HoleGroup::to_do), Loops{diamond});
   EXPECT_EQ(shown(HoleGroup::filled), Loops{square});
-  EXPECT_EQ(shown(HoleGroup::trouble), (Loops{square, diamond}));
+  EXPECT_EQ(shown(HoleGroup::fault), (Loops{square, diamond}));
   EXPECT_EQ(shown(HoleGroup::accepted), Loops{});
   EXPECT_TRUE(filter.narrowed());
   document.replace({id}, {});
@@ -43,7 +43,7 @@ TEST_F(HoleFilterTest, ShowsTheGroupThatIsAskedFor) {
 
 TEST_F(HoleFilterTest, FollowsTheStatesWithinAGroup) {
   const int id = add_patch(document, {square}, state_at(PatchStatus::filled));
-  EXPECT_EQ(shown(HoleGroup::trouble), Loops{});
+  EXPECT_EQ(shown(HoleGroup::fault), Loops{});
   document.set_states({{id, state_at(PatchStatus::invalid)}});
   EXPECT_EQ(shown(), Loops{square});
 }
@@ -56,7 +56,7 @@ TEST_F(HoleFilterTest, FindsNumbersAndWords) {
   filter.set_words(QStringLiteral("sheet 2"));
   EXPECT_EQ(shown(), Loops{square}) << "all words at once";
   filter.set_words(QStringLiteral("rim"));
-  EXPECT_EQ(shown(), Loops{rim});
+  EXPECT_EQ(shown(), Loops{boundary});
   filter.set_words(QStringLiteral("nowhere"));
   EXPECT_EQ(shown(), Loops{});
   filter.set_words(QStringLiteral("  "));
@@ -65,9 +65,9 @@ TEST_F(HoleFilterTest, FindsNumbersAndWords) {
 
 TEST_F(HoleFilterTest, SortsByTheNumbersBehindTheCells) {
   filter.sort(HoleTable::edges, Qt::AscendingOrder);
-  EXPECT_EQ(shown(), (Loops{diamond, square, rim})) << "4, 8, 40: as text 40 would come before 8";
+  EXPECT_EQ(shown(), (Loops{diamond, square, boundary})) << "4, 8, 40: as text 40 would come before 8";
   filter.sort(HoleTable::diameter, Qt::DescendingOrder);
-  EXPECT_EQ(shown(), (Loops{rim, square, diamond}));
+  EXPECT_EQ(shown(), (Loops{boundary, square, diamond}));
 }
 
 TEST_F(HoleFilterTest, LeavesOutTheLoopsOfAScanThatWasTakenAway) {

@@ -23,7 +23,7 @@ class Language : public testing::Test {
 
 TEST_F(Language, OwnWordsAndThoseOfQtsDialogsAreGerman) {
   install_language(QStringLiteral("de"));
-  EXPECT_EQ(QCoreApplication::translate("loopmend::FileDesk", "&Locate\u2026"), QStringLiteral("&Suchen\u2026"));
+  EXPECT_EQ(QCoreApplication::translate("loopmend::FileController", "&Locate\u2026"), QStringLiteral("&Suchen\u2026"));
   EXPECT_EQ(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("Abbrechen"));
   EXPECT_EQ(QCoreApplication::translate("QFileDialog", "Look in:"), QStringLiteral("Suchen in:"));
 }

@@ -244,7 +244,7 @@ void use(const Session& session) {
   for (const SessionPatch& patch : session.patches) {
     curvature_field(patch.state->patch);
     seam_reports(patch.state->patch);
-    rim_knowledge(patch.state->patch);
+    boundary_knowledge(patch.state->patch);
     patch_geometry(patch.state->patch);
   }
 }

@@ -10,9 +10,9 @@
 namespace loopmend::test {
 
 // Indices of the sheet's loops, by falling perimeter; BoundaryLoop::number is one more.
-inline constexpr int rim = 0;      ///< 40 edges, an outer rim
-inline constexpr int square = 1;   ///< 8 edges, perimeter 8, diameter 2 √2
-inline constexpr int diamond = 2;  ///< 4 edges, perimeter 4 √2, diameter 2
+inline constexpr int boundary = 0;  ///< 40 edges, an outer rim
+inline constexpr int square = 1;    ///< 8 edges, perimeter 8, diameter 2 √2
+inline constexpr int diamond = 2;   ///< 4 edges, perimeter 4 √2, diameter 2
 
 inline TriangleSoup sheet_with_two_holes() {
   const auto is_at = [](const Vec3& p, double x, double y) { return (p - Vec3(x, y, 0)).norm() < 0.1; };

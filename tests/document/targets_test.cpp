@@ -15,12 +15,12 @@ TEST(Targets, FillTakesTheSelectedLoopsOrAllHoles) {
   HoleSelection selection;
   EXPECT_EQ(loops_to_fill(document, selection), (Loops{square, diamond}));
   document.set_outer_rims(OuterRims::include);
-  EXPECT_EQ(loops_to_fill(document, selection), (Loops{rim, square, diamond}));
+  EXPECT_EQ(loops_to_fill(document, selection), (Loops{boundary, square, diamond}));
   document.set_outer_rims(OuterRims::leave);
-  selection.select({rim, diamond});
-  EXPECT_EQ(loops_to_fill(document, selection), (Loops{rim, diamond})) << "who selects the rim means it";
+  selection.select({boundary, diamond});
+  EXPECT_EQ(loops_to_fill(document, selection), (Loops{boundary, diamond})) << "who selects the rim means it";
   add_patch(document, {diamond}, state_at(PatchStatus::filled));
-  EXPECT_EQ(loops_to_fill(document, selection), Loops{rim}) << "no loop is filled twice";
+  EXPECT_EQ(loops_to_fill(document, selection), Loops{boundary}) << "no loop is filled twice";
 }
 
 TEST(Targets, AFlowMovesWhatIsNotAccepted) {
@@ -33,7 +33,7 @@ TEST(Targets, AFlowMovesWhatIsNotAccepted) {
   selection.select({diamond});
   EXPECT_EQ(chosen_patches(document, selection), std::set<int>{second});
   EXPECT_TRUE(patches_to_move(document, selection).empty());
-  selection.select({rim});
+  selection.select({boundary});
   EXPECT_TRUE(chosen_patches(document, selection).empty()) << "there is no patch in the rim";
 }
 

@@ -11,7 +11,7 @@ using namespace loopmend;
 
 namespace {
 
-/// Some 4 000 free vertices within a rim of some 220 edges, all on the unit sphere.
+/// Some 4 000 free vertices within a boundary of some 220 edges, all on the unit sphere.
 const Patch& large_patch() {
   static const Patch patch = test::exact_sphere_patch(6, 0.8);
   return patch;
@@ -44,7 +44,7 @@ struct Outcome {
   int free_count;
 };
 
-Outcome run_from_filler(const EvolutionOptions& options) {
+Outcome run_from_initial_patch(const EvolutionOptions& options) {
   static const SurfaceModel model = test::open_sphere(6, 0.8);
   Evolution evolution(test::start_of(model), options);
   const PatchStatus status = evolution.run(nullptr, CancelToken());
@@ -58,7 +58,7 @@ TEST(CoarsePatch, SmallAndNarrowPatchesAreNotWorthIt) {
   EXPECT_FALSE(worth_coarsening(test::exact_sphere_patch(4, 0.8)));
 }
 
-TEST(CoarsePatch, HasFewVerticesTheSameRimAndNoFold) {
+TEST(CoarsePatch, HasFewVerticesTheSameBoundaryAndNoFold) {
   const Patch coarse = coarsened(large_patch());
   EXPECT_LT(coarse.free_count, large_patch().free_count / 3);
   EXPECT_EQ(folds(coarse), 0);
@@ -68,7 +68,7 @@ TEST(CoarsePatch, HasFewVerticesTheSameRimAndNoFold) {
     EXPECT_EQ(coarse.positions[coarse.loops[0][k]], large_patch().positions[large_patch().loops[0][k]]);
 }
 
-TEST(CoarsePatch, RefinedLiesOnTheSurfaceOfItsFormsWithTheDensityOfTheRim) {
+TEST(CoarsePatch, RefinedLiesOnTheSurfaceOfItsFormsWithTheDensityOfTheBoundary) {
   const EvolutionState coarse = make_state(onto_sphere(coarsened(large_patch())), {}, Stencil::two_ring_cubic);
   const Patch fine = refined(coarse, large_patch().grading);
   EXPECT_EQ(folds(fine), 0);
@@ -86,7 +86,7 @@ TEST(CoarsePatch, IsRefinedTheSameByAnyNumberOfThreads) {
 }
 
 TEST(CoarsePatch, ALargePatchReachesTheSteadyStateInTwoOrThreeSteps) {
-  const Outcome coarse_first = run_from_filler({});
+  const Outcome coarse_first = run_from_initial_patch({});
   EXPECT_EQ(coarse_first.status, PatchStatus::converged);
   EXPECT_LE(coarse_first.steps, 3u);
   EXPECT_LT(coarse_first.error, 1e-7);
@@ -95,16 +95,16 @@ TEST(CoarsePatch, ALargePatchReachesTheSteadyStateInTwoOrThreeSteps) {
 TEST(CoarsePatch, TrianglesThatAreToBeKeptAreKept) {
   EvolutionOptions kept;
   kept.triangles = PatchTriangles::kept;
-  const Outcome run = run_from_filler(kept);
+  const Outcome run = run_from_initial_patch(kept);
   EXPECT_EQ(run.status, PatchStatus::converged);
   EXPECT_EQ(run.free_count, test::start_of(test::open_sphere(6, 0.8)).free_count);
 }
 
 TEST(CoarsePatch, ACancelledCoarseStartLeavesTheFiller) {
-  const Patch filler = test::start_of(test::open_sphere(6, 0.8));
-  Evolution evolution(filler, {});
+  const Patch initial_patch = test::start_of(test::open_sphere(6, 0.8));
+  Evolution evolution(initial_patch, {});
   CancelToken cancel;
   cancel.cancel();
   EXPECT_EQ(evolution.run(nullptr, cancel), PatchStatus::cancelled);
-  EXPECT_EQ(evolution.patch().positions, filler.positions);
+  EXPECT_EQ(evolution.patch().positions, initial_patch.positions);
 }

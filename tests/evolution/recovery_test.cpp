@@ -32,7 +32,7 @@ struct Filled {
 /// The hole nearest to where the points are missing, filled by default settings.
 Filled fill(const Problem& problem, MeshKind kind, double density = 1) {
   const KnownSurface surface = with_mesh(problem.surface(), kind, 5);
-  SurfaceModel model = make_surface_model(trim_rims(cut(surface.mesh, problem.missing)));
+  SurfaceModel model = make_surface_model(trim_boundaries(cut(surface.mesh, problem.missing)));
   const auto loops = find_boundary_loops(model);
   const auto at_ends = [&](const BoundaryLoop& loop) {
     const Vec3 first = model.mesh.point(TriMesh::VertexHandle(loop.vertices.front()));

@@ -32,7 +32,7 @@ struct Scene {
 };
 
 std::vector<Scene> scenes() {
-  TriangleSoup rough = trim_rims(cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.85; }));
+  TriangleSoup rough = trim_boundaries(cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.85; }));
   const std::vector<double> relief = random_relief(rough, 3);
   for (std::size_t i = 0; i < rough.points.size(); ++i) rough.points[i] *= 1 + 0.005 * relief[i];
   return {

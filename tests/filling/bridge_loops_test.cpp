@@ -33,7 +33,7 @@ int euler_number(const Patch& patch) {
 
 void expect_valid_bridge(const std::vector<TubeShape>& tubes) {
   const SurfaceModel model = test::tubes_model(tubes);
-  const BridgeOutcome outcome = bridge_loops(model, test::inner_rims(model, tubes), {}, {});
+  const BridgeOutcome outcome = bridge_loops(model, test::inner_boundaries(model, tubes), {}, {});
   ASSERT_TRUE(outcome.bridge) << outcome.message;
   EXPECT_EQ(outcome.message, "");
   for (const Patch* patch : {&outcome.bridge->membrane, &outcome.bridge->start}) {
@@ -73,7 +73,7 @@ TEST(BridgeLoops, FindsTheTubeThatIsInsideOut) {
   for (const TubeShape& tube : tubes) parts.push_back(make_tube(tube));
   for (Triangle& t : parts[1].triangles) std::swap(t[1], t[2]);
   const SurfaceModel model = make_surface_model(joined(parts));
-  EXPECT_EQ(find_opposed_loops(model, test::inner_rims(model, tubes)), std::vector<int>{1});
+  EXPECT_EQ(find_opposed_loops(model, test::inner_boundaries(model, tubes)), std::vector<int>{1});
 }
 
 TEST(BridgeLoops, RefusesOneLoopALoopTwiceAndACrack) {

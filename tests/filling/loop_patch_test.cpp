@@ -18,10 +18,10 @@ namespace loopmend {
 namespace {
 
 /// Every edge of the initial patch has two triangles, but for the loop's own, which have one, in the loop's direction.
-void expect_disc(const LoopPatch& filler, int rim) {
+void expect_disc(const LoopPatch& initial_patch, int boundary) {
   std::map<std::pair<int, int>, int> count;
   std::set<int> used;
-  for (const Triangle& t : filler.triangles)
+  for (const Triangle& t : initial_patch.triangles)
     for (int k = 0; k < 3; ++k) {
       ++count[{t[k], t[(k + 1) % 3]}];
       used.insert(t[k]);
@@ -31,21 +31,22 @@ void expect_disc(const LoopPatch& filler, int rim) {
     EXPECT_EQ(times, 1);
     if (count.count({edge.second, edge.first})) continue;
     ++open;
-    EXPECT_EQ(edge.second, (edge.first + 1) % rim);
+    EXPECT_EQ(edge.second, (edge.first + 1) % boundary);
   }
-  EXPECT_EQ(open, rim);
-  EXPECT_EQ(used.size(), filler.points.size());
+  EXPECT_EQ(open, boundary);
+  EXPECT_EQ(used.size(), initial_patch.points.size());
   const int edges = (static_cast<int>(count.size()) + open) / 2;
-  EXPECT_EQ(static_cast<int>(filler.points.size()) - edges + static_cast<int>(filler.triangles.size()), 1);
+  EXPECT_EQ(static_cast<int>(initial_patch.points.size()) - edges + static_cast<int>(initial_patch.triangles.size()),
+            1);
 }
 
 /// Closes the model by the initial patch and checks that the result is a closed oriented surface, the input first.
-void expect_closes(const SurfaceModel& model, const BoundaryLoop& loop, const LoopPatch& filler) {
-  expect_disc(filler, loop.edges());
+void expect_closes(const SurfaceModel& model, const BoundaryLoop& loop, const LoopPatch& initial_patch) {
+  expect_disc(initial_patch, loop.edges());
   for (int i = 0; i < loop.edges(); ++i)
-    EXPECT_EQ(filler.points[i], model.mesh.point(TriMesh::VertexHandle(loop.vertices[i])));
+    EXPECT_EQ(initial_patch.points[i], model.mesh.point(TriMesh::VertexHandle(loop.vertices[i])));
   SurfaceModel filled = model;
-  append_patch(filled, patch_geometry(make_patch(model, {loop}, {filler})));
+  append_patch(filled, patch_geometry(make_patch(model, {loop}, {initial_patch})));
   EXPECT_EQ(find_boundary_loops(filled).size() + 1, find_boundary_loops(model).size());
 }
 
@@ -71,7 +72,7 @@ TEST(LoopPatch, DensityScalesTheEdgeLength) {
   std::map<double, double> vertices;
   for (double density : {0.5, 1.0, 2.0})
     vertices[density] = static_cast<double>(fill_loop(model, loop, {density}, {}).patch->points.size()) - loop.edges();
-  // The locked rim keeps its own density, which blurs the factor four.
+  // The locked boundary keeps its own density, which blurs the factor four.
   EXPECT_GT(vertices[2] / vertices[1], 2.5);
   EXPECT_LT(vertices[2] / vertices[1], 5);
   EXPECT_GT(vertices[1] / vertices[0.5], 1.5);
@@ -87,7 +88,7 @@ TEST(LoopPatch, ConcaveAndSlitShapedLoops) {
   };
   const auto slit = [](const Vec3& p) { return p.z() > 0 && std::abs(p.y()) < 0.06 && std::abs(p.x()) < 0.7; };
   for (const auto& shape : {std::function<bool(const Vec3&)>(star), std::function<bool(const Vec3&)>(slit)}) {
-    const SurfaceModel model = make_surface_model(trim_rims(cut(sphere, shape)));
+    const SurfaceModel model = make_surface_model(trim_boundaries(cut(sphere, shape)));
     const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
     ASSERT_EQ(loops.size(), 1u);
     const LoopPatchOutcome outcome = fill_loop(model, loops[0], {}, {});
@@ -103,8 +104,8 @@ TEST(LoopPatch, WhereRemeshingWouldCutTheNeighborhoodThePatchGetsItsVerticesAllT
   TriangleSoup sheet =
       make_graph([](double x, double y) { return 1.5 * std::exp(-x * x / 0.0064) * std::exp(-2 * y * y); }, 2, 100);
   for (Vec3& p : sheet.points) p.x() += p.z();
-  const SurfaceModel model =
-      make_surface_model(trim_rims(cut(sheet, [](const Vec3& p) { return (p - Vec3(0.2, 0.6, 0.5)).norm() < 0.9; })));
+  const SurfaceModel model = make_surface_model(
+      trim_boundaries(cut(sheet, [](const Vec3& p) { return (p - Vec3(0.2, 0.6, 0.5)).norm() < 0.9; })));
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   const auto hole = std::find_if(loops.begin(), loops.end(), [](const auto& l) { return l.edges() == 142; });
   ASSERT_NE(hole, loops.end());
@@ -166,16 +167,17 @@ TEST(LoopPatch, CancelledLeavesNothing) {
   EXPECT_FALSE(fill_loop(model, find_boundary_loops(model).at(0), {}, cancel).patch);
 }
 
-TEST(ConstrainedRemesher, SplitsCollapsesAndFlipsKeepTheRimAndTheDisc) {
-  // A coarse fan over a regular 24-gon, refined to the rim's edge length.
+TEST(ConstrainedRemesher, SplitsCollapsesAndFlipsKeepTheBoundaryAndTheDisc) {
+  // A coarse fan over a regular 24-gon, refined to the boundary's edge length.
   Points points;
   Triangles triangles;
-  constexpr int rim = 24;
-  for (int i = 0; i < rim; ++i) points.push_back(Vec3(std::cos(2 * M_PI * i / rim), std::sin(2 * M_PI * i / rim), 0));
+  constexpr int boundary = 24;
+  for (int i = 0; i < boundary; ++i)
+    points.push_back(Vec3(std::cos(2 * M_PI * i / boundary), std::sin(2 * M_PI * i / boundary), 0));
   points.push_back(Vec3(0.3, 0.1, 0));
-  for (int i = 0; i < rim; ++i) triangles.push_back({i, (i + 1) % rim, rim});
+  for (int i = 0; i < boundary; ++i) triangles.push_back({i, (i + 1) % boundary, boundary});
   const double edge = (points[1] - points[0]).norm();
-  ConstrainedRemesher mesh(points, triangles, rim, {}, [=](const Vec3&) { return edge; });
+  ConstrainedRemesher mesh(points, triangles, boundary, {}, [=](const Vec3&) { return edge; });
   for (int round = 0; round < 5; ++round) {
     mesh.split_long_edges();
     mesh.flip_to_delaunay();
@@ -184,8 +186,8 @@ TEST(ConstrainedRemesher, SplitsCollapsesAndFlipsKeepTheRimAndTheDisc) {
     for (int k = 0; k < 3; ++k) mesh.smooth_tangentially();
   }
   const LoopPatch result{mesh.points(), mesh.triangles()};
-  expect_disc(result, rim);
-  for (int i = 0; i < rim; ++i) EXPECT_EQ(result.points[i], points[i]);
+  expect_disc(result, boundary);
+  for (int i = 0; i < boundary; ++i) EXPECT_EQ(result.points[i], points[i]);
   EXPECT_EQ(count_folds(result.points, result.triangles, static_cast<int>(result.triangles.size())), 0);
   EXPECT_GT(min_angle_deg(result.points, result.triangles, static_cast<int>(result.triangles.size())), 25);
   std::map<int, int> valence;
@@ -193,7 +195,7 @@ TEST(ConstrainedRemesher, SplitsCollapsesAndFlipsKeepTheRimAndTheDisc) {
     for (int v : t) ++valence[v];
   int inner = 0, regular = 0;
   for (const auto& [v, count] : valence)
-    if (v >= rim) {
+    if (v >= boundary) {
       ++inner;
       regular += count >= 5 && count <= 7;
     }

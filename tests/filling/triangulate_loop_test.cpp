@@ -18,31 +18,31 @@ namespace loopmend {
 namespace {
 
 /// A loop of n points with a collar of triangles around it, and the numbers of the loop in the order of its halfedges.
-struct Rim {
+struct Boundary {
   Points points;
   Triangles collar;
   std::vector<int> loop;
 };
 
 /// In the wall of a cylinder. @param uneven  0: with two planes of symmetry
-Rim window(int n, double uneven, unsigned seed) {
+Boundary window(int n, double uneven, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> noise(-uneven, uneven);
-  Rim rim;
+  Boundary boundary;
   for (double radius : {1.0, 1.1})
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * std::numbers::pi * (i + 0.5) / n, turn = radius * std::cos(angle);
-      rim.points.emplace_back(std::cos(turn) + noise(random), std::sin(turn) + noise(random),
-                              radius * std::sin(angle) + noise(random));
+      boundary.points.emplace_back(std::cos(turn) + noise(random), std::sin(turn) + noise(random),
+                                   radius * std::sin(angle) + noise(random));
     }
   for (int i = 0; i < n; ++i) {
     const int next = (i + 1) % n;
-    rim.collar.push_back({i, n + i, next});
-    rim.collar.push_back({next, n + i, n + next});
+    boundary.collar.push_back({i, n + i, next});
+    boundary.collar.push_back({next, n + i, n + next});
   }
-  rim.loop.resize(n);
-  std::iota(rim.loop.begin(), rim.loop.end(), 0);
-  return rim;
+  boundary.loop.resize(n);
+  std::iota(boundary.loop.begin(), boundary.loop.end(), 0);
+  return boundary;
 }
 
 Triangles sorted(Triangles triangles) {
@@ -52,18 +52,18 @@ Triangles sorted(Triangles triangles) {
 }
 
 /// By CGAL's hole filling over Delaunay triangles.
-Triangles triangulation_by_cgal(const Rim& rim) {
+Triangles triangulation_by_cgal(const Boundary& boundary) {
   using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
   const auto vertex = [](int v) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(v)); };
   Mesh mesh;
-  for (const Vec3& p : rim.points) mesh.add_vertex({p.x(), p.y(), p.z()});
-  for (const Triangle& t : rim.collar) mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
+  for (const Vec3& p : boundary.points) mesh.add_vertex({p.x(), p.y(), p.z()});
+  for (const Triangle& t : boundary.collar) mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
   std::vector<Mesh::Face_index> faces;
-  CGAL::Polygon_mesh_processing::triangulate_hole(mesh, mesh.halfedge(vertex(rim.loop[0]), vertex(rim.loop[1])),
-                                                  std::back_inserter(faces),
-                                                  CGAL::parameters::use_2d_constrained_delaunay_triangulation(false)
-                                                      .use_delaunay_triangulation(true)
-                                                      .do_not_use_cubic_algorithm(true));
+  CGAL::Polygon_mesh_processing::triangulate_hole(
+      mesh, mesh.halfedge(vertex(boundary.loop[0]), vertex(boundary.loop[1])), std::back_inserter(faces),
+      CGAL::parameters::use_2d_constrained_delaunay_triangulation(false)
+          .use_delaunay_triangulation(true)
+          .do_not_use_cubic_algorithm(true));
   Triangles triangles;
   for (Mesh::Face_index f : faces) {
     Triangle& t = triangles.emplace_back();
@@ -75,10 +75,11 @@ Triangles triangulation_by_cgal(const Rim& rim) {
 
 TEST(TriangulateLoop, OverDelaunayTrianglesFindsWhatCgalFinds) {
   for (unsigned seed = 0; seed < 30; ++seed) {
-    const Rim rim = window(10 + 7 * static_cast<int>(seed), 0.02, seed);
-    const Triangles found = triangulate_loop(rim.points, rim.collar, rim.loop, TriangulationMethod::delaunay_only);
-    ASSERT_EQ(found.size(), rim.loop.size() - 2) << "seed " << seed;
-    EXPECT_EQ(sorted(found), sorted(triangulation_by_cgal(rim))) << "seed " << seed;
+    const Boundary boundary = window(10 + 7 * static_cast<int>(seed), 0.02, seed);
+    const Triangles found =
+        triangulate_loop(boundary.points, boundary.collar, boundary.loop, TriangulationMethod::delaunay_only);
+    ASSERT_EQ(found.size(), boundary.loop.size() - 2) << "seed " << seed;
+    EXPECT_EQ(sorted(found), sorted(triangulation_by_cgal(boundary))) << "seed " << seed;
   }
 }
 
@@ -88,11 +89,11 @@ TEST(TriangulateLoop, IsTheSameWhereverMemoryLies) {
   for (int n : {60, 74, 112})
     for (auto method : {TriangulationMethod::delaunay, TriangulationMethod::delaunay_only, TriangulationMethod::planar,
                         TriangulationMethod::cubic}) {
-      const Rim rim = window(n, 0, 0);
+      const Boundary boundary = window(n, 0, 0);
       std::set<Triangles> found;
       std::vector<std::unique_ptr<char[]>> blocks;
       for (int run = 0; run < 20; ++run) {
-        found.insert(triangulate_loop(rim.points, rim.collar, rim.loop, method));
+        found.insert(triangulate_loop(boundary.points, boundary.collar, boundary.loop, method));
         for (int k = 0; k < 20; ++k) blocks.push_back(std::make_unique<char[]>(random() % 5000));
         std::shuffle(blocks.begin(), blocks.end(), random);
         blocks.resize(blocks.size() / 2);
@@ -103,11 +104,12 @@ TEST(TriangulateLoop, IsTheSameWhereverMemoryLies) {
 }
 
 TEST(TriangulateLoop, FlatLoopsHaveTheirDelaunayTriangulation) {
-  Rim rim = window(30, 0.02, 3);
-  for (Vec3& p : rim.points) p.z() = 0;
-  const Triangles found = triangulate_loop(rim.points, rim.collar, rim.loop, TriangulationMethod::delaunay_only);
+  Boundary boundary = window(30, 0.02, 3);
+  for (Vec3& p : boundary.points) p.z() = 0;
+  const Triangles found =
+      triangulate_loop(boundary.points, boundary.collar, boundary.loop, TriangulationMethod::delaunay_only);
   ASSERT_EQ(found.size(), 28u);
-  EXPECT_EQ(sorted(found), sorted(triangulation_by_cgal(rim)));
+  EXPECT_EQ(sorted(found), sorted(triangulation_by_cgal(boundary)));
 }
 
 }  // namespace

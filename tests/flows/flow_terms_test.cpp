@@ -208,7 +208,7 @@ double exact_by_rough(FlowKind flow, const Patch& patch) {
   return slowest_decay_rate(flow, patch) / rough_decay_rate(flow, patch);
 }
 
-TEST(DecayRate, IsRoughlyForetoldByAreaAndRim) {
+TEST(DecayRate, IsRoughlyForetoldByAreaAndBoundary) {
   for (FlowKind flow : all_flows) {
     const double of_disc = exact_by_rough(flow, disc(128));  // measured: 0.99, 0.90, 0.90, 0.85
     EXPECT_TRUE(of_disc > 0.8 && of_disc < 1.05) << to_string(flow) << ": " << of_disc;
@@ -218,7 +218,7 @@ TEST(DecayRate, IsRoughlyForetoldByAreaAndRim) {
   const Patch slit = flat_patch([](const Vec3& p) { return std::abs(p.x()) < 1.6 && std::abs(p.y()) < 0.21; });
   const double of_slit = exact_by_rough(FlowKind::mmcvf, slit);
   EXPECT_TRUE(of_slit > 1.2 && of_slit < 4) << of_slit;
-  // A disc with as much area for its rim would be far wider than this bowl.
+  // A disc with as much area for its boundary would be far wider than this bowl.
   const double of_bowl = exact_by_rough(FlowKind::mmcvf, test::exact_sphere_patch(4, -0.8));
   EXPECT_TRUE(of_bowl > 0.4 && of_bowl < 1.2) << of_bowl;
 }

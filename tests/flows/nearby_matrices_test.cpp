@@ -52,18 +52,18 @@ TEST(NearGaussNewton, SolvesTheStepByConjugateGradients) {
   const GaussNewtonSystem newton = assemble_gauss_newton(state.patch, state.ops, {1, 20});
   const double mu = slowest_decay_rate(FlowKind::mmcvf, state.patch) / 1000;
   const SparseMatrix A = newton.curvature() + mu * SparseMatrix(newton.mass.asDiagonal());
-  const GeneralSystem system{
-      [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-        return newton.curvature_times(x) + mu * newton.mass.cwiseProduct(x);
-      },
-      {},
-      [&] {
-        return near_gauss_newton(state.patch, {1, 20}, mu);
-      }};
+  const GeneralSystem system{[&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+                               return newton.curvature_times(x) + mu * newton.mass.cwiseProduct(x);
+                             },
+                             {},
+                             [&] {
+                               return near_gauss_newton(state.patch, {1, 20}, mu);
+                             }};
   Eigen::VectorXd iterated;
   Eigen::MatrixXd direct;
-  const auto nearby_factors = make_spd_solver();
-  const SolveReport report = conjugate_gradients(system, *nearby_factors, {1e-5, 101}, -newton.half_gradient, iterated);
+  const auto preconditioner_factors = make_spd_solver();
+  const SolveReport report =
+      conjugate_gradients(system, *preconditioner_factors, {1e-5, 101}, -newton.half_gradient, iterated);
   ASSERT_TRUE(report.solved);
   EXPECT_LE(report.iterations, 100);
   const auto factors = make_spd_solver();

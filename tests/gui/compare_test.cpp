@@ -143,11 +143,11 @@ void CompareTest::views_are_linked_until_unlinked() {
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
   settle(600);
-  for (int k = 0; k < 4; ++k) QVERIFY(count_colors(window->pane(k).canvas().picture(QSize(320, 240))) >= 40);
-  const auto position = [&](int k) { return window->pane(k).canvas().pose().position; };
+  for (int k = 0; k < 4; ++k) QVERIFY(count_colors(window->flow_view(k).canvas().picture(QSize(320, 240))) >= 40);
+  const auto position = [&](int k) { return window->flow_view(k).canvas().pose().position; };
   QVERIFY((position(0) - position(3)).norm() < 1e-9);
   const auto before = position(3);
-  QWidget* canvas = window->pane(0).canvas().canvas();
+  QWidget* canvas = window->flow_view(0).canvas().canvas();
   drag(canvas, canvas->rect().center(), canvas->rect().center() + QPoint(60, 20));
   QVERIFY(wait_until([&] { return (position(3) - before).norm() > 0.05; }, 10));
   settle(200);
@@ -259,8 +259,8 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
   settle(600);
-  FlowCanvas& canvas = window->pane(0).canvas();
-  const auto start = window->race().start()->shape;
+  FlowCanvas& canvas = window->flow_view(0).canvas();
+  const auto start = window->flow_comparison().start()->shape;
   auto other = std::make_shared<SurfaceShape>(*start);
   for (std::size_t i = 2; i < other->points.size(); i += 3) other->points[i] += 0.3F;
   const auto seen = [&] { return static_cast<QOpenGLWidget*>(canvas.canvas())->grabFramebuffer(); };
@@ -298,7 +298,7 @@ void CompareTest::the_winner_comes_into_the_document() {
   press(main, "fill");
   QVERIFY(wait_idle(main));
   const int loop = first_hole(main.document());
-  const PatchStatePtr filler = main.document().patch_of(loop)->state;
+  const PatchStatePtr initial_patch = main.document().patch_of(loop)->state;
   press(main, "compareFlows");
   CompareWindow* window = compare_window(main);
   QVERIFY(window && QTest::qWaitForWindowExposed(window));
@@ -307,12 +307,12 @@ void CompareTest::the_winner_comes_into_the_document() {
   QTest::mouseClick(in<QPushButton>(*window, "paneAccept2"), Qt::LeftButton);
   QVERIFY(wait_idle(main));
   const OpenPatch* patch = main.document().patch_of(loop);
-  QVERIFY(patch && patch->state != filler);
+  QVERIFY(patch && patch->state != initial_patch);
   QVERIFY(patch->state->flow == FlowKind::wf);
   QVERIFY(patch->state->status == PatchStatus::converged);
   QCOMPARE(main.document().patches().size(), std::size_t(1));
   key(main, Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(main.document().patch_of(loop)->state == filler);
+  QVERIFY(main.document().patch_of(loop)->state == initial_patch);
 }
 
 void CompareTest::two_views_and_other_flows() {
@@ -321,8 +321,8 @@ void CompareTest::two_views_and_other_flows() {
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
   in<QComboBox>(*window, "compareCount")->setCurrentIndex(0);
-  QVERIFY(window->pane(1).isVisible() && !window->pane(2).isVisible());
-  const auto flow = [&](const char* pane) { return in<QComboBox>(*window, pane)->currentText(); };
+  QVERIFY(window->flow_view(1).isVisible() && !window->flow_view(2).isVisible());
+  const auto flow = [&](const char* flow_view) { return in<QComboBox>(*window, flow_view)->currentText(); };
   QCOMPARE(flow("paneFlow0"), QStringLiteral("WF"));
   QCOMPARE(flow("paneFlow1"), QStringLiteral("MMCVF"));
   in<QComboBox>(*window, "paneFlow0")->setCurrentIndex(3);  // MMCVF: the two change places

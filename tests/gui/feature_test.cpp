@@ -107,7 +107,7 @@ void FeatureTest::every_look_draws_another_picture() {
       QVERIFY2(share_changed(pictures[i], pictures[k]) > 0.001, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
 }
 
-/// While a flow runs only the patch is drawn anew, over what was kept; rims and the rest must not get lost.
+/// While a flow runs only the patch is drawn anew, over what was kept; boundaries and the rest must not get lost.
 void FeatureTest::a_scan_with_colors_is_shown_in_them() {
   TriangleSoup soup = make_sample_scan();
   soup.colors.assign(soup.points.size(), Color{20, 200, 30, 255});
@@ -222,10 +222,10 @@ void FeatureTest::filter_and_groups() {
   QVERIFY2(window.selection().selected() == std::set<int>{hole}, "narrowing the table must not change the selection");
   part<QComboBox>(window, "holesGroup")->setCurrentIndex(0);
   // The rule about outer rims can be seen and changed.
-  auto* rims = part<QCheckBox>(window, "includeRims");
+  auto* boundaries = part<QCheckBox>(window, "includeRims");
   const int before = open_holes(window.document());
-  QVERIFY(rims->isEnabled());
-  rims->setChecked(true);
+  QVERIFY(boundaries->isEnabled());
+  boundaries->setChecked(true);
   QVERIFY(open_holes(window.document()) > before);
 }
 

@@ -10,7 +10,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
-#include "views/file_desk.h"
+#include "views/file_controller.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -182,7 +182,7 @@ void KeepingTest::closing_saves_first_if_wanted() {
 void KeepingTest::closing_a_scan_asks_before_its_patches_go() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
-  auto* files = window.findChild<FileDesk*>();
+  auto* files = window.findChild<FileController*>();
   window.selection().select({first_hole(window.document())});
   press(window, "fill");
   QVERIFY(wait_idle(window));
@@ -201,7 +201,7 @@ void KeepingTest::closing_a_scan_asks_before_its_patches_go() {
 void KeepingTest::export_offers_to_smooth_initial_patches() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
-  auto* files = window.findChild<FileDesk*>();
+  auto* files = window.findChild<FileController*>();
   window.selection().select({first_hole(window.document())});
   press(window, "fill");
   QVERIFY(wait_idle(window));

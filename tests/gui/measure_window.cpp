@@ -195,7 +195,7 @@ using Frames = std::array<int, views>;
 
 Frames frames_of(CompareWindow& window) {
   Frames frames{};
-  for (int k = 0; k < views; ++k) frames[static_cast<std::size_t>(k)] = window.pane(k).canvas().frames();
+  for (int k = 0; k < views; ++k) frames[static_cast<std::size_t>(k)] = window.flow_view(k).canvas().frames();
   return frames;
 }
 
@@ -203,12 +203,12 @@ void move_cameras(CompareWindow& window, const char* what) {
   double worst = 0, sum = 0;
   constexpr int moves = 10;
   for (int move = 0; move < moves; ++move) {
-    CameraPose pose = window.pane(0).canvas().pose();
+    CameraPose pose = window.flow_view(0).canvas().pose();
     pose.position += (move % 2 ? -0.05 : 0.05) * (pose.position - pose.focus).norm() * pose.up;
     const Frames before = frames_of(window);
     QElapsedTimer clock;
     clock.start();
-    for (int k = 0; k < views; ++k) window.pane(k).canvas().set_pose(pose);
+    for (int k = 0; k < views; ++k) window.flow_view(k).canvas().set_pose(pose);
     wait_until([&] {
       const Frames now = frames_of(window);
       return std::equal(now.begin(), now.end(), before.begin(), std::greater<>());
@@ -229,7 +229,8 @@ void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const Su
   std::size_t turn = 0;
   QTimer news;
   const auto show = [&] {
-    for (int k = 0; k < views; ++k) window.pane(k).canvas().show_patch(0, states[turn % 2], Arrival::with_the_next);
+    for (int k = 0; k < views; ++k)
+      window.flow_view(k).canvas().show_patch(0, states[turn % 2], Arrival::with_the_next);
     ++turn;
   };
   QObject::connect(&news, &QTimer::timeout, show);
@@ -243,7 +244,7 @@ void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const Su
   for (std::size_t k = 0; k < views; ++k) all += now[k] - before[k];
   std::printf(
       "drawing alone: %.1f pictures a second in each view, %.1f ms of processor time each, neighborhood in %d of %d\n",
-      all / seconds(clock) / views, (process_cpu_ms() - cpu) / all, window.pane(0).canvas().neighborhood_drawn(),
+      all / seconds(clock) / views, (process_cpu_ms() - cpu) / all, window.flow_view(0).canvas().neighborhood_drawn(),
       now[0]);
 }
 
@@ -266,15 +267,15 @@ void measure_compare(const QTemporaryDir& folder, Part part_of_it) {
   wait_until([&] { return run->isEnabled(); }, 240);
   if (const int width = qEnvironmentVariableIntValue("LOOPMEND_WIDTH")) window->resize(width, width * 2 / 3);
   settle(1500);
-  const QSize size = window->pane(0).canvas().size();
+  const QSize size = window->flow_view(0).canvas().size();
   std::printf("four views of %d x %d pixels; %s\n", size.width(), size.height(),
               qPrintable(window->findChild<QLabel*>(QStringLiteral("compareWait"))->text()));
   move_cameras(*window, "at rest");
-  const auto start = window->race().start()->shape;
+  const auto start = window->flow_comparison().start()->shape;
   draw_alone(*window, {start, swollen(*start)});
-  for (int k = 0; k < views; ++k) window->pane(k).canvas().show_patch(0, start);
+  for (int k = 0; k < views; ++k) window->flow_view(k).canvas().show_patch(0, start);
   if (part_of_it == Part::drawing) return;
-  const auto moving = [&](int k) { return window->race().lane(k)->stage == ComparedRun::Stage::moving; };
+  const auto moving = [&](int k) { return window->flow_comparison().flow_run(k)->stage == ComparedRun::Stage::moving; };
   GapMeter gaps;
   const Frames first = frames_of(*window);
   Frames last = first;

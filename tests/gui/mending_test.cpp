@@ -10,7 +10,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
-#include "views/file_desk.h"
+#include "views/file_controller.h"
 
 #include <QAction>
 #include <QApplication>
@@ -149,7 +149,7 @@ void MendingTest::patches_are_exported_by_themselves() {
     QTest::keyClick(name, Qt::Key_Return);
     if (dialog->isVisible()) dialog->reject();  // it is modal: the test would hang
   });
-  window.findChild<FileDesk*>()->ask_export();
+  window.findChild<FileController*>()->ask_export();
   QVERIFY(wait_until([&] { return QFile::exists(path); }));
   QVERIFY(wait_idle(window));
   const Patch& patch = window.document().patches().front().state->patch;

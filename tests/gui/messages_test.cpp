@@ -9,7 +9,7 @@
 #include "panels/banner.h"
 #include "panels/plot_library.h"
 #include "samples/analytic_surfaces.h"
-#include "views/file_desk.h"
+#include "views/file_controller.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -169,7 +169,7 @@ void MessagesTest::a_message_is_seen_whole() {
     window.selection().select({first_hole(window.document())});
     press(window, "fill");
     wait_idle(window);
-    window.findChild<FileDesk*>()->close_scan(window.document().scans().front());
+    window.findChild<FileController*>()->close_scan(window.document().scans().front());
     settle(100);
     question = hidden_part(window);
     question_names_it = part<Banner>(window, "banner")->text().contains(name);
@@ -398,7 +398,7 @@ void MessagesTest::a_patch_that_cuts_the_surface_leads_on() {
     QVERIFY(part<QPushButton>(window, "reject")->isEnabled());
     // An export leaves it out, so that it is in no file yet.
     const QString out = folder_.filePath(QStringLiteral("needle-filled.ply"));
-    window.findChild<FileDesk*>()->export_to(out);
+    window.findChild<FileController*>()->export_to(out);
     QVERIFY(wait_until([&] { return QFile::exists(out) && !window.controller().busy(); }));
     QVERIFY2(!window.close(), "the patch that was left out would be lost");
     press(window, "answerCancel");

@@ -8,7 +8,7 @@
 #include "mesh/scan_attributes.h"
 #include "panels/banner.h"
 #include "samples/analytic_surfaces.h"
-#include "views/file_desk.h"
+#include "views/file_controller.h"
 
 #include <QAction>
 #include <QApplication>
@@ -77,7 +77,7 @@ void ProjectsTest::a_session_may_hold_its_scans() {
       QTest::keyClick(name, Qt::Key_Return);
       if (dialog->isVisible()) dialog->reject();  // it is modal: the test would hang
     });
-    window.findChild<FileDesk*>()->save_session();
+    window.findChild<FileController*>()->save_session();
     QVERIFY(wait_until([&] { return QFile::exists(path); }, 20));
     QVERIFY(wait_idle(window));
     QVERIFY(!window.isWindowModified());

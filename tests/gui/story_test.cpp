@@ -173,7 +173,7 @@ void StoryTest::a_thousand_holes() {
   MainWindow& window = shown.window;
   const Document& document = window.document();
   QCOMPARE(document.loop_count(), across * across + 1);
-  QCOMPARE(open_holes(document), across * across);  // the rim is left out
+  QCOMPARE(open_holes(document), across * across);  // the boundary is left out
   GapMeter gaps;
   key(window, Qt::Key_A, Qt::ControlModifier);
   QCOMPARE(static_cast<int>(window.selection().selected().size()), across * across);

@@ -11,7 +11,7 @@
 #include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
-#include "views/file_desk.h"
+#include "views/file_controller.h"
 #include "views/tool_controller.h"
 
 #include <QAction>
@@ -346,7 +346,7 @@ void show_mending(MainWindow& window) {
     save(dialog->grab(), "export");
     dialog->close();
   });
-  window.findChild<FileDesk*>()->ask_export();
+  window.findChild<FileController*>()->ask_export();
   settle(200);
 }
 

@@ -99,7 +99,7 @@ class ToolsTest : public QObject {
   void points_of_a_polyhedron();
   void picked_points_and_a_box();
   void a_bridge_parts_a_hole_in_two();
-  void rims_of_three_parts_are_joined();
+  void boundaries_of_three_parts_are_joined();
   void a_part_is_placed_by_its_handle();
   void made_surfaces_survive_a_session();
   void the_gallery_opens_and_runs();
@@ -311,7 +311,7 @@ void ToolsTest::a_bridge_parts_a_hole_in_two() {
   QVERIFY(window.tools().panel()->tool() == Tool::none);
 }
 
-void ToolsTest::rims_of_three_parts_are_joined() {
+void ToolsTest::boundaries_of_three_parts_are_joined() {
   const std::vector<TubeShape> tubes = three_tubes();
   QStringList files;
   for (std::size_t k = 0; k < tubes.size(); ++k)
@@ -369,7 +369,7 @@ void ToolsTest::a_part_is_placed_by_its_handle() {
   const Vec3 before = middle();
   QVERIFY(pull(PartTool::Handle::slide, QPoint(30, 12)));
   QVERIFY((middle() - before).norm() > 0.05);
-  QCOMPARE(window.selection().selected().size(), chosen);  // the rims are still selected
+  QCOMPARE(window.selection().selected().size(), chosen);  // the boundaries are still selected
   const Vec3 slid = middle();
   const double across = (made(window).points.front() - slid).norm();
   QVERIFY(pull(PartTool::Handle::scale, QPoint(30, -30)));

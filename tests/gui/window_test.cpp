@@ -133,7 +133,7 @@ void WindowTest::whole_story(const QString& path) {
   const Document& document = window.document();
   const ImportedMesh input = read_mesh(path.toStdString());
 
-  // Turn to the largest hole and click its rim in the picture.
+  // Turn to the largest hole and click its boundary in the picture.
   const int loop = largest_hole(window);
   QVERIFY(loop >= 0);
   window.view().fly_to(loop);
@@ -165,7 +165,7 @@ void WindowTest::whole_story(const QString& path) {
   const QImage filled_picture = window.view().picture();
 
   // Flow to the steady state.
-  const PatchStatePtr filler = document.patches().front().state;
+  const PatchStatePtr initial_patch = document.patches().front().state;
   press(window, "fillAndSmooth");
   QVERIFY(window.controller().busy());
   QVERIFY(wait_idle(window, 240));
@@ -173,7 +173,7 @@ void WindowTest::whole_story(const QString& path) {
   QVERIFY(steady->steps > 0);
   QVERIFY(steady->status == PatchStatus::converged || steady->status == PatchStatus::faired);
   QVERIFY(steady->last_step.split.total() > 0 || steady->energy.final < steady->energy.initial);
-  QVERIFY(steady->shape->H != filler->shape->H);
+  QVERIFY(steady->shape->H != initial_patch->shape->H);
   QVERIFY2(picture_changes(window, filled_picture, 0.002), "the flow changed nothing that is seen");
   QVERIFY(wait_until([&] { return part<QTableWidget>(window, "seamTable")->rowCount() == 1; }, 2));
 
@@ -181,7 +181,7 @@ void WindowTest::whole_story(const QString& path) {
   QAction* undo = part<QAction>(window, "undo");
   QAction* redo = part<QAction>(window, "redo");
   undo->trigger();
-  QVERIFY(document.patches().front().state == filler);
+  QVERIFY(document.patches().front().state == initial_patch);
   undo->trigger();
   QVERIFY(document.patches().empty());
   QVERIFY(document.state(loop) == HoleState::open);
@@ -343,14 +343,14 @@ void WindowTest::controls_follow_what_makes_sense() {
 void WindowTest::outer_rim_is_left_out() {
   Opened opened(sample_);
   MainWindow& window = opened.window;
-  int rim = -1;
+  int boundary = -1;
   const auto& loops = window.document().loops();
   for (std::size_t i = 0; i < loops.size(); ++i)
-    if (loops[i].kind == LoopKind::outer_rim) rim = static_cast<int>(i);
-  QVERIFY2(rim >= 0, "the sample has an outer rim");
+    if (loops[i].kind == LoopKind::outer_rim) boundary = static_cast<int>(i);
+  QVERIFY2(boundary >= 0, "the sample has an outer rim");
   press(window, "fill");
   QVERIFY(wait_idle(window));
-  QVERIFY(window.document().state(rim) == HoleState::left_out);
+  QVERIFY(window.document().state(boundary) == HoleState::left_out);
   for (std::size_t i = 0; i < loops.size(); ++i)
     if (loops[i].kind == LoopKind::hole) QVERIFY(window.document().patch_of(static_cast<int>(i)) != nullptr);
 }

@@ -32,7 +32,7 @@ TEST(JoinParts, RefusesPartsThatOverlap) {
 TEST(TurnOpposedPieces, TurnsThePieceAndFindsItsLoopsAgain) {
   const std::vector<TubeShape> tubes{test::tube_towards({0, 0, 1}), test::tube_towards({0, 0, -1})};
   SurfaceModel model = test::tubes_model(tubes);
-  std::vector<BoundaryLoop> loops = test::inner_rims(model, tubes);
+  std::vector<BoundaryLoop> loops = test::inner_boundaries(model, tubes);
   const std::vector<BoundaryLoop> before = loops;
   EXPECT_EQ(turn_opposed_pieces(model, loops, {}), 0u);
   EXPECT_EQ(turn_opposed_pieces(model, loops, {1}), model.soup.triangles.size() / 2);

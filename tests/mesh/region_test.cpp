@@ -20,7 +20,7 @@ std::vector<int> above(const TriangleSoup& soup, double z) {
   return points;
 }
 
-TEST(Region, OfTheBumpsHasThePapersSizeAndFourRims) {
+TEST(Region, OfTheBumpsHasThePapersSizeAndFourBoundaries) {
   const SurfaceModel model = make_surface_model(make_bumps());
   const Region region = make_region(model, above(model.soup, bumps_threshold));
   EXPECT_EQ(region.patch.free_count, 840);  // Table 5.1: 2520 unknowns / 3

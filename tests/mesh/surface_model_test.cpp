@@ -308,18 +308,18 @@ TEST(BoundaryLoops, AMissingTriangleThatAnotherSheetCoversIsACrack) {
 TEST(Patch, CarriesSixFixedRingsInOrder) {
   const SurfaceModel model = make_surface_model(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }));
   const BoundaryLoop loop = find_boundary_loops(model).at(0);
-  LoopPatch filler;
-  for (int v : loop.vertices) filler.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
-  filler.points.push_back(Vec3(0, 0, 1));
-  for (int i = 0; i < loop.edges(); ++i) filler.triangles.push_back({i, (i + 1) % loop.edges(), loop.edges()});
-  const Patch patch = make_patch(model, {loop}, {filler});
+  LoopPatch initial_patch;
+  for (int v : loop.vertices) initial_patch.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+  initial_patch.points.push_back(Vec3(0, 0, 1));
+  for (int i = 0; i < loop.edges(); ++i) initial_patch.triangles.push_back({i, (i + 1) % loop.edges(), loop.edges()});
+  const Patch patch = make_patch(model, {loop}, {initial_patch});
   EXPECT_EQ(patch.free_count, 1);
   EXPECT_EQ(patch.patch_triangles, loop.edges());
   EXPECT_TRUE(std::is_sorted(patch.ring.begin(), patch.ring.end()));
   EXPECT_EQ(patch.ring.back(), patch_rings);
   EXPECT_LT((patch.to_mesh(patch.positions[0]) - Vec3(0, 0, 1)).norm(), 1e-15);
   const PatchGeometry geometry = patch_geometry(patch);
-  EXPECT_EQ(geometry.rim.size(), loop.vertices.size());
+  EXPECT_EQ(geometry.boundary.size(), loop.vertices.size());
 
   SurfaceModel filled = model;
   append_patch(filled, geometry);
@@ -332,11 +332,11 @@ TEST(Patch, CarriesSixFixedRingsInOrder) {
 TEST(Patch, OneThatDoesNotFitIsRefusedAndTheModelStays) {
   SurfaceModel model = make_surface_model(grid_without(6, {{2, 2}}));
   const std::size_t faces = model.soup.triangles.size();
-  const std::vector<int> rim = find_boundary_loops(model).at(1).vertices;
-  EXPECT_THROW(append_patch(model, {rim, {}, {{0, 2, 1}, {0, 3, 2}}}), InvalidArgument);  // wrong way round
-  EXPECT_THROW(append_patch(model, {rim, {}, {{0, 1, 7}}}), InvalidArgument);
+  const std::vector<int> boundary = find_boundary_loops(model).at(1).vertices;
+  EXPECT_THROW(append_patch(model, {boundary, {}, {{0, 2, 1}, {0, 3, 2}}}), InvalidArgument);  // wrong way round
+  EXPECT_THROW(append_patch(model, {boundary, {}, {{0, 1, 7}}}), InvalidArgument);
   EXPECT_EQ(model.soup.triangles.size(), faces);
-  append_patch(model, {rim, {}, {{0, 1, 2}, {0, 2, 3}}});
+  append_patch(model, {boundary, {}, {{0, 1, 2}, {0, 2, 3}}});
   EXPECT_EQ(model.soup.triangles.size(), faces + 2);
 }
 

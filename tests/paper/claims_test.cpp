@@ -40,7 +40,7 @@ EvolutionOptions scheme_with(double sigma) {
 Patch six_tube_start(int around) {
   const std::vector<TubeShape> tubes = six_tubes(around);
   const SurfaceModel model = test::tubes_model(tubes);
-  return bridge_loops(model, test::inner_rims(model, tubes), {}, {}).bridge->start;
+  return bridge_loops(model, test::inner_boundaries(model, tubes), {}, {}).bridge->start;
 }
 
 /// Fig. 5.1, and the remark on time steps: the same surface comes back whatever the step.

@@ -23,7 +23,7 @@ TriangleSoup small_ball(const Vec3& at, double radius) {
 
 /// A ball of radius 1 without its cap, with balls of radius 0.04 about where the cap was.
 SurfaceModel open_ball(const std::vector<Vec3>& crumbs, double radius = 0.04) {
-  std::vector<TriangleSoup> parts{trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.8; }))};
+  std::vector<TriangleSoup> parts{trim_boundaries(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.8; }))};
   for (const Vec3& at : crumbs) parts.push_back(small_ball(at, radius));
   return make_surface_model(joined(parts));
 }

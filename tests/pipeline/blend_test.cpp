@@ -26,7 +26,8 @@ void expect_good(const BlendResult& result) {
   EXPECT_EQ(result.outcome.validity.intersections, 0);
   double worst = 0;
   for (const SeamReport& seam : result.outcome.seams) worst = std::max(worst, seam.g1_rms_deg);
-  EXPECT_EQ(result.outcome.message.find("crease") != std::string::npos, worst > 5) << worst << " " << result.outcome.message;
+  EXPECT_EQ(result.outcome.message.find("crease") != std::string::npos, worst > 5)
+      << worst << " " << result.outcome.message;
 }
 
 TEST(BlendLoops, TubesAtOddAnglesConverge) {
@@ -39,7 +40,7 @@ TEST(BlendLoops, TubesAtOddAnglesConverge) {
            six_tubes(24)}) {
     SurfaceModel model = test::tubes_model(tubes);
     const SurfaceModel before = model;
-    const BlendResult result = blend_loops(model, test::inner_rims(model, tubes), {}, {});
+    const BlendResult result = blend_loops(model, test::inner_boundaries(model, tubes), {}, {});
     expect_good(result);
     EXPECT_LT(result.outcome.energy.final, result.outcome.energy.initial);
     EXPECT_EQ(find_boundary_loops(model).size(), tubes.size());
@@ -59,7 +60,7 @@ TEST(BlendLoops, ComesToRestWhereANeckGrowsThin) {
             tube({1.04764, -0.885301, -1.57802}, 0.649545, 18),
             tube({-0.0524648, -1.45332, 0.374658}, 0.473592, 22)}}) {
     SurfaceModel model = test::tubes_model(tubes);
-    const BlendResult result = blend_loops(model, test::inner_rims(model, tubes), {}, {});
+    const BlendResult result = blend_loops(model, test::inner_boundaries(model, tubes), {}, {});
     expect_good(result);
     EXPECT_EQ(result.outcome.reason.empty(), result.outcome.bending == 0) << "bending energy must be told of";
   }
@@ -104,7 +105,8 @@ void expect_back(const MissingRing& ring, int around) {
   const BlendResult result = blend_loops(model, gap, {}, {});
   expect_good(result);
   const double distance =
-      rms(result.outcome.patch, [&](const Vec3& p) { return std::hypot(p.x(), p.y()) - ring.radius(p.z()); }) / diameter;
+      rms(result.outcome.patch, [&](const Vec3& p) { return std::hypot(p.x(), p.y()) - ring.radius(p.z()); }) /
+      diameter;
   EXPECT_LT(distance, 1e-4);
   for (const SeamReport& seam : result.outcome.seams) EXPECT_LT(seam.h_jump_rms_times_diameter, ring.best_peers_jump);
   EXPECT_EQ(find_boundary_loops(model).size(), 2u);
@@ -164,7 +166,7 @@ TEST(BlendLoops, OnCancelTheModelIsAsItWas) {
   const std::size_t faces = model.soup.triangles.size();
   CancelToken cancel;
   cancel.cancel();
-  EXPECT_TRUE(blend_loops(model, test::inner_rims(model, tubes), {}, cancel).outcome.patch.positions.empty());
+  EXPECT_TRUE(blend_loops(model, test::inner_boundaries(model, tubes), {}, cancel).outcome.patch.positions.empty());
   EXPECT_EQ(model.soup.triangles.size(), faces);
 }
 

@@ -9,13 +9,13 @@
 namespace loopmend {
 namespace {
 
-Patch cap_filler() {
+Patch cap_patch() {
   const SurfaceModel model = make_surface_model(cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; }));
   return *make_initial_patch(model, find_boundary_loops(model), {}, {}).patch;
 }
 
 TEST(CompareFlows, FlowsOneByOneAreTheSameComparison) {
-  const Patch start = cap_filler();
+  const Patch start = cap_patch();
   const FlowComparison whole = compare_flows(start, {}, nullptr, {});
   FlowComparison parts;
   for (FlowKind flow : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf})
@@ -34,7 +34,7 @@ TEST(CompareFlows, FlowsOneByOneAreTheSameComparison) {
 TEST(CompareFlows, EveryAcceptedStepIsTold) {
   int told = 0;
   const ComparedFlow run =
-      run_compared(cap_filler(), FlowKind::wf, {}, [&told](const Evolution&, const StepRecord&) { ++told; }, {});
+      run_compared(cap_patch(), FlowKind::wf, {}, [&told](const Evolution&, const StepRecord&) { ++told; }, {});
   EXPECT_GT(told, 0);
   EXPECT_EQ(told, run.outcome.steps);
 }

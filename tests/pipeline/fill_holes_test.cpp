@@ -25,7 +25,7 @@ namespace {
 
 /// Several holes, two of them three edges apart.
 SurfaceModel holey_sphere() {
-  return make_surface_model(trim_rims(cut(make_icosphere(5), [](const Vec3& p) {
+  return make_surface_model(trim_boundaries(cut(make_icosphere(5), [](const Vec3& p) {
     for (const Vec3& c : {Vec3(0, 0, 1), Vec3(0.5, 0, 0.86), Vec3(0, -1, 0), Vec3(-1, 0, 0)})
       if ((p - c).norm() < 0.2) return true;
     return false;
@@ -58,7 +58,7 @@ TEST(GroupLoops, NeighboursBelongTogether) {
 
 TEST(FillLoops, WhatNeedsTooMuchMemoryIsLeftWithItsReasonAndTheRestIsFilled) {
   // A wide hole and a narrow one, far apart: some 2500 and 20 new vertices.
-  SurfaceModel model = make_surface_model(trim_rims(
+  SurfaceModel model = make_surface_model(trim_boundaries(
       cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.5 || (p - Vec3(0, 0, -1)).norm() < 0.1; })));
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   ASSERT_EQ(loops.size(), 2u);
@@ -405,7 +405,7 @@ TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
   fill_holes(flat, loops, no_flow, nullptr, {});
   for (const HoleResult& r : fill_holes(model, loops, {}, nullptr, {})) {
     EXPECT_NE(r.status, PatchStatus::failed) << r.loop.number << ": " << r.message;
-    // A rough rim is let go of where it says nothing about the hole: there H may jump a little more.
+    // A rough boundary is let go of where it says nothing about the hole: there H may jump a little more.
     const double room = r.neighborhood().split.kind() == NeighborhoodKind::smooth ? 1 : 1.2;
     EXPECT_LE(r.seam_after().h_jump_rms, room * r.seam_before().h_jump_rms) << r.loop.number;
   }

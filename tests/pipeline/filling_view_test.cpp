@@ -17,7 +17,7 @@ namespace {
 
 /// A fine ball with holes around these points.
 TriangleSoup ball_with_holes(int level, double radius, const Points& centers) {
-  return trim_rims(cut(make_icosphere(level), [&](const Vec3& p) {
+  return trim_boundaries(cut(make_icosphere(level), [&](const Vec3& p) {
     return std::any_of(centers.begin(), centers.end(), [&](const Vec3& c) { return (p - c).norm() < radius; });
   }));
 }

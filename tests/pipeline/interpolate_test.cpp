@@ -65,7 +65,7 @@ double off_the_sphere(const Interpolation& result, double radius, const Vec3& ce
 Interpolation interpolated(const TriangleSoup& soup, int subdivisions) {
   SubdivisionOptions options;
   options.subdivisions = subdivisions;
-  options.rim = PolyhedronRim::smooth;
+  options.boundary = PolyhedronBoundary::smooth;
   return interpolate_points(make_surface_model(soup), options, EvolutionOptions{}, {});
 }
 
@@ -147,7 +147,7 @@ TEST(InterpolatePoints, AnyFourPointsGiveTheSphereThroughThem) {
   }
 }
 
-TEST(InterpolatePoints, AnOpenPolyhedronGetsSmoothRims) {
+TEST(InterpolatePoints, AnOpenPolyhedronGetsSmoothBoundaries) {
   TriangleSoup box = cube();
   box.triangles.erase(box.triangles.begin() + 2, box.triangles.begin() + 4);  // the lid
   EXPECT_THROW(interpolate_points(make_surface_model(box), {}, EvolutionOptions{}, {}), InvalidArgument);
@@ -156,13 +156,13 @@ TEST(InterpolatePoints, AnOpenPolyhedronGetsSmoothRims) {
   ASSERT_EQ(result.fixed_count, 8 + 4 * 7);
   for (int i = 8; i < result.fixed_count; ++i) {
     EXPECT_NEAR(result.surface.points[i].z(), 1, 1e-12);
-    EXPECT_NEAR(result.surface.points[i].norm(), std::sqrt(3.0), 1e-9);  // the circle through the rim's corners
+    EXPECT_NEAR(result.surface.points[i].norm(), std::sqrt(3.0), 1e-9);  // the circle through the boundary's corners
   }
   EXPECT_EQ(std::memcmp(result.surface.points.data(), box.points.data(), 8 * sizeof(Vec3)), 0);
   EXPECT_LT(off_the_sphere(result, std::sqrt(3.0)), 3e-3);
 }
 
-// Vertices on a surface, rims that wave up and down on it. Twice as many vertices: at least eight times as near.
+// Vertices on a surface, boundaries that wave up and down on it. Twice as many vertices: at least eight times as near.
 TEST(InterpolatePoints, OpenPatchesOfSphereAndCylinderComeOutNearThem) {
   double last_cap = 1, last_tube = 1;
   for (int n : {6, 12, 24}) {

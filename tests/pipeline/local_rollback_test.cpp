@@ -11,7 +11,7 @@
 namespace loopmend {
 namespace {
 
-/// The free vertex farthest from the rim.
+/// The free vertex farthest from the boundary.
 int innermost(const Patch& patch) {
   const Topology topology(patch.vertex_count(), patch.triangles);
   std::vector<int> way(patch.vertex_count(), -1), queue;
@@ -153,7 +153,7 @@ TEST(LocalRollback, KeepsTheTrianglesOfTheEvolvedPatch) {
 
 TEST(LocalRollback, IsNoneWhereTheWholePatchWouldGoBack) {
   Scene scene;
-  // Inside out: folded along the whole rim, and on its way back everywhere.
+  // Inside out: folded along the whole boundary, and on its way back everywhere.
   for (int i = 0; i < scene.start.free_count; ++i)
     scene.evolved.positions[i] = scene.start.to_frame(-3 * scene.start.to_mesh(scene.start.positions[i]));
   EXPECT_FALSE(scene.rollback());

@@ -82,7 +82,7 @@ TEST(Outcome, TheAttemptsAreNamed) {
 }
 
 TEST(Outcome, ARobustFairingIsNotCalledConverged) {
-  TriangleSoup soup = trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.9; }));
+  TriangleSoup soup = trim_boundaries(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.9; }));
   const std::vector<double> relief = test::random_relief(soup, 3);
   for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i] *= 1 + 0.005 * relief[i];
   for (BoundaryTrust boundary : {BoundaryTrust::automatic, BoundaryTrust::exact, BoundaryTrust::robust}) {
@@ -136,7 +136,7 @@ TEST(Outcome, OneRoughHoleDoesNotDecideForItsNeighbourOnAPlane) {
 }
 
 TEST(Outcome, ComparisonsAreOfTheFlowsTheyName) {
-  TriangleSoup soup = trim_rims(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }));
+  TriangleSoup soup = trim_boundaries(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }));
   for (Vec3& p : soup.points) p *= 1 + 2 * relief_of_scans(p);
   const Patch start = test::start_of(make_surface_model(soup));
   EvolutionOptions base;
@@ -151,7 +151,7 @@ TEST(Outcome, ComparisonsAreOfTheFlowsTheyName) {
 
 /// The initial patches of a smooth and a rough sphere, and of real holes where the scans are there.
 std::vector<Patch> starts_of_all_kinds() {
-  TriangleSoup rough = trim_rims(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; }));
+  TriangleSoup rough = trim_boundaries(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; }));
   for (Vec3& p : rough.points) p *= 1 + 3 * relief_of_scans(p);
   std::vector<Patch> starts{test::start_of(test::open_sphere(4, 0.9)), test::start_of(make_surface_model(rough))};
   for (const char* name : {"head_holes.ply", "demosthenes.obj"}) {
@@ -267,10 +267,10 @@ TEST(Proportion, ASphereOfWhichMostIsMissingIsInProportionAndANoseIsNot) {
   EXPECT_EQ(results[0].status, PatchStatus::converged);
   // About the same area as a nose: the energy tells.
   Patch nose = initial;
-  const double rim = std::sin(2.0);
+  const double boundary = std::sin(2.0);
   for (int i = 0; i < nose.free_count; ++i) {
     const Vec3 p = initial.to_mesh(initial.positions[i]);
-    const double r = std::hypot(p.x(), p.y()) / rim;
+    const double r = std::hypot(p.x(), p.y()) / boundary;
     nose.positions[i] = nose.to_frame(p + Vec3(0, 0, 4 * std::exp(-12 * r * r)));
   }
   const std::vector<Proportion> bulged = proportions_of(nose, initial);

@@ -22,7 +22,7 @@ PatchResult solved(const ScanIndex& scan, const Patch& initial, const std::vecto
 
 /// A sphere with relief and white noise, without its cap: the same triangles and the same hole, whatever their heights.
 SurfaceModel rough_open_sphere(double relief, double noise) {
-  TriangleSoup soup = trim_rims(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.85; }));
+  TriangleSoup soup = trim_boundaries(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.85; }));
   const std::vector<double> rough = test::random_relief(soup, 7);
   Random random(7);
   for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i] *= 1 + noise * random.bell() + relief * rough[i];
@@ -30,8 +30,8 @@ SurfaceModel rough_open_sphere(double relief, double noise) {
 }
 
 /// What becomes of one initial patch when its neighborhood changes: the triangles stay, the free vertices are carried along. The
-/// initial patch that belongs to each rim would have triangles of its own, which change one by one as the rim does; on a rough
-/// rim another triangulation alone moves the patch by up to 5 % of an edge, whatever the kinds do.
+/// initial patch that belongs to each boundary would have triangles of its own, which change one by one as the boundary does; on a rough
+/// boundary another triangulation alone moves the patch by up to 5 % of an edge, whatever the kinds do.
 struct Family {
   std::function<SurfaceModel(double)> surface;  ///< t = 0..1
   Patch initial;                                ///< of t = 0
@@ -116,19 +116,19 @@ double steepest(const Family& family, int intervals, Ends first, Ends last) {
   return left;
 }
 
-TEST(PassageOfKinds, FromSmoothToRoughWithoutAJump) {
+TEST(InterpolationOfKinds, FromSmoothToRoughWithoutAJump) {
   EXPECT_LT(
       steepest(Family([](double t) { return rough_open_sphere(0.1 * edge * t, 0); }), 8, Ends::smooth, Ends::split),
       tolerance);
 }
 
-TEST(PassageOfKinds, FromSmoothToNoisyWithoutAJump) {
+TEST(InterpolationOfKinds, FromSmoothToNoisyWithoutAJump) {
   EXPECT_LT(
       steepest(Family([](double t) { return rough_open_sphere(0, 0.01 * edge * t); }), 8, Ends::smooth, Ends::split),
       tolerance);
 }
 
-TEST(PassageOfKinds, FromRoughToNoisyWithoutAJump) {
+TEST(InterpolationOfKinds, FromRoughToNoisyWithoutAJump) {
   EXPECT_LT(steepest(Family([](double t) { return rough_open_sphere(0.1 * edge * (1 - t), 0.05 * edge * t); }), 8,
                      Ends::split, Ends::split),
             tolerance);
@@ -141,7 +141,7 @@ struct Gutter {
   BoundaryLoop hole;
 
   explicit Gutter(double relief) {
-    TriangleSoup soup = trim_rims(cut(make_cylinder(4, 100), [](const Vec3& p) {
+    TriangleSoup soup = trim_boundaries(cut(make_cylinder(4, 100), [](const Vec3& p) {
       return std::abs(p.z() - 2) < 0.5 && std::abs(std::atan2(p.y(), p.x())) < 2;
     }));
     for (Vec3& p : soup.points) {
@@ -176,8 +176,8 @@ TEST(RoughStart, TheTriangulationLiesNearerToABulgeThanTheMinimalSurface) {
 TEST(RoughStart, FairingsSetOutFromTheTriangulation) {
   const Gutter gutter(1);
   const Patch initial = gutter.start(InitialShape::minimal), triangulated = gutter.start(InitialShape::triangulated);
-  const ScanIndex site(gutter.model);
-  const PatchResult evolved = solved(site, initial, {gutter.hole});
+  const ScanIndex index(gutter.model);
+  const PatchResult evolved = solved(index, initial, {gutter.hole});
   EXPECT_EQ(evolved.status, PatchStatus::converged) << evolved.message;
   EXPECT_EQ(evolved.method, Method::split_flow);
   EXPECT_EQ(evolved.validity.intersections + evolved.validity.folds, 0);
@@ -191,20 +191,20 @@ TEST(RoughStart, APatchThatIsNoFillerOfTheLoopsIsItsOwnStart) {
   const Patch initial = gutter.start(InitialShape::minimal);
   BoundaryLoop other = gutter.hole;
   other.number += 1;
-  const ScanIndex site(gutter.model);
-  EXPECT_EQ(solved(site, initial, {other}).patch.positions, solved(site, initial, {}).patch.positions);
+  const ScanIndex index(gutter.model);
+  EXPECT_EQ(solved(index, initial, {other}).patch.positions, solved(index, initial, {}).patch.positions);
 }
 
 TEST(RoughStart, ASmoothNeighborhoodGivesTheSameBitsWithAndWithoutLoops) {
   const Gutter gutter(0);
   const Patch initial = gutter.start(InitialShape::minimal);
   ASSERT_TRUE(estimate_split(initial).is_exact());
-  const ScanIndex site(gutter.model);
-  EXPECT_EQ(solved(site, initial, {gutter.hole}).patch.positions, solved(site, initial, {}).patch.positions);
+  const ScanIndex index(gutter.model);
+  EXPECT_EQ(solved(index, initial, {gutter.hole}).patch.positions, solved(index, initial, {}).patch.positions);
 }
 
 /// A sheet of its own stands across the top of where the patch would run.
-TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
+TEST(RoughBoundary, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
   const SurfaceModel open = rough_open_sphere(0.2 * edge, 0);
   const BoundaryLoop hole = find_boundary_loops(open).at(0);
   const Patch initial = *make_initial_patch(open, {hole}, {}, {}).patch;
@@ -223,11 +223,11 @@ TEST(RoughRim, APatchThatCutsInOnePlaceGoesBackThereAndNowhereElse) {
     soup.points.push_back(corner);
   soup.triangles.push_back({first, first + 1, first + 2});
   const SurfaceModel barred = make_surface_model(soup);
-  const ScanIndex site(barred);
-  ASSERT_EQ(validate(site, initial).intersections, 0);
-  ASSERT_GT(validate(site, free.patch).intersections, 0);
+  const ScanIndex index(barred);
+  ASSERT_EQ(validate(index, initial).intersections, 0);
+  ASSERT_GT(validate(index, free.patch).intersections, 0);
 
-  const PatchResult evolved = solved(site, initial, {});
+  const PatchResult evolved = solved(index, initial, {});
   EXPECT_EQ(evolved.status, PatchStatus::faired);
   EXPECT_EQ(evolved.validity.intersections + evolved.validity.folds, 0);
   EXPECT_NE(evolved.message.find("goes back"), std::string::npos) << evolved.message;

@@ -20,11 +20,12 @@ BoundaryLoop longest_loop(const SurfaceModel& model) {
 TEST(PiercedEdges, AreThoseThatRunThroughOtherTriangles) {
   TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.7; });
   const SurfaceModel open = make_surface_model(soup);
-  const BoundaryLoop rim = longest_loop(open);
-  EXPECT_EQ(pierced_edges(ScanIndex(open), rim), 0);
+  const BoundaryLoop boundary = longest_loop(open);
+  EXPECT_EQ(pierced_edges(ScanIndex(open), boundary), 0);
 
-  // A small triangle of its own, square to one edge of the rim, about its middle.
-  const Vec3 p = open.soup.points[rim.vertices[0]], q = open.soup.points[rim.vertices[1]], along = (q - p).normalized();
+  // A small triangle of its own, square to one edge of the boundary, about its middle.
+  const Vec3 p = open.soup.points[boundary.vertices[0]], q = open.soup.points[boundary.vertices[1]],
+             along = (q - p).normalized();
   const Vec3 u = along.unitOrthogonal(), v = along.cross(u), middle = (p + q) / 2;
   const int first = static_cast<int>(soup.points.size());
   const double size = 0.2 * (q - p).norm();

@@ -174,7 +174,7 @@ TEST(Cut, OfEverythingIsEmpty) {
   EXPECT_TRUE(nothing.triangles.empty());
 }
 
-TEST(TrimRims, LeavesOneFanAtEveryVertexAndNothingHanging) {
+TEST(TrimBoundaries, LeavesOneFanAtEveryVertexAndNothingHanging) {
   // Points at odd coordinates. Without two of them the faces at (1, 1) are two fans; two corners of the grid hang on by
   // one edge.
   const TriangleSoup grid = make_graph([](double, double) { return 0.0; }, 7, 7);
@@ -182,7 +182,7 @@ TEST(TrimRims, LeavesOneFanAtEveryVertexAndNothingHanging) {
       cut(grid, [](const Vec3& p) { return std::abs(p.y() - 1) < 0.1 && std::abs(std::abs(p.x() - 1) - 2) < 0.1; });
   ASSERT_FALSE(mesh_facts(pierced).vertex_manifold);
   ASSERT_GT(mesh_facts(pierced).hanging_faces, 0);
-  const MeshFacts trimmed = mesh_facts(trim_rims(pierced));
+  const MeshFacts trimmed = mesh_facts(trim_boundaries(pierced));
   expect_clean(trimmed);
   EXPECT_EQ(trimmed.hanging_faces, 0);
   EXPECT_EQ(trimmed.loops.size(), 2U);

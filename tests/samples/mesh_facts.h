@@ -37,13 +37,13 @@ inline double angle_at(const Vec3& p, const Vec3& a, const Vec3& b) {
   return std::atan2((a - p).cross(b - p).norm(), (a - p).dot(b - p));
 }
 
-inline std::vector<std::vector<int>> rim_loops(const std::map<int, int>& rim_next) {
+inline std::vector<std::vector<int>> boundary_loops(const std::map<int, int>& boundary_next) {
   std::vector<std::vector<int>> loops;
   std::set<int> seen;
-  for (const auto& [start, unused] : rim_next) {
+  for (const auto& [start, unused] : boundary_next) {
     if (seen.contains(start)) continue;
     loops.emplace_back();
-    for (int v = start; seen.insert(v).second; v = rim_next.at(v)) loops.back().push_back(v);
+    for (int v = start; seen.insert(v).second; v = boundary_next.at(v)) loops.back().push_back(v);
   }
   return loops;
 }
@@ -101,26 +101,26 @@ inline MeshFacts mesh_facts(const TriangleSoup& soup) {
                    angle_at(soup.points[v], soup.points[next], soup.points[before]) * 180 / std::numbers::pi);
     }
   }
-  std::map<int, int> rim_next;
+  std::map<int, int> boundary_next;
   for (const auto& [from, to] : directed) {
-    const bool is_rim = !directed.contains({to, from});
-    if (is_rim) rim_next[from] = to;
-    if (is_rim || from < to) {
+    const bool is_boundary = !directed.contains({to, from});
+    if (is_boundary) boundary_next[from] = to;
+    if (is_boundary || from < to) {
       ++facts.edges;
       facts.mean_edge += (soup.points[from] - soup.points[to]).norm();
     }
   }
   facts.mean_edge /= facts.edges;
   for (const Triangle& t : soup.triangles) {
-    int rim_sides = 0;
-    for (int k = 0; k < 3; ++k) rim_sides += directed.contains({t[(k + 1) % 3], t[k]}) ? 0 : 1;
-    facts.hanging_faces += rim_sides >= 2 ? 1 : 0;
+    int boundary_sides = 0;
+    for (int k = 0; k < 3; ++k) boundary_sides += directed.contains({t[(k + 1) % 3], t[k]}) ? 0 : 1;
+    facts.hanging_faces += boundary_sides >= 2 ? 1 : 0;
   }
   for (const auto& fan : corners) {
     facts.all_used = facts.all_used && !fan.empty();
     facts.vertex_manifold = facts.vertex_manifold && (fan.empty() || is_one_fan(fan));
   }
-  facts.loops = rim_loops(rim_next);
+  facts.loops = boundary_loops(boundary_next);
   facts.components = count_components(soup);
   return facts;
 }

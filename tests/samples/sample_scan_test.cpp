@@ -37,7 +37,7 @@ std::uint64_t fingerprint(const TriangleSoup& soup) {
   return hash;
 }
 
-/// Total geodesic curvature of a loop in units of 2π, seen from the surface: +1 for the rim of a flat disc.
+/// Total geodesic curvature of a loop in units of 2π, seen from the surface: +1 for the boundary of a flat disc.
 double turning(const TriangleSoup& soup, const std::vector<int>& loop) {
   std::vector<double> angle(soup.points.size(), 0);
   for (const Triangle& t : soup.triangles) {
@@ -58,7 +58,7 @@ double perimeter(const TriangleSoup& soup, const std::vector<int>& loop) {
   return sum;
 }
 
-/// Loops by falling perimeter: the rim, then the holes.
+/// Loops by falling perimeter: the boundary, then the holes.
 std::vector<std::vector<int>> sorted_loops(const TriangleSoup& soup) {
   std::vector<std::vector<int>> loops = mesh_facts(soup).loops;
   std::sort(loops.begin(), loops.end(),
@@ -128,7 +128,7 @@ TEST_F(SampleScan, TruthIsTheSameSheetWithoutHoles) {
   for (const Vec3& p : scan().points) ASSERT_TRUE(points.contains({p.x(), p.y(), p.z()}));
 }
 
-// A sheet whose triangles all face up, over a rim that is a simple polygon, covers every place below it exactly once:
+// A sheet whose triangles all face up, over a boundary that is a simple polygon, covers every place below it exactly once:
 // so it cannot cut itself. The scan is a part of it.
 TEST_F(SampleScan, DoesNotCutItself) {
   for (const auto& [a, b, c] : truth().triangles) {
@@ -137,7 +137,7 @@ TEST_F(SampleScan, DoesNotCutItself) {
   EXPECT_TRUE(is_simple_polygon(truth(), mesh_facts(truth()).loops.at(0)));
 }
 
-TEST_F(SampleScan, RimIsThatOfASheetAndTheHolesAreHoles) {
+TEST_F(SampleScan, BoundaryIsThatOfASheetAndTheHolesAreHoles) {
   const std::vector<std::vector<int>> loops = sorted_loops(scan());
   ASSERT_EQ(loops.size(), 6U);
   EXPECT_GT(turning(scan(), loops[0]), 0.5);
@@ -181,7 +181,7 @@ TEST_F(SampleScan, HolesAreOfDifferentShape) {
   EXPECT_LT(round[0], 0.35);  // slit
   EXPECT_LT(round[1], 0.5);   // star
   EXPECT_LT(round[2], 0.76);  // ellipse
-  EXPECT_GT(round[4], 0.8);   // disc; its rim is jagged like a scan's
+  EXPECT_GT(round[4], 0.8);   // disc; its boundary is jagged like a scan's
 }
 
 TEST_F(SampleScan, NoiseIsAboutOnePercentOfTheMeanEdge) {

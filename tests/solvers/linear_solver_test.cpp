@@ -135,10 +135,10 @@ TEST(SpdSolver, FollowsAChangeOfPattern) {
 }
 
 /// So large that it is factored in halves.
-constexpr int halved_side = 60;
+constexpr int separated_side = 60;
 
 TEST(SpdSolver, GivesTheSameBitsForAnyNumberOfThreads) {
-  const Sparse L = grid_matrix(halved_side, 0.1, 0), A = Sparse(L * L) * L;
+  const Sparse L = grid_matrix(separated_side, 0.1, 0), A = Sparse(L * L) * L;
   const Eigen::MatrixXd b = Eigen::MatrixXd::Random(A.rows(), 3);
   std::vector<Eigen::MatrixXd> solutions;
   for (int threads : {1, 2, 5}) {
@@ -157,7 +157,7 @@ TEST(SpdSolver, FactorsOtherValuesOfTheSamePattern) {
   const auto solver = make_spd_solver();
   Eigen::MatrixXd x;
   for (double shift : {0.1, 1.0, 0.1}) {
-    const Sparse A = grid_matrix(halved_side, shift, 0);
+    const Sparse A = grid_matrix(separated_side, shift, 0);
     const Eigen::MatrixXd exact = Eigen::MatrixXd::Random(A.rows(), 2);
     ASSERT_TRUE(solver->factorize(A));
     ASSERT_TRUE(solver->solve(A * exact, x));
@@ -168,9 +168,9 @@ TEST(SpdSolver, FactorsOtherValuesOfTheSamePattern) {
 TEST(SpdSolver, SeesThatAMatrixIsIndefiniteWhereItsHalvesAreNot) {
   // The lowest eigenvalue of the grid is 0.0053, that of half of it 0.013.
   const auto solver = make_spd_solver();
-  EXPECT_FALSE(solver->factorize(grid_matrix(halved_side, -0.01, 0)));
-  EXPECT_TRUE(solver->factorize(grid_matrix(halved_side, -0.005, 0)));
-  EXPECT_FALSE(solver->factorize(grid_matrix(halved_side, -1, 0)));
+  EXPECT_FALSE(solver->factorize(grid_matrix(separated_side, -0.01, 0)));
+  EXPECT_TRUE(solver->factorize(grid_matrix(separated_side, -0.005, 0)));
+  EXPECT_FALSE(solver->factorize(grid_matrix(separated_side, -1, 0)));
 }
 
 TEST(SpdSolver, FactorsWhatDoesNotFallIntoHalves) {
@@ -236,7 +236,7 @@ TEST(GmresSolver, MeasuresTheErrorInTheEnergyAndStopsThere) {
   const Sparse L = grid_matrix(25, 0.1, 0), A = Sparse(L * L) * L + 0.003 * grid_matrix(25, 0, 0.3);
   GeneralSystem system = system_of(A);
   const Sparse P = Sparse(L * L) * L;
-  system.nearby = [&] { return P; };
+  system.preconditioner = [&] { return P; };
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2);
   Eigen::VectorXd exact;
   ASSERT_TRUE(make_general_solver(SolverKind::direct)->solve(system, b, exact).solved);
@@ -255,7 +255,7 @@ TEST(GmresSolver, MeasuresTheErrorInTheEnergyAndStopsThere) {
 TEST(GmresSolver, GoesOnAfterARestart) {
   const Sparse A = grid_matrix(40, 0.001, 0.3);
   GeneralSystem system = system_of(A);
-  system.nearby = [&] { return grid_matrix(40, 1, 0); };  // far from A: more iterations than one cycle has
+  system.preconditioner = [&] { return grid_matrix(40, 1, 0); };  // far from A: more iterations than one cycle has
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2);
   Eigen::VectorXd x;
   const SolveReport report = make_general_solver(SolverKind::gmres, 1e-10)->solve(system, b, x);
@@ -285,7 +285,7 @@ TEST(SpdSolver, StartsNoThreadsThatTheCallerDoesNotHave) {
 TEST(ConjugateGradients, SolveWhatIsTooLargeToFactor) {
   const Sparse A = grid_matrix(30, 0.1, 0);
   GeneralSystem system = system_of(A);
-  system.nearby = [] { return grid_matrix(30, 1, 0); };
+  system.preconditioner = [] { return grid_matrix(30, 1, 0); };
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 1);
   Eigen::VectorXd x;
   const auto factors = make_spd_solver();
@@ -298,7 +298,7 @@ TEST(ConjugateGradients, SolveWhatIsTooLargeToFactor) {
 TEST(ConjugateGradients, EachIterationLowersTheQuadraticModel) {
   const Sparse A = grid_matrix(30, 0.1, 0);
   GeneralSystem system = system_of(A);
-  system.nearby = [] { return grid_matrix(30, 1, 0); };
+  system.preconditioner = [] { return grid_matrix(30, 1, 0); };
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 1);
   const auto factors = make_spd_solver();
   double last = 0;
@@ -318,10 +318,10 @@ TEST(ConjugateGradients, SayWhereAMatrixIsNotPositiveDefinite) {
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(A.rows());
   Eigen::VectorXd x;
   GeneralSystem system = system_of(A);
-  system.nearby = [&] { return negative; };
+  system.preconditioner = [&] { return negative; };
   EXPECT_FALSE(conjugate_gradients(system, *make_spd_solver(), {}, b, x).solved);
   system = system_of(negative);
-  system.nearby = [&] { return A; };
+  system.preconditioner = [&] { return A; };
   EXPECT_FALSE(conjugate_gradients(system, *make_spd_solver(), {}, b, x).solved);
   EXPECT_EQ(x.size(), 0);
 }
@@ -329,7 +329,7 @@ TEST(ConjugateGradients, SayWhereAMatrixIsNotPositiveDefinite) {
 TEST(AutomaticSolver, GoesOverToTheDirectWayWhereNothingSymmetricIsNear) {
   const Sparse A = grid_matrix(25, 0.1, 0.3);
   GeneralSystem system = system_of(A);
-  system.nearby = [&]() -> Sparse { return -A; };
+  system.preconditioner = [&]() -> Sparse { return -A; };
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(A.rows());
   Eigen::VectorXd x;
   EXPECT_FALSE(make_general_solver(SolverKind::gmres)->solve(system, b, x).solved);
@@ -361,7 +361,7 @@ TEST(GeneralSolver, RefusesWhatHoldsNothingToFactor) {
       const Sparse zero(size, size);
       GeneralSystem system;
       system.times = [&](const Eigen::VectorXd& v) { return Eigen::VectorXd(zero * v); };
-      system.matrix = system.nearby = [&] { return zero; };
+      system.matrix = system.preconditioner = [&] { return zero; };
       Eigen::VectorXd x;
       EXPECT_FALSE(solver->solve(system, Eigen::VectorXd::Ones(size), x).solved)
           << static_cast<int>(kind) << ", " << size;

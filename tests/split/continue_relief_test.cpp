@@ -16,7 +16,7 @@ constexpr double edge_of_level_5 = 0.04;
 SurfaceModel rough_sphere(const std::vector<double>& relief, double height) {
   TriangleSoup soup = make_icosphere(5);
   for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i] *= 1 + height * relief[i];
-  return make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.8; })));
+  return make_surface_model(trim_boundaries(cut(soup, [](const Vec3& p) { return p.z() > 0.8; })));
 }
 
 std::vector<double> white_noise(std::uint64_t seed) {

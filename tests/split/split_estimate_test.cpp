@@ -17,7 +17,7 @@ namespace {
 Patch start_with(const std::function<double(std::size_t)>& height) {
   TriangleSoup soup = make_icosphere(5);
   for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i] *= 1 + height(i);
-  return test::start_of(make_surface_model(trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.85; }))));
+  return test::start_of(make_surface_model(trim_boundaries(cut(soup, [](const Vec3& p) { return p.z() > 0.85; }))));
 }
 
 TEST(SplitEstimate, ASphereIsExact) {
@@ -47,7 +47,7 @@ TEST(SplitEstimate, IsTheSameInAnyUnitAndForAnyNumberOfThreads) {
   TriangleSoup soup = make_icosphere(4);
   const std::vector<double> relief = test::random_relief(soup, 5);
   for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i] *= 1 + 0.01 * relief[i];
-  soup = trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.8; }));
+  soup = trim_boundaries(cut(soup, [](const Vec3& p) { return p.z() > 0.8; }));
   const Patch patch = test::start_of(make_surface_model(soup));
   for (Vec3& p : soup.points) p *= 1024;
   const SplitEstimate one = with_thread_budget(1, [&] { return estimate_split(patch); }), all = estimate_split(patch),

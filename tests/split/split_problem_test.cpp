@@ -19,7 +19,7 @@ namespace {
 TriangleSoup moved_sphere(int level, const std::function<double(std::size_t)>& height) {
   TriangleSoup soup = make_icosphere(level);
   for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i] *= 1 + height(i);
-  return trim_rims(cut(soup, [](const Vec3& p) { return p.z() > 0.85; }));
+  return trim_boundaries(cut(soup, [](const Vec3& p) { return p.z() > 0.85; }));
 }
 
 Patch noisy_start(double noise) {

@@ -20,14 +20,14 @@ inline SurfaceModel tubes_model(const std::vector<TubeShape>& tubes) {
   return make_surface_model(joined(parts));
 }
 
-/// The rims where the tubes start, in their order.
-inline std::vector<BoundaryLoop> inner_rims(const SurfaceModel& model, const std::vector<TubeShape>& tubes) {
+/// The boundaries where the tubes start, in their order.
+inline std::vector<BoundaryLoop> inner_boundaries(const SurfaceModel& model, const std::vector<TubeShape>& tubes) {
   const std::vector<BoundaryLoop> all = find_boundary_loops(model);
-  std::vector<BoundaryLoop> rims;
+  std::vector<BoundaryLoop> boundaries;
   for (const TubeShape& tube : tubes)
     for (const BoundaryLoop& loop : all)
-      if ((loop.center - tube.start).norm() < 1e-6) rims.push_back(loop);
-  return rims;
+      if ((loop.center - tube.start).norm() < 1e-6) boundaries.push_back(loop);
+  return boundaries;
 }
 
 }  // namespace loopmend::test

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This program once more, as a child process: what goes wrong there takes one scan only.
+// This program once more, as a child process: what goes wrong there takes one scan only. In child_posix.cpp and child_windows.cpp.
 #pragma once
 
-#include <sys/types.h>
-
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +14,8 @@ struct ChildEnd {
   std::string said;  ///< the end of what it wrote to standard error
 };
 
-/// Runs from its construction on. Its standard output goes nowhere. It gets SIGTERM when this process dies, of whatever.
+/// Runs from its construction on. Its standard output goes nowhere. It ends when this process dies, of whatever,
+/// where the system lets that be asked for: on Linux by SIGTERM, on Windows at once.
 class Child {
  public:
   /// @param arguments  behind the name of the program. @throws Error where the system starts no process.
@@ -27,13 +27,13 @@ class Child {
 
   /// Nothing while it runs.
   std::optional<ChildEnd> end();
-  /// Asks it to remove unfinished files and to end.
+  /// Asks it to remove unfinished files and to end. On Windows, where a process without a console cannot be asked, as kill().
   void stop() const;
   void kill() const;
 
  private:
-  pid_t process_ = -1;  ///< -1: it has ended, and the system knows it no more
-  int said_ = -1;       ///< a file in memory that takes its standard error
+  struct Process;
+  std::unique_ptr<Process> process_;
 };
 
 }  // namespace loopmend

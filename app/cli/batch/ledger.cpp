@@ -4,13 +4,7 @@
 #include "cli/commands.h"
 #include "core/version.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
+#include <chrono>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -51,33 +45,25 @@ ScanFiles files_of(const fs::path& folder, const std::string& name) {
 }
 
 std::optional<FileState> state_of(const fs::path& path) {
-  struct stat facts {};
-  if (::stat(path.c_str(), &facts) != 0) return {};
-  constexpr std::int64_t second = 1'000'000'000;
-  return FileState{static_cast<std::uintmax_t>(facts.st_size), facts.st_mtim.tv_sec * second + facts.st_mtim.tv_nsec};
+  std::error_code no_size, no_time;
+  const std::uintmax_t size = fs::file_size(path, no_size);
+  const auto modified = std::chrono::file_clock::to_sys(fs::last_write_time(path, no_time));
+  if (no_size || no_time) return {};
+  return FileState{size, std::chrono::duration_cast<std::chrono::nanoseconds>(modified.time_since_epoch()).count()};
 }
 
-Ledger::Ledger(const fs::path& folder) : folder_(folder), path_(folder / "batch.jsonl") {
+namespace {
+
+fs::path made(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WriteError(folder, error.message(), "Choose another folder for -o.");
-  file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) throw WriteError(path_, std::strerror(errno), "Choose another folder for -o.");
-  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
-    const bool busy = errno == EWOULDBLOCK;
-    close(file_);
-    if (busy) throw UsageError("another batch is at work in " + folder.string() + ": wait for its end, or stop it");
-    throw WriteError(path_, "the file system cannot lock the file", "Choose a folder on another one.");
-  }
-  try {
-    read();
-  } catch (...) {
-    close(file_);
-    throw;
-  }
+  return folder;
 }
 
-Ledger::~Ledger() { close(file_); }
+}  // namespace
+
+Ledger::Ledger(const fs::path& folder) : folder_(made(folder)), path_(folder / "batch.jsonl"), file_(path_) { read(); }
 
 void Ledger::read() {
   std::ostringstream content;
@@ -112,22 +98,11 @@ void Ledger::read() {
   }
   if (number == 0 && all.size() > 200)
     throw UsageError(path_.string() + " is no record of a batch: choose another folder for -o");
-  if (whole < all.size() && ftruncate(file_, static_cast<off_t>(whole)) != 0)
-    throw WriteError(path_, std::strerror(errno), "");
+  if (whole < all.size()) file_.cut(whole);
   if (number == 0) append({{"loopmend_batch", ledger_version}});
 }
 
-void Ledger::append(const Json& json) {
-  const std::string line = text(json) + "\n";
-  std::size_t written = 0;
-  while (written < line.size()) {
-    const ssize_t n = write(file_, line.data() + written, line.size() - written);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw WriteError(path_, std::strerror(errno), "Is the disk full?");
-    written += static_cast<std::size_t>(n);
-  }
-  if (fdatasync(file_) != 0) throw WriteError(path_, std::strerror(errno), "Is the disk full?");
-}
+void Ledger::append(const Json& json) { file_.append(text(json) + "\n"); }
 
 std::optional<LedgerEntry> Ledger::complete(const Scan& scan) const {
   const auto found = entries_.find(key_of(scan.name));

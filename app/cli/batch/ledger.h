@@ -2,6 +2,7 @@
 // What batches have written into a folder, and from what: a later run skips what is complete, and replaces nothing of a person's.
 #pragma once
 
+#include "journal_file.h"
 #include "scan_list.h"
 
 #include <nlohmann/json.hpp>
@@ -46,9 +47,6 @@ class Ledger {
   /// Makes the folder and the file where they are not there. A line that was cut off, as by kill -9, is dropped.
   /// @throws UsageError where another batch is at work there, or the file is of another kind; WriteError.
   explicit Ledger(const std::filesystem::path& folder);
-  ~Ledger();
-  Ledger(const Ledger&) = delete;
-  Ledger& operator=(const Ledger&) = delete;
 
   /// The entry, where its files stand as they were written, and were made from this input with these options by this version.
   std::optional<LedgerEntry> complete(const Scan& scan) const;
@@ -68,7 +66,7 @@ class Ledger {
   void append(const nlohmann::ordered_json& line);
 
   std::filesystem::path folder_, path_;
-  int file_ = -1;
+  JournalFile file_;
   std::map<std::string, std::optional<LedgerEntry>> entries_;  ///< by name; empty while a scan is under way
   bool summary_is_ours_ = false;
 };

@@ -24,7 +24,7 @@ struct Found {
   fs::path base;       ///< folder that it was found in, or below
   std::string output;  ///< as a manifest names it; empty: by its place
   std::vector<std::string> options;
-  std::string trouble;
+  std::string fault;
 };
 
 /// From the root on, without a slash at its end, whatever there is. "" is the present folder.
@@ -160,7 +160,7 @@ std::vector<Scan> list_scans(const BatchCommand& command) {
   std::map<std::string, std::size_t> known;
   std::vector<Scan> scans;
   for (const Found& one : found) {
-    Scan scan{one.input, name_of(one, common, command.format), command.fill_options, one.trouble};
+    Scan scan{one.input, name_of(one, common, command.format), command.fill_options, one.fault};
     scan.options.insert(scan.options.end(), one.options.begin(), one.options.end());
     const auto [entry, is_new] = known.try_emplace(scan.name, scans.size());
     if (is_new) {

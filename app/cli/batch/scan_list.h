@@ -14,7 +14,7 @@ struct Scan {
   std::filesystem::path input;
   std::string name;                  ///< of the output, with the folders above it; no two scans have the same
   std::vector<std::string> options;  ///< of fill: those of the batch, then its own
-  std::string trouble;               ///< why it cannot be tried; mostly empty
+  std::string fault;                 ///< why it cannot be tried; mostly empty
 };
 
 /// Files as they are named, the meshes of folders and of the folders in them, and the lines of manifests, without the folder of

@@ -109,7 +109,7 @@ class ScanRuns {
 
   void start(std::size_t k) {
     const Scan& scan = scans_[k];
-    if (!scan.trouble.empty()) return refuse(k, scan.trouble);
+    if (!scan.fault.empty()) return refuse(k, scan.fault);
     const auto entry = ledger_.complete(scan);
     const bool again = command_.again == BatchCommand::Again::all ||
                        (command_.again == BatchCommand::Again::open && entry && entry->code != exit_done);
@@ -187,7 +187,7 @@ class ScanRuns {
 
   void end_picture(std::size_t k, const ChildEnd& end, const CancelToken& cancel) {
     if (end.code != exit_done)
-      ends_[k].picture_trouble =
+      ends_[k].picture_fault =
           cancel.cancelled() ? "the batch was stopped before it was made" : reason_of(end, scans_[k].input);
     finished();
   }

@@ -19,10 +19,10 @@ struct ScanEnd {
     filled,     ///< mesh and report are written
     error       ///< there is neither
   } state = State::waiting;
-  int code = 0;                 ///< of its process; 0 where none was started
-  std::string why;              ///< of an error
-  double seconds = 0;           ///< of the process that filled it, with reading and writing
-  std::string picture_trouble;  ///< why there is no picture though one was asked for
+  int code = 0;               ///< of its process; 0 where none was started
+  std::string why;            ///< of an error
+  double seconds = 0;         ///< of the process that filled it, with reading and writing
+  std::string picture_fault;  ///< why there is no picture though one was asked for
 
   bool has_mesh() const { return state == State::as_before || state == State::filled; }
 };

@@ -103,7 +103,7 @@ std::string SummaryRow::remark() const {
   if (figures && end->code != exit_done && figures->failed == 0 && figures->doubtful == 0)
     parts.emplace_back(figures->filled > 0 ? "not everything was finished" : "nothing was filled");
   if (figures && !figures->remarks.empty()) parts.push_back(figures->remarks);
-  if (!end->picture_trouble.empty()) parts.push_back("no picture: " + end->picture_trouble);
+  if (!end->picture_fault.empty()) parts.push_back("no picture: " + end->picture_fault);
   return joined(parts, "; ");
 }
 

@@ -49,14 +49,14 @@ PosedProblem points_problem(const CompareCommand& command) {
   if (command.inputs.size() != 1) throw UsageError("--subdivide takes one polyhedron");
   SubdivisionOptions options;
   options.subdivisions = command.subdivide;
-  options.rim = command.rim;
+  options.boundary = command.boundary;
   if (!command.fixed.empty()) options.fixed = read_vertex_numbers(command.fixed);
   return pose_points(std::make_shared<const SurfaceModel>(open_model(command.inputs[0]).model), options);
 }
 
 PosedProblem problem_of(const CompareCommand& command) {
   const bool points = command.subdivide > 0;
-  if (!points && (!command.fixed.empty() || command.rim == PolyhedronRim::smooth))
+  if (!points && (!command.fixed.empty() || command.boundary == PolyhedronBoundary::smooth))
     throw UsageError("--fixed and --open belong to --subdivide");
   const bool region = !command.region.empty() || !command.where.empty();
   if (region && !command.loops.empty()) throw UsageError("--loops and a region exclude each other");
@@ -96,7 +96,8 @@ int run_compare(const CompareCommand& command) {
   if (!command.words.quiet) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::fprintf(command.words.report == "-" ? stderr : stdout, "%s%d free vertices; %s written in %.2f s\n",
-                 comparison_table(comparison).c_str(), problem.start.free_count, command.output.c_str(), seconds);
+                 comparison_table(comparison).c_str(), problem.start.free_count, command.output.string().c_str(),
+                 seconds);
   }
   return exit_done;
 }

@@ -26,7 +26,7 @@ int run_interpolate(const InterpolateCommand& command) {
   const OpenedModel opened = open_model(command.input);
   SubdivisionOptions subdivision;
   subdivision.subdivisions = command.subdivide;
-  subdivision.rim = command.rim;
+  subdivision.boundary = command.boundary;
   if (!command.fixed.empty()) subdivision.fixed = read_vertex_numbers(command.fixed);
   ProgressLine(command.words.verbosity()).say("interpolating " + command.input.string());
   const Interpolation result =
@@ -55,7 +55,7 @@ int run_interpolate(const InterpolateCommand& command) {
                  "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
                  result.fixed_count, evolved.patch.free_count, to_string(evolved.status), method_name(evolved).c_str(),
                  evolved.steps, evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
-                 evolved.message.c_str(), command.output.c_str(), seconds);
+                 evolved.message.c_str(), command.output.string().c_str(), seconds);
     print_reason(out, evolved.reason);
     print_losses(out, command.output, losses);
   }

@@ -41,7 +41,7 @@ void add_interpolate(CLI::App& app, InterpolateCommand& command) {
   interpolate->add_option("--fixed", command.fixed, "File of vertex numbers, 0-based: go through these alone")
       ->type_name("FILE");
   interpolate->add_flag_callback(
-      "--open", [&command] { command.rim = PolyhedronRim::smooth; },
+      "--open", [&command] { command.boundary = PolyhedronBoundary::smooth; },
       "Take an open polyhedron; its boundary loops become smooth curves through their vertices");
   add_flow_options(*interpolate, command.words, DensityOption::leave_out);
   interpolate->footer(std::string("The fixed vertices come first in the output, in their order, bit-identical.\n"
@@ -82,7 +82,8 @@ void add_compare(CLI::App& app, CompareCommand& command) {
       ->check(CLI::Range(1, 8));
   compare->add_option("--fixed", command.fixed, "With --subdivide: go through these vertices alone")->type_name("FILE");
   compare->add_flag_callback(
-      "--open", [&command] { command.rim = PolyhedronRim::smooth; }, "With --subdivide: take an open polyhedron");
+      "--open", [&command] { command.boundary = PolyhedronBoundary::smooth; },
+      "With --subdivide: take an open polyhedron");
   command.words.boundary = "exact";  // the flows themselves are compared
   add_flow_options(*compare, command.words, DensityOption::offer);
   compare->get_option("--boundary")->check(CLI::IsMember({"exact", "robust"}));

@@ -25,7 +25,7 @@ struct InterpolateCommand {
   std::filesystem::path input, output;
   int subdivide = 3;            ///< each triangle into 4^k
   std::filesystem::path fixed;  ///< file of vertex numbers; empty: all
-  PolyhedronRim rim = PolyhedronRim::refuse;
+  PolyhedronBoundary boundary = PolyhedronBoundary::refuse;
   FlowWords words;
   std::string command_line;
 };
@@ -46,7 +46,7 @@ struct CompareCommand {
   std::string where;
   int subdivide = 0;            ///< as in InterpolateCommand; 0: no polyhedron is meant
   std::filesystem::path fixed;  ///< likewise
-  PolyhedronRim rim = PolyhedronRim::refuse;
+  PolyhedronBoundary boundary = PolyhedronBoundary::refuse;
   FlowWords words;
   std::string command_line;
 };

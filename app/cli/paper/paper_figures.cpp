@@ -85,7 +85,7 @@ double rms(const Patch& patch, const Distance& distance) {
 }
 
 /// All holes of a surface as one problem; the open ends of a tube are no holes.
-Patch filler_of(const SurfaceModel& model) {
+Patch initial_patch_of(const SurfaceModel& model) {
   std::vector<BoundaryLoop> holes;
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     if (loop.turning < -0.3) holes.push_back(loop);
@@ -96,7 +96,7 @@ FigureRun run_holes(TriangleSoup input, const TableRow& paper) {
   FigureRun run;
   run.paper = paper;
   run.before = make_surface_model(std::move(input));
-  run.start = filler_of(run.before);
+  run.start = initial_patch_of(run.before);
   run.initial = pasted(run.before, run.start);
   return run;
 }
@@ -143,13 +143,13 @@ TubeProblem bridge_tubes(const std::vector<TubeShape>& tubes) {
   std::vector<TriangleSoup> parts;
   for (const TubeShape& tube : tubes) parts.push_back(make_tube(tube));
   problem.model = make_surface_model(joined(parts));
-  std::vector<BoundaryLoop> rims;
+  std::vector<BoundaryLoop> boundaries;
   const std::vector<BoundaryLoop> all = find_boundary_loops(problem.model);
   for (const TubeShape& tube : tubes)
-    rims.push_back(*std::min_element(all.begin(), all.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
+    boundaries.push_back(*std::min_element(all.begin(), all.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
       return (a.center - tube.start).norm() < (b.center - tube.start).norm();
     }));
-  problem.outcome = bridge_loops(problem.model, rims, {}, {});
+  problem.outcome = bridge_loops(problem.model, boundaries, {}, {});
   if (!problem.outcome.bridge) throw std::logic_error(problem.outcome.message);
   return problem;
 }

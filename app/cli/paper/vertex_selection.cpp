@@ -4,12 +4,14 @@
 #include "cli/commands.h"
 
 #include "analysis/curvature_field.h"
+#include "io/text_cursor.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <sstream>
 
 namespace loopmend {
@@ -32,10 +34,11 @@ Condition parse(const std::string& words) {
   condition.name = text.substr(0, at);
   condition.op = text.substr(at, at + 1 < text.size() && text[at + 1] == '=' ? 2 : 1);
   const std::string number = text.substr(at + condition.op.size());
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), condition.limit);
+  const std::optional<double> limit = parse_double(number);
   const bool known = condition.name == "x" || condition.name == "y" || condition.name == "z" || condition.name == "H" ||
                      condition.name == "K";
-  if (!known || error != std::errc() || end != number.data() + number.size()) throw wrong;
+  if (!known || !limit) throw wrong;
+  condition.limit = *limit;
   return condition;
 }
 

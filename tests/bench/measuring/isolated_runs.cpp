@@ -81,15 +81,15 @@ class Child {
     IsolatedResult result;
     result.seconds = seconds();
     if (out_of_time)
-      result.trouble = "time limit";
+      result.fault = "time limit";
     else if (WIFSIGNALED(status))
-      result.trouble = "crashed (signal " + std::to_string(WTERMSIG(status)) + ")";
+      result.fault = "crashed (signal " + std::to_string(WTERMSIG(status)) + ")";
     const std::size_t end = text_.find_first_of(std::string{end_mark, error_mark});
     result.text = text_.substr(0, end);
-    if (result.trouble.empty() && end == std::string::npos)
-      result.trouble = "ended without a word";
-    else if (result.trouble.empty() && text_[end] == error_mark)
-      result.trouble = "exception: " + text_.substr(end + 1);
+    if (result.fault.empty() && end == std::string::npos)
+      result.fault = "ended without a word";
+    else if (result.fault.empty() && text_[end] == error_mark)
+      result.fault = "exception: " + text_.substr(end + 1);
     return result;
   }
 

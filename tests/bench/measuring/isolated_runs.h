@@ -8,8 +8,8 @@
 namespace loopmend::bench {
 
 struct IsolatedResult {
-  std::string text;     ///< what the job said, all of it even if it did not come to its end
-  std::string trouble;  ///< empty at a good end; else "time limit", "crashed (signal 11)", "exception: ..."
+  std::string text;   ///< what the job said, all of it even if it did not come to its end
+  std::string fault;  ///< empty at a good end; else "time limit", "crashed (signal 11)", "exception: ..."
   double seconds = 0;
 };
 

@@ -25,11 +25,11 @@ Mesh to_mesh(const Points& points, const Triangles& triangles) {
 }
 
 /// @returns whether the hole was closed and faired.
-bool fill_one(Mesh& mesh, Mesh::Halfedge_index border, unsigned continuity) {
+bool fill_one(Mesh& mesh, Mesh::Halfedge_index separator, unsigned continuity) {
   std::vector<Mesh::Face_index> faces;
   std::vector<Mesh::Vertex_index> vertices;
   const bool faired = std::get<0>(
-      pmp::triangulate_refine_and_fair_hole(mesh, border, std::back_inserter(faces), std::back_inserter(vertices),
+      pmp::triangulate_refine_and_fair_hole(mesh, separator, std::back_inserter(faces), std::back_inserter(vertices),
                                             CGAL::parameters::fairing_continuity(continuity)));
   return faired && !faces.empty();
 }
@@ -58,9 +58,9 @@ Filling fill_by_cgal(const Points& points, const Triangles& triangles, const std
   filling.complete = true;
   const Stopwatch watch;
   for (const auto& loop : loops) {
-    const Mesh::Halfedge_index border = mesh.halfedge(vertex(loop[0]), vertex(loop[1]));
-    const bool found = border != Mesh::null_halfedge() && mesh.is_border(border);
-    if (!found || !fill_one(mesh, border, continuity)) filling.complete = false;
+    const Mesh::Halfedge_index separator = mesh.halfedge(vertex(loop[0]), vertex(loop[1]));
+    const bool found = separator != Mesh::null_halfedge() && mesh.is_border(separator);
+    if (!found || !fill_one(mesh, separator, continuity)) filling.complete = false;
   }
   filling.seconds = watch.seconds();
   filling.status = filling.complete ? "filled" : "failed";

@@ -126,9 +126,9 @@ Filling fill_by_peer(const HoleProblem& problem, Peer peer) {
   const auto loops = loop_vertices(problem);
   if (peer == Peer::cgal_c1) return fill_by_cgal(points, triangles, loops, 1);
   if (peer == Peer::cgal_c2) return fill_by_cgal(points, triangles, loops, 2);
-  FillOptions filler_only;
-  filler_only.evolution.reset();
-  Filling filling = fill_by_engine(problem, filler_only);
+  FillOptions initial_patch_only;
+  initial_patch_only.evolution.reset();
+  Filling filling = fill_by_engine(problem, initial_patch_only);
   if (!filling.complete || filling.points.empty()) return filling;
   const Stopwatch watch;
   if (!make_harmonic(points, triangles, filling, peer == Peer::harmonic_2 ? 2 : 3)) {

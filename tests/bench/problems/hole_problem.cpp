@@ -47,7 +47,7 @@ HoleProblem open_problem(std::string name, TriangleSoup open, const std::functio
 HoleProblem cut_problem(std::string name, const TriangleSoup& whole, const std::function<bool(const Vec3&)>& inside,
                         std::function<double(const Vec3&)> distance) {
   const PlaceSet old(boundary_points(whole));
-  TriangleSoup open = trim_rims(cut(whole, inside));
+  TriangleSoup open = trim_boundaries(cut(whole, inside));
   const int removed = static_cast<int>(whole.points.size() - open.points.size());
   HoleProblem problem = open_problem(
       std::move(name), std::move(open), [&](const Vec3& p) { return !old.contains(p); }, std::move(distance));

@@ -22,7 +22,7 @@ struct HoleProblem {
   double diameter() const;
 };
 
-/// Removes the vertices for which `inside` holds, and what then hangs loosely at the rim.
+/// Removes the vertices for which `inside` holds, and what then hangs loosely at the boundary.
 HoleProblem cut_problem(std::string name, const TriangleSoup& whole, const std::function<bool(const Vec3&)>& inside,
                         std::function<double(const Vec3&)> distance);
 

@@ -225,7 +225,7 @@ KnownSurface with_mesh(KnownSurface surface, MeshKind kind, unsigned seed) {
 }
 
 KnownSurface cropped(KnownSurface surface, const Vec3& center, double radius) {
-  surface.mesh = trim_rims(cut(surface.mesh, [=](const Vec3& p) { return (p - center).norm() > radius; }));
+  surface.mesh = trim_boundaries(cut(surface.mesh, [=](const Vec3& p) { return (p - center).norm() > radius; }));
   return surface;
 }
 

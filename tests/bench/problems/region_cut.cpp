@@ -24,18 +24,18 @@ namespace loopmend::bench {
 
 namespace {
 
-/// Which triangles stay, as trim_rims of the engine's samples decides it round by round, but looking again only where the
+/// Which triangles stay, as trim_boundaries of the engine's samples decides it round by round, but looking again only where the
 /// last round changed something: large scans unravel slowly.
-class RimTrimmer {
+class BoundaryTrimmer {
  public:
-  RimTrimmer(const TriangleSoup& soup, const Topology& topology, std::vector<char>& keep)
+  BoundaryTrimmer(const TriangleSoup& soup, const Topology& topology, std::vector<char>& keep)
       : soup_(soup),
         topology_(topology),
         keep_(keep),
-        rim_from_(soup.points.size(), 0) {
+        boundary_from_(soup.points.size(), 0) {
     for (std::size_t f = 0; f < keep.size(); ++f)
       for (int k = 0; keep[f] && k < 3; ++k) edges_.insert(edge(soup.triangles[f][k], soup.triangles[f][(k + 1) % 3]));
-    for (std::size_t v = 0; v < soup.points.size(); ++v) count_rim_edges(static_cast<int>(v));
+    for (std::size_t v = 0; v < soup.points.size(); ++v) count_boundary_edges(static_cast<int>(v));
   }
   void trim() {
     std::vector<int> candidates(keep_.size());
@@ -47,21 +47,21 @@ class RimTrimmer {
   static std::uint64_t edge(int from, int to) {
     return static_cast<std::uint64_t>(from) << 32U | static_cast<std::uint32_t>(to);
   }
-  bool is_rim(int from, int to) const { return !edges_.contains(edge(to, from)); }
-  void count_rim_edges(int v) {
-    rim_from_[v] = 0;
+  bool is_boundary(int from, int to) const { return !edges_.contains(edge(to, from)); }
+  void count_boundary_edges(int v) {
+    boundary_from_[v] = 0;
     for (int f : topology_.faces(v))
       for (int k = 0; keep_[f] && k < 3; ++k)
-        if (soup_.triangles[f][k] == v && is_rim(v, soup_.triangles[f][(k + 1) % 3])) ++rim_from_[v];
+        if (soup_.triangles[f][k] == v && is_boundary(v, soup_.triangles[f][(k + 1) % 3])) ++boundary_from_[v];
   }
   bool hangs(int f) const {
-    int rim_sides = 0;
+    int boundary_sides = 0;
     bool touching = false;
     for (int k = 0; k < 3; ++k) {
-      rim_sides += is_rim(soup_.triangles[f][k], soup_.triangles[f][(k + 1) % 3]) ? 1 : 0;
-      touching = touching || rim_from_[soup_.triangles[f][k]] > 1;
+      boundary_sides += is_boundary(soup_.triangles[f][k], soup_.triangles[f][(k + 1) % 3]) ? 1 : 0;
+      touching = touching || boundary_from_[soup_.triangles[f][k]] > 1;
     }
-    return rim_sides >= 2 || touching;
+    return boundary_sides >= 2 || touching;
   }
   /// @returns the triangles whose neighborhood changed.
   std::vector<int> drop_hanging(const std::vector<int>& candidates) {
@@ -74,7 +74,7 @@ class RimTrimmer {
     }
     for (int f : dropped)
       for (int v : soup_.triangles[f]) {
-        count_rim_edges(v);
+        count_boundary_edges(v);
         changed.insert(changed.end(), topology_.faces(v).begin(), topology_.faces(v).end());
       }
     std::sort(changed.begin(), changed.end());
@@ -85,7 +85,7 @@ class RimTrimmer {
   const TriangleSoup& soup_;
   const Topology& topology_;
   std::vector<char>& keep_;
-  std::vector<int> rim_from_;
+  std::vector<int> boundary_from_;
   std::unordered_set<std::uint64_t> edges_;
 };
 
@@ -96,7 +96,7 @@ std::vector<char> kept_triangles(const TriangleSoup& soup, const Topology& topol
     const auto& [a, b, c] = soup.triangles[f];
     keep[f] = !mask[a] && !mask[b] && !mask[c];
   }
-  RimTrimmer(soup, topology, keep).trim();
+  BoundaryTrimmer(soup, topology, keep).trim();
   return keep;
 }
 
@@ -238,7 +238,7 @@ TriangleSoup compacted(const Points& points, const Triangles& triangles) {
   return soup;
 }
 
-/// What a trimmed cut took away round the centre. At the far rims of a neighbourhood trimming takes something, too.
+/// What a trimmed cut took away round the centre. At the far boundaries of a neighbourhood trimming takes something, too.
 TriangleSoup removed_part(const TriangleSoup& whole, const std::vector<char>& keep, int center) {
   Triangles removed, joined;
   for (std::size_t f = 0; f < keep.size(); ++f)
@@ -360,13 +360,13 @@ OriginalFaults faults_of_original(const TriangleSoup& removed, const TriangleSou
 }
 
 void crop_around_cut(RegionCut& cut, int rings) {
-  const PlaceSet rim(cut.removed.points);
+  const PlaceSet boundary(cut.removed.points);
   const TriangleSoup& open = cut.open;
   const Topology topology(static_cast<int>(open.points.size()), open.triangles);
   std::vector<char> far(open.points.size(), 1);
   std::vector<int> front;
   for (std::size_t v = 0; v < open.points.size(); ++v) {
-    if (!rim.contains(open.points[v])) continue;
+    if (!boundary.contains(open.points[v])) continue;
     far[v] = 0;
     front.push_back(static_cast<int>(v));
   }

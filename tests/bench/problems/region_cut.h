@@ -28,7 +28,7 @@ struct RegionCut {
 /// Of larger meshes, in vertices, only the neighbourhood of a cut is kept.
 inline constexpr std::size_t most_kept_whole = 50000;
 
-/// @param whole  one component, oriented, edge-manifold; rims trimmed (trim_rims) if it is kept whole, so that all that
+/// @param whole  one component, oriented, edge-manifold; boundaries trimmed (trim_boundaries) if it is kept whole, so that all that
 ///               is missing afterwards was cut away.
 /// @returns nothing when the region is not a disc, comes too close to a boundary, severs a part or holds no vertex.
 std::optional<RegionCut> cut_region(const TriangleSoup& whole, const RegionPlan& plan);

@@ -22,7 +22,7 @@ TriangleSoup load(const std::string& name) {
   const SurfaceModel model = make_surface_model(read_mesh(folder / (name + extension)).soup);
   const TriangleSoup soup{points_of(model.mesh), triangles_of(model.mesh), {}};
   // Of a large scan only a neighbourhood is ever used, and trimmed then.
-  return largest_component(soup.points.size() > most_kept_whole ? soup : trim_rims(soup));
+  return largest_component(soup.points.size() > most_kept_whole ? soup : trim_boundaries(soup));
 }
 
 }  // namespace

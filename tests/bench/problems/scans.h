@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shared scans, made fit to be cut: one component, oriented, rims trimmed.
+// The shared scans, made fit to be cut: one component, oriented, boundaries trimmed.
 #pragma once
 
 #include "mesh/triangle_soup.h"

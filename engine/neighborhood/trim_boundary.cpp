@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "neighborhood/trim_boundary.h"
+
+#include "core/error.h"
+#include "mesh/mesh_arrays.h"
+#include "mesh/quality.h"
+#include "mesh/self_intersections.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double sliver_angle = 5 * std::numbers::pi / 180;
+constexpr double spike_cosine = 0.5, flipped_cosine = -0.5;
+/// What crosses is followed inward further than what is merely bad: no patch is valid beside it.
+constexpr int rounds_for_crossings = 10;
+
+Vec3 normal_of(const SurfaceModel& model, int view_face) {
+  const auto& [a, b, c] = model.soup.triangles[model.soup_face[view_face]];
+  return unit_normal(model.soup.points[a], model.soup.points[b], model.soup.points[c]);
+}
+
+std::optional<BoundaryFault> fault_of(const SurfaceModel& model, int view_face) {
+  const auto& [a, b, c] = model.soup.triangles[model.soup_face[view_face]];
+  const Points& p = model.soup.points;
+  std::vector<Vec3> beside;
+  for (const auto f : model.mesh.ff_range(TriMesh::FaceHandle(view_face))) beside.push_back(normal_of(model, f.idx()));
+  if (beside.size() <= 1) return BoundaryFault::dangling;
+  if (min_angle(p[a], p[b], p[c]) < sliver_angle) return BoundaryFault::sliver;
+  // Where the neighbours disagree among themselves, it is the surface that folds there, not the triangle.
+  const Vec3 own = normal_of(model, view_face);
+  const bool turned =
+      std::any_of(beside.begin(), beside.end(), [&](const Vec3& n) { return own.dot(n) < flipped_cosine; });
+  if (turned && beside[0].dot(beside[1]) > spike_cosine) return BoundaryFault::flipped;
+  return std::nullopt;
+}
+
+/// The triangles at a boundary vertex that stands up out of what lies round about; else none.
+std::vector<int> spike_at(const SurfaceModel& model, int view_vertex) {
+  std::vector<int> fan;
+  std::set<int> around;
+  for (const auto f : model.mesh.vf_range(TriMesh::VertexHandle(view_vertex))) fan.push_back(f.idx());
+  for (int f : fan)
+    for (const auto v : model.mesh.fv_range(TriMesh::FaceHandle(f)))
+      if (v.idx() != view_vertex)
+        for (const auto g : model.mesh.vf_range(v)) around.insert(g.idx());
+  for (int f : fan) around.erase(f);
+  if (around.empty()) return {};
+  Vec3 ground = Vec3::Zero();
+  for (int f : around) ground += normal_of(model, f);
+  ground.normalize();
+  const bool stands =
+      std::all_of(fan.begin(), fan.end(), [&](int f) { return normal_of(model, f).dot(ground) < spike_cosine; });
+  return stands ? fan : std::vector<int>{};
+}
+
+/// View faces with this edge.
+std::vector<int> faces_at(const SurfaceModel& model, int from, int to) {
+  std::vector<int> faces;
+  const auto edge = model.mesh.find_halfedge(TriMesh::VertexHandle(from), TriMesh::VertexHandle(to));
+  if (!edge.is_valid()) return faces;
+  for (const auto half : {edge, model.mesh.opposite_halfedge_handle(edge)}) {
+    const auto face = model.mesh.face_handle(half);
+    if (face.is_valid()) faces.push_back(face.idx());
+  }
+  return faces;
+}
+
+/// View faces with an edge on one of the loops that are holes.
+std::set<int> boundary_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::set<int> faces;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.kind != LoopKind::hole) continue;
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+      const std::vector<int> at = faces_at(model, loop.vertices[k], loop.vertices[(k + 1) % loop.vertices.size()]);
+      faces.insert(at.begin(), at.end());
+    }
+  }
+  return faces;
+}
+
+/// Which of the view faces cut others of the surface.
+std::vector<int> crossing_faces(const SurfaceModel& model, const std::set<int>& faces) {
+  std::vector<int> crossing;
+  if (faces.empty()) return crossing;
+  const Points points = points_of(model.mesh);
+  const Triangles triangles = triangles_of(model.mesh);
+  const TriangleIndex index(points, triangles);
+  for (int f : faces) {
+    const auto& [a, b, c] = triangles[f];
+    const Vec3 low = points[a].cwiseMin(points[b]).cwiseMin(points[c]);
+    const Vec3 high = points[a].cwiseMax(points[b]).cwiseMax(points[c]);
+    Points corners;
+    Triangles local;
+    const auto add = [&](int face) {
+      const int first = static_cast<int>(corners.size());
+      for (int v : triangles[face]) corners.push_back(points[v]);
+      local.push_back({first, first + 1, first + 2});
+    };
+    add(f);
+    for (int g : index.near(low, high))
+      if (g != f) add(g);
+    if (!self_intersections(corners, local, 1).empty()) crossing.push_back(f);
+  }
+  return crossing;
+}
+
+std::set<int> soup_vertices(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::set<int> vertices;
+  for (const BoundaryLoop& loop : loops)
+    for (int v : loop.vertices) vertices.insert(model.soup_vertex[v]);
+  return vertices;
+}
+
+}  // namespace
+
+const char* to_string(BoundaryFault fault) {
+  switch (fault) {
+    case BoundaryFault::dangling: return "dangling";
+    case BoundaryFault::sliver: return "sliver";
+    case BoundaryFault::spike: return "spike";
+    case BoundaryFault::flipped: return "flipped";
+    case BoundaryFault::crossing: return "crossing";
+    case BoundaryFault::crumb: return "crumb";
+  }
+  return "";
+}
+
+std::vector<BadBoundaryFace> bad_boundary_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::map<int, BoundaryFault> faults;  // by soup triangle
+  for (int f : boundary_faces(model, loops))
+    if (const auto fault = fault_of(model, f)) faults.emplace(model.soup_face[f], *fault);
+  for (const BoundaryLoop& loop : loops)
+    if (loop.kind == LoopKind::hole)
+      for (int v : loop.vertices)
+        for (int f : spike_at(model, v)) faults.emplace(model.soup_face[f], BoundaryFault::spike);
+  std::vector<BadBoundaryFace> bad;
+  for (const auto& [face, fault] : faults) bad.push_back({face, fault, 1});
+  return bad;
+}
+
+namespace {
+
+/// To the other bad faces, by rising number.
+void add_crossing_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                        std::vector<BadBoundaryFace>& bad) {
+  for (int f : crossing_faces(model, boundary_faces(model, loops))) {
+    const BadBoundaryFace face{model.soup_face[f], BoundaryFault::crossing, 1};
+    const auto at =
+        std::lower_bound(bad.begin(), bad.end(), face,
+                         [](const BadBoundaryFace& a, const BadBoundaryFace& b) { return a.face < b.face; });
+    if (at == bad.end() || at->face != face.face) bad.insert(at, face);
+  }
+}
+
+/// Faces whose edge on one of the loops that are holes runs through the surface, by rising number.
+std::vector<BadBoundaryFace> pierced_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::set<int> faces;
+  const TriangleSoup& soup = model.soup;
+  const TriangleIndex index(soup.points, soup.triangles, triangles_outside(model));
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.kind != LoopKind::hole) continue;
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+      const int from = loop.vertices[k], to = loop.vertices[(k + 1) % loop.vertices.size()];
+      const Vec3 &p = soup.points[model.soup_vertex[from]], &q = soup.points[model.soup_vertex[to]];
+      if (!runs_through(soup.points, soup.triangles, index, p, q)) continue;
+      for (int f : faces_at(model, from, to)) faces.insert(model.soup_face[f]);
+    }
+  }
+  std::vector<BadBoundaryFace> bad;
+  for (int f : faces) bad.push_back({f, BoundaryFault::crossing, 1});
+  return bad;
+}
+
+/// Triangles of pieces of at most two that have one of these soup points: what trimming has cut off. Not the whole mesh.
+std::vector<BadBoundaryFace> crumbs_at(const SurfaceModel& model, const std::set<int>& points) {
+  std::set<int> faces;
+  const auto beside = [&](int f) {
+    std::vector<int> others;
+    for (const auto g : model.mesh.ff_range(TriMesh::FaceHandle(f))) others.push_back(g.idx());
+    return others;
+  };
+  for (const auto f : model.mesh.faces()) {
+    const Triangle& t = model.soup.triangles[model.soup_face[f.idx()]];
+    if (std::none_of(t.begin(), t.end(), [&](int v) { return points.contains(v); })) continue;
+    const std::vector<int> others = beside(f.idx());
+    const bool alone = others.empty() || (others.size() == 1 && beside(others.front()).size() == 1);
+    if (!alone) continue;
+    faces.insert(model.soup_face[f.idx()]);
+    for (int g : others) faces.insert(model.soup_face[g]);
+  }
+  std::vector<BadBoundaryFace> crumbs;
+  if (faces.size() == model.soup.triangles.size()) return crumbs;
+  for (int f : faces) crumbs.push_back({f, BoundaryFault::crumb, 1});
+  return crumbs;
+}
+
+/// A surface that loses triangles round by round.
+class Trimming {
+ public:
+  Trimming(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops)
+      : result_{model, {}, loops},
+        original_(model.soup.triangles.size()),
+        touched_(soup_vertices(model, loops)) {
+    std::iota(original_.begin(), original_.end(), 0);
+  }
+
+  const SurfaceModel& model() const { return result_.model; }
+  const std::vector<BoundaryLoop>& loops() const { return result_.loops; }
+
+  /// @param bad  by rising number
+  void remove(const std::vector<BadBoundaryFace>& bad, int round) {
+    take(bad, round);
+    if (const std::vector<BadBoundaryFace> crumbs = crumbs_at(result_.model, cut_); !crumbs.empty())
+      take(crumbs, round);
+    result_.loops.clear();
+    for (BoundaryLoop& loop : find_boundary_loops(result_.model))
+      if (std::any_of(loop.vertices.begin(), loop.vertices.end(),
+                      [&](int v) { return touched_.contains(result_.model.soup_vertex[v]); }))
+        result_.loops.push_back(std::move(loop));
+  }
+
+  TrimmedModel take_result() { return std::move(result_); }
+
+ private:
+  void take(const std::vector<BadBoundaryFace>& bad, int round) {
+    TriangleSoup left = result_.model.soup;
+    left.triangles.clear();
+    std::vector<int> points(left.points.size()), stay, numbers;
+    std::iota(points.begin(), points.end(), 0);
+    auto next = bad.begin();
+    for (int f = 0; f < static_cast<int>(original_.size()); ++f) {
+      const Triangle& t = result_.model.soup.triangles[f];
+      if (next == bad.end() || next->face != f) {
+        left.triangles.push_back(t);
+        stay.push_back(f);
+        numbers.push_back(original_[f]);
+        continue;
+      }
+      result_.removed.push_back({original_[f], next->fault, round});
+      touched_.insert(t.begin(), t.end());
+      cut_.insert(t.begin(), t.end());
+      ++next;
+    }
+    if (left.triangles.empty()) throw InvalidArgument("trimming the boundary would leave no triangle");
+    copy_rows(result_.model.soup, points, stay, left);
+    original_ = std::move(numbers);
+    result_.model = make_surface_model(std::move(left));
+  }
+
+  TrimmedModel result_;
+  std::vector<int> original_;  ///< number of each triangle in the soup that was given
+  std::set<int> touched_;      ///< soup points of the loops and of removed triangles
+  std::set<int> cut_;          ///< those of removed triangles
+};
+
+}  // namespace
+
+TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
+  if (rounds < 0 || rounds > 100)
+    throw InvalidArgument("between 0 and 100 rings of a boundary can be trimmed, not " + std::to_string(rounds));
+  Trimming trimming(model, loops);
+  for (int round = 1; round <= (rounds > 0 ? std::max(rounds, rounds_for_crossings) : 0); ++round) {
+    std::vector<BadBoundaryFace> bad;
+    if (round <= rounds) bad = bad_boundary_faces(trimming.model(), trimming.loops());
+    add_crossing_faces(trimming.model(), trimming.loops(), bad);
+    if (bad.empty()) break;
+    trimming.remove(bad, round);
+  }
+  return trimming.take_result();
+}
+
+TrimmedModel trim_pierced(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  Trimming trimming(model, loops);
+  for (int round = 1; round <= rounds_for_crossings; ++round) {
+    const std::vector<BadBoundaryFace> bad = pierced_faces(trimming.model(), trimming.loops());
+    if (bad.empty()) break;
+    trimming.remove(bad, round);
+  }
+  return trimming.take_result();
+}
+
+}  // namespace loopmend

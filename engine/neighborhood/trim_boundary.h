@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bad triangles at the boundary of a hole: finding them, and taking them away where a person asks for it.
+#pragma once
+
+#include "mesh/boundary_loops.h"
+#include "mesh/surface_model.h"
+
+#include <vector>
+
+namespace loopmend {
+
+enum class BoundaryFault {
+  dangling,  ///< stands on one edge: its other two are open
+  sliver,    ///< smallest angle under 5°
+  spike,     ///< at a boundary vertex all of whose triangles lean by more than 60° against what lies round about
+  flipped,   ///< turned by more than 120° against some neighbour
+  crossing,  ///< cuts another triangle of the surface, so that every patch at its open edge would; found by trimming alone
+  crumb,     ///< one of at most two triangles that trimming cut off from the rest
+};
+
+const char* to_string(BoundaryFault fault);
+
+struct BadBoundaryFace {
+  int face = 0;  ///< soup triangle
+  BoundaryFault fault = BoundaryFault::dangling;
+  int ring = 1;  ///< the round of trimming that took it, from 1
+};
+
+/// Among the triangles at these loops, by rising number. Only holes count; other kinds of loops are left.
+std::vector<BadBoundaryFace> bad_boundary_faces(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+struct TrimmedModel {
+  SurfaceModel model;                    ///< all points are kept, in their order; the other triangles too, in theirs
+  std::vector<BadBoundaryFace> removed;  ///< in the order of removal; numbers as in the soup that was given
+  std::vector<BoundaryLoop>
+      loops;  ///< those that grew out of the loops given; numbers as find_boundary_loops gives them
+};
+
+/// Takes the bad triangles away, and those that cross others, then those that are bad at the new boundary, `rounds` times at most;
+/// those that cross up to ten times.
+/// @param rounds  0..100. @throws InvalidArgument if it is not, or if nothing would be left.
+TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds);
+
+/// Takes only the triangles away whose edge on a loop runs through the surface, so that no patch could be valid there, and those
+/// of which the same is true then, up to ten times. @throws InvalidArgument if nothing would be left.
+TrimmedModel trim_pierced(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+}  // namespace loopmend

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solvers/nested_cholesky.h"
+
+#include "core/threads.h"
+#include "solvers/cholmod_solve.h"
+#include "solvers/dissection.h"
+#include "solvers/factoring.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+// LAPACK, of OpenBLAS.
+extern "C" {
+void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+}
+
+namespace loopmend {
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+class Common : public cholmod_common {
+ public:
+  Common() {
+    cholmod_start(this);
+    print = 0;  // a matrix that is not positive definite is our business, not the terminal's
+    error_handler = nullptr;
+    nmethods = 1;
+    method[0].ordering = CHOLMOD_NATURAL;
+    postorder = 0;  // the border must stay at the end
+    supernodal = CHOLMOD_SUPERNODAL;
+  }
+  ~Common() { cholmod_finish(this); }
+  Common(const Common&) = delete;
+  Common& operator=(const Common&) = delete;
+};
+
+struct FreeFactor {
+  cholmod_common* common;
+  void operator()(cholmod_factor* factor) const { cholmod_free_factor(&factor, common); }
+};
+
+/// CHOLMOD cannot be interrupted, but it ends at the first block that is not positive definite. While it factors, this looks
+/// at the token, and makes the matrix such a one when that is set: CHOLMOD reads the entries of a block, a supernode, when
+/// it comes to it. (It does so for a lower triangle in natural order: else it would have made a copy.)
+class SpoilWhenCancelled {
+ public:
+  SpoilWhenCancelled(SparseMatrix& A, const CancelToken& cancel) {
+    if (A.rows() < least_watched) return;
+    try {
+      watch_ = std::jthread([&A, cancel, this] { watch(A, cancel); });
+    } catch (const std::system_error&) {
+      // No further thread is to be had: then this factorization goes on to its end.
+    }
+  }
+  ~SpoilWhenCancelled() {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+    news_.notify_one();
+  }
+  SpoilWhenCancelled(const SpoilWhenCancelled&) = delete;
+  SpoilWhenCancelled& operator=(const SpoilWhenCancelled&) = delete;
+
+ private:
+  static constexpr Eigen::Index least_watched = 5000;  ///< rows: fewer take some hundredths of a second
+  static constexpr std::chrono::milliseconds between_looks{10};
+
+  void watch(SparseMatrix& A, const CancelToken& cancel) {
+    std::unique_lock lock(mutex_);
+    while (!cancel.cancelled())
+      if (news_.wait_for(lock, between_looks, [this] { return over_; })) return;
+    constexpr double spoilt = -1e100;  // a negative diagonal, whatever is added to it
+    double* values = A.valuePtr();
+    for (Eigen::Index k = 0; k < A.nonZeros(); ++k) std::atomic_ref(values[k]).store(spoilt, std::memory_order_relaxed);
+  }
+
+  std::mutex mutex_;
+  std::condition_variable news_;
+  bool over_ = false;
+  std::jthread watch_;  ///< last: ends before what it uses
+};
+
+/// The factors L Lᵀ of A(rows, rows), in the order of the rows. The last of them are the border, which is factored as if
+/// there were no other half.
+class Half {
+ public:
+  /// Symbolic. @param rows  of A
+  void analyze(const SparseMatrix& A, const std::vector<int>& rows, int separator) {
+    separator_ = separator;
+    size_ = static_cast<int>(rows.size());
+    place_.assign(A.rows(), -1);
+    for (int i = 0; i < size_; ++i) place_[rows[i]] = i;
+    SparseMatrix part = part_of(A);
+    cholmod_sparse pattern = view(part);
+    const NoThreadsWithin alone;
+    factor_ = {cholmod_analyze(&pattern, common_.get()), FreeFactor{common_.get()}};
+    if (!factor_) throw std::bad_alloc();
+  }
+
+  /// @returns false if this half is not positive definite, or when cancelled.
+  bool factorize(const SparseMatrix& A, const CancelToken& cancel) {
+    if (cancel.cancelled()) return false;
+    SparseMatrix part = part_of(A);
+    cholmod_sparse values = view(part);
+    const NoThreadsWithin alone;
+    const SpoilWhenCancelled watch(part, cancel);
+    cholmod_factorize(&values, factor_.get(), common_.get());
+    if (cancel.cancelled()) return false;
+    check_memory(common_->status);
+    return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
+  }
+
+  /// S Sᵀ, where S is what of L belongs to the border; the border in reverse order, upper triangle.
+  Eigen::MatrixXd schur_complement() const {
+    // Reversed, S is an upper triangle U, and U Uᵀ is what LAPACK has.
+    Eigen::MatrixXd left = Eigen::MatrixXd::Zero(separator_, separator_);
+    for_schur_blocks([&](int begin, const auto& block, const int* rows) {
+      for (Eigen::Index j = 0; j < block.cols(); ++j)
+        for (Eigen::Index k = j; k < block.rows(); ++k)
+          left(separator_ - 1 - rows[k], separator_ - 1 - begin - j) = block(k, j);
+    });
+    int info = 0;
+    if (separator_ > 0) dlauum_("U", &separator_, left.data(), &separator_, &info);
+    return left;
+  }
+
+  /// @param y  b of the inner rows by any number; becomes what backward() goes on with. @returns −B A⁻¹ b, which the border's
+  /// right-hand sides get
+  Eigen::MatrixXd forward(Eigen::MatrixXd& y) const {
+    y.conservativeResizeLike(Eigen::MatrixXd::Zero(size_, y.cols()));
+    solve(CHOLMOD_L, y);
+    Eigen::MatrixXd share = Eigen::MatrixXd::Zero(separator_, y.cols());
+    for (Eigen::Index c = 0; c < y.cols(); ++c)  // one by one: Eigen is slow with a few columns
+      for_schur_blocks([&](int begin, const auto& block, const int* rows) {
+        const Eigen::Index width = block.cols(), below = block.rows() - width;
+        const auto z = y.col(c).tail(separator_).segment(begin, width);
+        share.col(c).segment(begin, width) += block.topRows(width).template triangularView<Eigen::Lower>() * z;
+        const Eigen::VectorXd reached = block.bottomRows(below) * z;
+        for (Eigen::Index k = 0; k < below; ++k) share(rows[width + k], c) += reached[k];
+      });
+    return share;
+  }
+  /// @param x_separator  of the border rows. @param y  of forward(); becomes x of the inner and the border rows
+  void backward(const Eigen::MatrixXd& x_separator, Eigen::MatrixXd& y) const {
+    for (Eigen::Index c = 0; c < y.cols(); ++c)
+      for_schur_blocks([&](int begin, const auto& block, const int* rows) {
+        const Eigen::Index width = block.cols(), below = block.rows() - width;
+        Eigen::VectorXd reached(below);
+        for (Eigen::Index k = 0; k < below; ++k) reached[k] = x_separator(rows[width + k], c);
+        auto z = y.col(c).tail(separator_).segment(begin, width);
+        z = block.topRows(width).template triangularView<Eigen::Lower>().transpose() *
+            x_separator.col(c).segment(begin, width);
+        z += block.bottomRows(below).transpose() * reached;
+      });
+    solve(CHOLMOD_Lt, y);
+  }
+
+  /// log |A₁|: of the rows that do not belong to the border.
+  double inner_log_determinant() const {
+    const cholmod_factor& L = *factor_;
+    const auto *columns = static_cast<const int*>(L.super), *row_begin = static_cast<const int*>(L.pi),
+               *value_begin = static_cast<const int*>(L.px);
+    const int inner = size_ - separator_;
+    double sum = 0;
+    for (int s = 0; s < static_cast<int>(L.nsuper); ++s) {
+      const std::ptrdiff_t height = row_begin[s + 1] - row_begin[s];
+      const double* values = static_cast<const double*>(L.x) + value_begin[s];
+      for (int j = columns[s]; j < std::min(columns[s + 1], inner); ++j)
+        sum += 2 * std::log(values[(j - columns[s]) * (height + 1)]);
+    }
+    return sum;
+  }
+
+ private:
+  /// A(rows, rows), lower triangle.
+  SparseMatrix part_of(const SparseMatrix& A) const {
+    const auto for_entries = [&](const auto& visit) {
+      for (int j = 0; j < A.outerSize(); ++j) {
+        if (place_[j] < 0) continue;
+        for (SparseMatrix::InnerIterator it(A, j); it; ++it)
+          if (it.row() >= j && place_[it.row()] >= 0)
+            visit(std::max(place_[it.row()], place_[j]), std::min(place_[it.row()], place_[j]), it.value());
+      }
+    };
+    SparseMatrix part(size_, size_);
+    int* outer = part.outerIndexPtr();
+    for_entries([&](int, int j, double) { ++outer[j + 1]; });
+    std::partial_sum(outer, outer + size_ + 1, outer);
+    part.resizeNonZeros(outer[size_]);
+    std::vector<int> put(outer, outer + size_);
+    for_entries([&](int i, int j, double value) {
+      part.innerIndexPtr()[put[j]] = i;
+      part.valuePtr()[put[j]++] = value;
+    });
+    return part;
+  }
+
+  /// What CHOLMOD takes; rows in no order within a column.
+  static cholmod_sparse view(SparseMatrix& part) {
+    cholmod_sparse A{};
+    A.nrow = A.ncol = static_cast<std::size_t>(part.rows());
+    A.nzmax = static_cast<std::size_t>(part.nonZeros());
+    A.p = part.outerIndexPtr();
+    A.i = part.innerIndexPtr();
+    A.x = part.valuePtr();
+    A.stype = -1;
+    A.itype = CHOLMOD_INT;
+    A.xtype = CHOLMOD_REAL;
+    A.dtype = CHOLMOD_DOUBLE;
+    A.packed = 1;
+    return A;
+  }
+
+  /// visit(begin, block, rows) for the blocks of columns that S has in CHOLMOD's supernodes: the columns begin, begin + 1, …
+  /// of it, from the diagonal on (the upper triangle of the topmost rows means nothing), and the rows of S that these are.
+  template <class Visit>
+  void for_schur_blocks(const Visit& visit) const {
+    const cholmod_factor& L = *factor_;
+    const auto *columns = static_cast<const int*>(L.super), *row_begin = static_cast<const int*>(L.pi),
+               *value_begin = static_cast<const int*>(L.px), *rows = static_cast<const int*>(L.s);
+    const int first = size_ - separator_;
+    std::vector<int> of_separator;
+    for (int s = static_cast<int>(L.nsuper) - 1; s >= 0 && columns[s + 1] > first; --s) {
+      const int begin = std::max(first, columns[s]), skip = begin - columns[s];
+      const int height = row_begin[s + 1] - row_begin[s];
+      of_separator.assign(rows + row_begin[s] + skip, rows + row_begin[s + 1]);
+      for (int& row : of_separator) row -= first;
+      const double* values = static_cast<const double*>(L.x) + value_begin[s];
+      const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> block(
+          values + static_cast<std::ptrdiff_t>(skip) * height + skip, height - skip, columns[s + 1] - begin,
+          Eigen::OuterStride<>(height));
+      visit(begin - first, block, of_separator.data());
+    }
+  }
+
+  void solve(int system, Eigen::MatrixXd& x) const { solve_by_cholmod(system, *factor_, *common_, x); }
+
+  int size_ = 0, separator_ = 0;  ///< rows; the last of them
+  std::vector<int> place_;        ///< of each row of A: where it stands among the rows, or -1
+  std::unique_ptr<Common> common_ = std::make_unique<Common>();
+  std::unique_ptr<cholmod_factor, FreeFactor> factor_;
+};
+
+/// A of the upper triangle becomes U, where A = UᵀU. @returns false if A is not positive definite.
+bool cholesky_of_upper(Eigen::MatrixXd& A) {
+  const int n = static_cast<int>(A.rows());
+  int info = 0;
+  if (n > 0) dpotrf_("U", &n, A.data(), &n, &info);
+  return info == 0;
+}
+
+/// With rows in the order first half, second half, border: A = [A₁ 0 B₁ᵀ; 0 A₂ B₂ᵀ; B₁ B₂ C]. The factors of a half end with
+/// Sₖ, where C − Bₖ Aₖ⁻¹ Bₖᵀ = Sₖ Sₖᵀ; when both halves are eliminated, S₁S₁ᵀ + S₂S₂ᵀ − C is left for the border.
+class NestedCholesky : public SpdSolver {
+ public:
+  NestedCholesky(const SparseMatrix& A, const Dissection& dissection) {
+    use_one_blas_thread();
+    const auto begin = dissection.order.begin(), middle = begin + dissection.first, end = middle + dissection.second;
+    separator_.assign(end, dissection.order.end());
+    rows_ = {std::vector<int>(begin, middle), std::vector<int>(middle, end)};
+    for_halves([&](int k) {
+      std::vector<int> rows = rows_[k];
+      rows.insert(rows.end(), separator_.begin(), separator_.end());
+      halves_[k].analyze(A, rows, static_cast<int>(separator_.size()));
+    });
+  }
+
+  bool factorize(const SparseMatrix& A, const CancelToken& cancel) override {
+    std::array<bool, 2> good{};
+    std::array<Eigen::MatrixXd, 2> left;
+    for_halves([&](int k) {
+      good[k] = halves_[k].factorize(A, cancel);
+      if (good[k] && !cancel.cancelled()) left[k] = halves_[k].schur_complement();
+    });
+    if (!good[0] || !good[1] || cancel.cancelled()) return false;
+    schur_factor_ = std::move(left[0]);
+    schur_factor_ += left[1];
+    subtract_schur_of(A);
+    return cholesky_of_upper(schur_factor_);
+  }
+
+  bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const override {
+    std::array<Eigen::MatrixXd, 2> y, share;
+    for_halves([&](int k) {
+      y[k] = b(rows_[k], Eigen::all);
+      share[k] = halves_[k].forward(y[k]);
+    });
+    Eigen::MatrixXd x_separator = (b(separator_, Eigen::all) + share[0] + share[1]).colwise().reverse();
+    for (Eigen::Index c = 0; c < x_separator.cols(); ++c) {
+      schur_factor_.triangularView<Eigen::Upper>().transpose().solveInPlace(x_separator.col(c));
+      schur_factor_.triangularView<Eigen::Upper>().solveInPlace(x_separator.col(c));
+    }
+    x_separator = x_separator.colwise().reverse().eval();
+    for_halves([&](int k) { halves_[k].backward(x_separator, y[k]); });
+    Eigen::MatrixXd solution(b.rows(), b.cols());
+    for (int k : {0, 1}) solution(rows_[k], Eigen::all) = y[k].topRows(rows_[k].size());
+    solution(separator_, Eigen::all) = x_separator;
+    if (!solution.allFinite()) return false;
+    x = std::move(solution);
+    return true;
+  }
+
+  double log_determinant() const override {
+    return halves_[0].inner_log_determinant() + halves_[1].inner_log_determinant() +
+           2 * schur_factor_.diagonal().array().log().sum();
+  }
+
+ private:
+  template <class Work>
+  static void for_halves(const Work& work) {
+    parallel_invoke([&] { work(0); }, [&] { work(1); });
+  }
+
+  /// C, from the upper triangle of the border in reverse order.
+  void subtract_schur_of(const SparseMatrix& A) {
+    const int last = static_cast<int>(separator_.size()) - 1;
+    std::vector<int> place(A.rows(), -1);
+    for (int i = 0; i <= last; ++i) place[separator_[i]] = last - i;
+    for (int j : separator_)
+      for (SparseMatrix::InnerIterator it(A, j); it; ++it)
+        if (it.row() >= j && place[it.row()] >= 0)
+          schur_factor_(std::min(place[it.row()], place[j]), std::max(place[it.row()], place[j])) -= it.value();
+  }
+
+  std::array<std::vector<int>, 2> rows_;
+  std::vector<int> separator_;
+  std::array<Half, 2> halves_;
+  Eigen::MatrixXd schur_factor_;  ///< upper triangle: of the border in reverse order UᵀU
+};
+
+}  // namespace
+
+std::unique_ptr<SpdSolver> make_nested_cholesky(const SparseMatrix& A, const CancelToken& cancel) {
+  const Dissection dissection = dissect(graph_of(A), cancel);
+  if (dissection.second == 0 || cancel.cancelled()) return nullptr;
+  return std::make_unique<NestedCholesky>(A, dissection);
+}
+
+}  // namespace loopmend

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_program.h"
+
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "mesh/boundary_loops.h"
+#include "samples/analytic_surfaces.h"
+#include "support/ragged_boundaries.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace loopmend {
+namespace {
+
+using nlohmann::json;
+using test::loopmend_program;
+using test::Outcome;
+
+class BoundaryOptions : public testing::Test {
+ protected:
+  void SetUp() override {
+    TriangleSoup sphere = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
+    write_mesh(clean, sphere);
+    // A triangle that stands on one edge of the boundary.
+    const SurfaceModel model = make_surface_model(sphere);
+    const BoundaryLoop loop = find_boundary_loops(model).front();
+    const int a = model.soup_vertex[loop.vertices[0]], b = model.soup_vertex[loop.vertices[1]];
+    sphere.points.push_back((0.5 * (sphere.points[a] + sphere.points[b]) + Vec3(0, 0, 0.06)).normalized());
+    sphere.triangles.push_back({a, b, static_cast<int>(sphere.points.size()) - 1});
+    dangling_face = static_cast<int>(sphere.triangles.size()) - 1;
+    write_mesh(ragged, sphere);
+  }
+  json fill(const std::filesystem::path& in, const std::string& options) const {
+    const Outcome run =
+        loopmend_program("fill '" + in.string() + "' -o '" + out.string() + "' --quiet --report - " + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out);
+  }
+  test::Workspace work;
+  const std::filesystem::path clean = work / "clean.ply", ragged = work / "ragged.ply", out = work / "out.ply";
+  int dangling_face = 0;
+};
+
+TEST_F(BoundaryOptions, ReportTellsOfTheBoundary) {
+  const json boundary = fill(clean, "")["loops"][0]["rim"];
+  EXPECT_EQ(boundary["surroundings"], "smooth");
+  EXPECT_NEAR(boundary["h_rms"].get<double>(), 1, 0.02);
+  EXPECT_LT(boundary["noise_per_edge"].get<double>(), 1e-3);
+  EXPECT_LT(boundary["h_sigma"].get<double>(), 0.05);
+  EXPECT_EQ(boundary["fitted_vertices"], fill(clean, "")["loops"][0]["edges"]);
+}
+
+TEST_F(BoundaryOptions, InACleanNeighborhoodAutoAndExactGiveTheSameBits) {
+  fill(clean, "--boundary auto");
+  const Points automatic = read_mesh(out).soup.points;
+  fill(clean, "--boundary exact");
+  EXPECT_EQ(read_mesh(out).soup.points, automatic);
+  EXPECT_EQ(fill(clean, "--rim smooth")["loops"][0]["steps"], 3);
+}
+
+TEST_F(BoundaryOptions, LowerContinuityLeavesWhatItDoesNotPromise) {
+  const auto angle = [&](const char* word) {
+    return fill(clean, std::string("--continuity ") + word)["loops"][0]["seam_after"]["g1_rms_deg"].get<double>();
+  };
+  EXPECT_GT(angle("position"), 10);
+  EXPECT_LT(angle("tangent"), 3);
+  EXPECT_LT(angle("curvature"), 0.1);
+}
+
+TEST_F(BoundaryOptions, TrimmingIsOffButSuggestedAndToldFaceByFace) {
+  const json left = fill(ragged, "");
+  EXPECT_TRUE(left["trimmed_faces"].empty());
+  ASSERT_EQ(left["bad_rim_faces"].size(), 1U);
+  EXPECT_EQ(left["bad_rim_faces"][0]["face"], dangling_face);
+  EXPECT_EQ(left["bad_rim_faces"][0]["fault"], "dangling");
+  EXPECT_THAT(left["suggestion"].get<std::string>(), testing::HasSubstr("--trim-boundary"));
+
+  const json trimmed = fill(ragged, "--trim-boundary 2");
+  ASSERT_EQ(trimmed["trimmed_faces"].size(), 1U);
+  EXPECT_EQ(trimmed["trimmed_faces"][0]["face"], dangling_face);
+  EXPECT_TRUE(trimmed["bad_rim_faces"].empty());
+  EXPECT_FALSE(trimmed.contains("suggestion"));
+  EXPECT_EQ(trimmed["exterior_unchanged"], true);
+  const TriangleSoup before = read_mesh(clean).soup, after = read_mesh(out).soup;
+  for (std::size_t f = 0; f < before.triangles.size(); ++f) ASSERT_EQ(after.triangles[f], before.triangles[f]);
+}
+
+TEST_F(BoundaryOptions, EveryBadFaceOfARaggedBoundaryIsTold) {
+  const test::RaggedBoundary boundary = test::ragged_boundary();
+  write_mesh(ragged, boundary.ragged);
+  const json report = fill(ragged, "--trim-boundary 3");
+  std::map<int, std::pair<std::string, int>> told, expected;
+  for (const json& face : report["trimmed_faces"]) told[face["face"]] = {face["fault"], face["ring"]};
+  for (const BadBoundaryFace& bad : boundary.bad) expected[bad.face] = {to_string(bad.fault), bad.ring};
+  EXPECT_EQ(told, expected);
+  EXPECT_EQ(report["loops"][0]["status"], "converged");
+  EXPECT_EQ(report["exterior_unchanged"], true);
+}
+
+TEST_F(BoundaryOptions, ASingleVertexOffASmoothBoundaryIsToldAndNotTakenForShape) {
+  TriangleSoup sphere = read_mesh(clean).soup;
+  const SurfaceModel model = make_surface_model(sphere);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  sphere.points[model.soup_vertex[loops.front().vertices[5]]] *= 1.05;
+  write_mesh(ragged, sphere);
+  EXPECT_THAT(fill(ragged, "")["loops"][0]["message"].get<std::string>(),
+              testing::HasSubstr("one boundary vertex is an outlier"));
+  EXPECT_EQ(read_mesh(out).soup.points[model.soup_vertex[loops.front().vertices[5]]],
+            sphere.points[model.soup_vertex[loops.front().vertices[5]]]);
+}
+
+TEST_F(BoundaryOptions, WrongWordsAreRefused) {
+  for (const char* wrong : {"--boundary rough", "--rim robust", "--continuity g2", "--trim-rim -1", "--trim-rim 101"})
+    EXPECT_EQ(loopmend_program("fill '" + clean.string() + "' -o '" + out.string() + "' " + wrong).code, 2) << wrong;
+}
+
+}  // namespace
+}  // namespace loopmend
