@@ -306,8 +306,8 @@ int run_fill(const FillCommand& command) {
       .check();
   ImportedMesh opened = read_mesh(command.input, command.coincident);
   SoupRecord as_read = record_of(opened.soup);
-  SurfaceModel model =
-      model_of(command.input, std::move(opened.soup), needs_whole_view(command) ? View::whole : View::filling);
+  SurfaceModel model = model_of(command.input, std::move(opened.soup),
+                                needs_whole_view(command) ? View::whole : View::filling, std::move(opened.survey));
   const CancelToken cancel;
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);

@@ -8,14 +8,15 @@
 
 namespace loopmend {
 
-SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View view) {
+SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View view,
+                      std::optional<VertexSurvey> survey) {
   try {
     switch (view) {
       case View::whole: break;
-      case View::loops: return make_view_around_loops(std::move(soup), {});
-      case View::filling: return make_filling_view(std::move(soup));
+      case View::loops: return make_view_around_loops(std::move(soup), {}, std::move(survey));
+      case View::filling: return make_filling_view(std::move(soup), std::move(survey));
     }
-    return make_surface_model(std::move(soup));
+    return make_surface_model(std::move(soup), std::move(survey));
   } catch (const InvalidArgument& error) {
     throw ReadError(path, error.what(), "", "Check the mesh in the program that made it.");
   }
@@ -23,7 +24,7 @@ SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View
 
 OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident, View view) {
   ImportedMesh imported = read_mesh(path, coincident);
-  SurfaceModel model = model_of(path, std::move(imported.soup), view);
+  SurfaceModel model = model_of(path, std::move(imported.soup), view, std::move(imported.survey));
   return {std::move(model), std::move(imported.report)};
 }
 

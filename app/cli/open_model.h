@@ -6,6 +6,7 @@
 #include "mesh/surface_model.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace loopmend {
 
@@ -21,8 +22,9 @@ enum class View {
   filling  ///< and what filling them needs (pipeline/filling_view.h)
 };
 
-/// The view of a soup that was read from this file. @throws ReadError where it holds no usable face.
-SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View view = View::whole);
+/// The view of a soup that was read from this file. @param survey  of this soup, where it is known. @throws ReadError where it holds no usable face.
+SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View view = View::whole,
+                      std::optional<VertexSurvey> survey = std::nullopt);
 
 /// @throws ReadError, also where the file is sound but holds no usable face.
 OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep,

@@ -68,7 +68,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
 
   say(stages.stage, tr("Looking for holes"));
   scan->fingerprint = fingerprint_of(imported.soup);
-  scan->model = make_shared_surface_model(std::move(imported.soup));
+  scan->model = make_shared_surface_model(std::move(imported.soup), std::move(imported.survey));
   if (cancel.cancelled()) return nullptr;
   parallel_invoke(
       [&scan] {

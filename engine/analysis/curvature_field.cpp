@@ -7,6 +7,7 @@
 #include "operators/vertex_normals.h"
 
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace loopmend {
@@ -15,9 +16,10 @@ namespace {
 
 constexpr int fits_at_a_time = 1024;  ///< by a thread
 
-CurvatureField field_of(const Points& points, Triangles triangles) {
+CurvatureField field_of(std::span<const Vec3> points, Triangles triangles) {
   const int n = static_cast<int>(points.size());
-  const Topology topology(n, triangles);
+  Topology topology(n, triangles);
+  topology.forget_faces();
   CurvatureField field;
   field.normals = angle_weighted_normals(points, triangles);
   Triangles().swap(triangles);  // a large scan needs the memory
@@ -38,7 +40,9 @@ CurvatureField field_of(const Points& points, Triangles triangles) {
 
 }  // namespace
 
-CurvatureField curvature_field(const TriMesh& mesh) { return field_of(points_of(mesh), triangles_of(mesh)); }
+CurvatureField curvature_field(const TriMesh& mesh) {
+  return field_of({mesh.points(), mesh.n_vertices()}, triangles_of(mesh));
+}
 
 CurvatureField curvature_field(const Patch& patch) {
   CurvatureField field = field_of(patch.positions, patch.triangles);

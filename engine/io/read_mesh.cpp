@@ -8,9 +8,9 @@
 #include "io/gzip.h"
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
-#include "mesh/triangulate_polygon.h"
 #include "mesh/join_touching_fans.h"
 #include "mesh/scan_attributes.h"
+#include "mesh/triangulate_polygon.h"
 #include "mesh/vertex_survey.h"
 
 #include <Eigen/Geometry>
@@ -18,8 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
@@ -72,8 +72,9 @@ Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup
     throw ReadError(path, "more than 715827882 triangles", "", "Reduce it first.");
   Triangles triangles;
   if (soup.has_only_triangles()) {
-    triangles.resize(count);
-    std::memcpy(triangles.data(), soup.corners.data(), soup.corners.size() * sizeof(int));
+    static_assert(sizeof(Triangle) == 3 * sizeof(int));
+    const auto* first = reinterpret_cast<const Triangle*>(soup.corners.data());
+    triangles.assign(first, first + count);  // the same bytes
     return triangles;
   }
   triangles.reserve(count);
@@ -100,16 +101,22 @@ std::size_t count_unreferenced(const TriangleSoup& soup) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
 }
 
-/// How many of these points lie exactly where another of them does, not counting one for each place. @param numbers
-/// in their low half; their order changes.
-std::size_t count_at_same_place(const Points& points, std::span<std::uint64_t> numbers) {
-  const auto point = [&](std::uint64_t number) -> const Vec3& { return points[static_cast<std::uint32_t>(number)]; };
-  std::sort(numbers.begin(), numbers.end(), [&](std::uint64_t a, std::uint64_t b) {
-    const Vec3 &p = point(a), &q = point(b);
-    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
-  });
+/// How many of these points lie exactly where another of them does, not counting one for each place.
+/// @param entries  hash and number of each point
+std::size_t count_at_same_place(const Points& points, std::span<const std::uint64_t> entries) {
+  const auto point = [&](std::uint64_t entry) -> const Vec3& { return points[static_cast<std::uint32_t>(entry)]; };
+  constexpr std::uint64_t none = ~std::uint64_t{0};
+  std::vector<std::uint64_t> table(std::bit_ceil(2 * entries.size() + 1), none);
   std::size_t count = 0;
-  for (std::size_t k = 1; k < numbers.size(); ++k) count += point(numbers[k]) == point(numbers[k - 1]) ? 1 : 0;
+  for (const std::uint64_t entry : entries) {
+    std::size_t at = (entry >> 32) & (table.size() - 1);
+    const auto is_same = [&] { return table[at] >> 32 == entry >> 32 && point(table[at]) == point(entry); };
+    while (table[at] != none && !is_same()) at = (at + 1) & (table.size() - 1);
+    if (table[at] == none)
+      table[at] = entry;
+    else
+      ++count;
+  }
   return count;
 }
 
@@ -130,14 +137,7 @@ std::size_t count_coincident(const Points& points) {
   std::array<std::size_t, parts> count{};
   parallel_for(0, static_cast<int>(parts), 1, [&](int part) {
     const auto p = static_cast<std::size_t>(part);
-    const std::span<std::uint64_t> mine(entries.data() + begin[p], begin[p + 1] - begin[p]);
-    std::sort(mine.begin(), mine.end());
-    for (std::size_t k = 0; k < mine.size();) {
-      std::size_t end = k + 1;
-      while (end < mine.size() && (mine[end] >> 32) == (mine[k] >> 32)) ++end;
-      if (end - k > 1) count[p] += count_at_same_place(points, mine.subspan(k, end - k));
-      k = end;
-    }
+    count[p] = count_at_same_place(points, std::span(entries).subspan(begin[p], begin[p + 1] - begin[p]));
   });
   return std::accumulate(count.begin(), count.end(), std::size_t{0});
 }
@@ -150,6 +150,8 @@ bool is_degenerate(const Points& points, const Triangle& t) {
   Vec3 v = at(t[2]) - at(t[0]);
   const double scale = std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
   if (scale == 0.0) return true;
+  // Nearly all triangles, of ordinary size: far from the limit below, without a division.
+  if (scale > 1e-60 && scale < 1e60 && u.cross(v).norm() > 1e-12 * scale * scale) return false;
   u /= scale;  // so that very small and very large meshes neither vanish nor overflow
   v /= scale;
   return u.cross(v).norm() <= 4.0 * std::numeric_limits<double>::epsilon();
@@ -163,12 +165,14 @@ std::size_t count_degenerate(const TriangleSoup& soup) {
   return count;
 }
 
-std::size_t count_duplicates(const TriangleSoup& soup) {
+std::size_t count_duplicates(const TriangleSoup& soup, const VertexSurvey& survey) {
+  if (!survey.may_repeat) return 0;
   const std::vector<char> repeated = repeated_triangles(soup.triangles, soup.points.size());
   return static_cast<std::size_t>(std::count(repeated.begin(), repeated.end(), 1));
 }
 
-ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const TriangleSoup& soup) {
+ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const ImportedMesh& mesh) {
+  const TriangleSoup& soup = mesh.soup;
   ImportReport report;
   report.format = format_name(format);
   report.vertices = soup.points.size();
@@ -178,7 +182,7 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const T
   report.vertices_welded = polygons.vertices_welded;
   parallel_invoke(
       [&] {
-        report.duplicate_faces = count_duplicates(soup);
+        report.duplicate_faces = count_duplicates(soup, *mesh.survey);
         report.degenerate_faces = count_degenerate(soup);
       },
       [&] {
@@ -227,8 +231,8 @@ std::size_t weld(TriangleSoup& soup, ScanAttributes& attributes) {
 }
 
 /// Boundary vertices that touch become one, in the attributes as well. @returns how many others were joined to the first.
-std::size_t join_touching(TriangleSoup& soup, ScanAttributes& attributes) {
-  const std::vector<int> named = join_touching_fans(soup);
+std::size_t join_touching(TriangleSoup& soup, const VertexSurvey& survey, ScanAttributes& attributes) {
+  const std::vector<int> named = join_touching_fans(soup, survey);
   if (named.empty()) return 0;
   for (int& v : attributes.corners) v = named[static_cast<std::size_t>(v)];
   for (Triangle& triangle : attributes.triangles)
@@ -263,12 +267,12 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
   if (!attributes->face_of.empty() || attributes->texture.dimension > 0 || attributes->normals.dimension > 0)
     attributes->corners = polygons.corners;
   std::size_t joined = 0;
-  if (coincident == CoincidentVertices::weld)
-    polygons.vertices_welded += weld(mesh.soup, *attributes);
-  else
-    joined = join_touching(mesh.soup, *attributes);
+  if (coincident == CoincidentVertices::weld) polygons.vertices_welded += weld(mesh.soup, *attributes);
+  mesh.survey = survey_vertices(mesh.soup.triangles, mesh.soup.points.size());
+  if (coincident == CoincidentVertices::keep) joined = join_touching(mesh.soup, *mesh.survey, *attributes);
+  if (joined > 0) mesh.survey = survey_vertices(mesh.soup.triangles, mesh.soup.points.size());
   mesh.soup.attributes = std::move(attributes);
-  mesh.report = make_report(format, polygons, mesh.soup);
+  mesh.report = make_report(format, polygons, mesh);
   mesh.report.vertices_joined = joined;
   mesh.report.unreferenced_vertices -= joined;
   mesh.report.coincident_vertices -= joined;

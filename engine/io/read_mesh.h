@@ -4,9 +4,11 @@
 
 #include "io/not_kept.h"
 #include "mesh/triangle_soup.h"
+#include "mesh/vertex_survey.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,7 @@ struct ImportReport {
 struct ImportedMesh {
   TriangleSoup soup;
   ImportReport report;
+  std::optional<VertexSurvey> survey = std::nullopt;  ///< of the soup as it is here: spares make_surface_model its own
 };
 
 /// What becomes of vertices at exactly the same place. STL has no other way to say that faces share a vertex: there they

@@ -4,7 +4,6 @@
 #include "core/error.h"
 #include "mesh/orient_soup.h"
 #include "mesh/vertex_fans.h"
-#include "mesh/vertex_survey.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,6 +11,7 @@
 #include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace loopmend {
 
@@ -183,15 +183,25 @@ std::vector<int> link_of(const std::map<int, int>& next) {
   return {};
 }
 
+/// The triangles at vertices that were split, ascending. @param is_split  #origin
+std::vector<std::size_t> triangles_at(const std::vector<char>& is_split, const Triangles& triangles) {
+  std::vector<std::size_t> result;
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    if (const Triangle& t = triangles[f]; is_split[t[0]] || is_split[t[1]] || is_split[t[2]]) result.push_back(f);
+  return result;
+}
+
 /// Where fans that share nothing but a vertex lie side by side around it, as where two holes touch, that vertex is one again:
 /// its copies take the number of the first. Fans that share an edge of the file with another stay apart.
 void rejoin_fans(const Points& points, const std::vector<int>& origin, Triangles& triangles) {
   std::map<int, std::map<int, std::map<int, int>>> fans_at;  // split point → copy → next corner → previous corner
-  for (std::size_t copy = points.size(); copy < origin.size(); ++copy) fans_at[origin[copy]];
-  for (const Triangle& t : triangles)
+  std::vector<char> is_split(origin.size(), 0);
+  for (std::size_t copy = points.size(); copy < origin.size(); ++copy) is_split[copy] = is_split[origin[copy]] = 1;
+  const std::vector<std::size_t> at_split = triangles_at(is_split, triangles);
+  for (std::size_t f : at_split)
     for (int k = 0; k < 3; ++k)
-      if (const auto split = fans_at.find(origin[t[k]]); split != fans_at.end())
-        split->second[t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
+      if (const Triangle& t = triangles[f]; is_split[t[k]])
+        fans_at[origin[t[k]]][t[k]][t[(k + 1) % 3]] = t[(k + 2) % 3];
   std::map<int, int> joined;  // copy → the one whose number it takes
   for (const auto& [point, fans] : fans_at) {
     std::map<int, std::vector<int>> link_at;  // copy → neighbors in the file
@@ -212,8 +222,8 @@ void rejoin_fans(const Points& points, const std::vector<int>& origin, Triangles
     if (links.size() < 2 || !arrange_fans(points[point], links)) continue;
     for (int copy : copies) joined[copy] = copies.front();
   }
-  for (Triangle& t : triangles)
-    for (int& v : t)
+  for (std::size_t f : at_split)
+    for (int& v : triangles[f])
       if (const auto found = joined.find(v); found != joined.end()) v = found->second;
 }
 
@@ -236,11 +246,12 @@ std::size_t leave_out(const TriangleSoup& soup, FlatView& view, const Goes& goes
 }
 
 /// Leaves out what can be no part of a surface: triangles with a corner twice, and those over the corners of another.
-VertexSurvey leave_out_unusable(const TriangleSoup& soup, FlatView& view, ModelRepairs& repairs) {
-  const auto is_degenerate = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
-  if (std::any_of(soup.triangles.begin(), soup.triangles.end(), is_degenerate))
-    repairs.degenerate_faces = leave_out(soup, view, [&](std::size_t k) { return is_degenerate(soup.triangles[k]); });
-  VertexSurvey survey = survey_vertices(view.all(soup), soup.points.size());
+VertexSurvey leave_out_unusable(const TriangleSoup& soup, std::optional<VertexSurvey> known, FlatView& view,
+                                ModelRepairs& repairs) {
+  VertexSurvey survey = known ? std::move(*known) : survey_vertices(soup.triangles, soup.points.size());
+  if (survey.collapsed_triangles > 0)
+    repairs.degenerate_faces =
+        leave_out(soup, view, [&](std::size_t k) { return !has_three_corners(soup.triangles[k]); });
   if (!survey.may_repeat) return survey;
   const std::vector<char> repeated = repeated_triangles(view.all(soup), soup.points.size());
   if (std::find(repeated.begin(), repeated.end(), 1) == repeated.end()) return survey;
@@ -292,9 +303,9 @@ std::vector<int> components(const Triangles& triangles, std::size_t point_count)
   return parent;
 }
 
-FlatView flat_view(TriangleSoup& soup, ModelRepairs& repairs) {
+FlatView flat_view(TriangleSoup& soup, std::optional<VertexSurvey> known, ModelRepairs& repairs) {
   FlatView view;
-  VertexSurvey survey = leave_out_unusable(soup, view, repairs);
+  VertexSurvey survey = leave_out_unusable(soup, std::move(known), view, repairs);
   if (view.all(soup).empty()) throw InvalidArgument("no usable face: every face is degenerate");
   view.origin.resize(soup.points.size());
   std::iota(view.origin.begin(), view.origin.end(), 0);

@@ -5,6 +5,7 @@
 #include "mesh/surface_model.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace loopmend {
@@ -26,8 +27,9 @@ struct FlatView {
 
 /// Leaves out what is no part of a surface, cuts what is not manifold, and turns what disagrees with most of its piece, in
 /// the soup as well. Fills all counts but that of unreferenced vertices. Deterministic. Indices must be in range.
+/// @param known  of the soup, where somebody has made it before
 /// @throws InvalidArgument if no usable face is left.
-FlatView flat_view(TriangleSoup& soup, ModelRepairs& repairs);
+FlatView flat_view(TriangleSoup& soup, std::optional<VertexSurvey> known, ModelRepairs& repairs);
 
 /// For each point one point that stands for all that hang together with it by triangles.
 std::vector<int> components(const Triangles& triangles, std::size_t point_count);

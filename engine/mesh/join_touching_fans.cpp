@@ -4,7 +4,6 @@
 #include "mesh/vertex_fans.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -14,27 +13,6 @@
 namespace loopmend {
 
 namespace {
-
-/// A number without a pattern for each vertex.
-std::uint64_t scattered(int v) {
-  std::uint64_t z = static_cast<std::uint64_t>(v) * 0x9E3779B97F4A7C15ull;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-  return z ^ (z >> 31);
-}
-
-bool has_three_corners(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
-
-/// Vertices around which the faces do not close: going round, each neighbor is entered as often as it is left.
-std::vector<int> open_vertices(const TriangleSoup& soup) {
-  std::vector<std::uint64_t> balance(soup.points.size(), 0);
-  for (const Triangle& t : soup.triangles)
-    if (has_three_corners(t))
-      for (int k = 0; k < 3; ++k) balance[t[k]] += scattered(t[(k + 1) % 3]) - scattered(t[(k + 2) % 3]);
-  std::vector<int> open;
-  for (std::size_t v = 0; v < balance.size(); ++v)
-    if (balance[v] != 0) open.push_back(static_cast<int>(v));
-  return open;
-}
 
 /// Those of the vertices that share a place, and a colour where there are colours, group by group, ascending.
 std::vector<std::vector<int>> groups_in_one_place(const TriangleSoup& soup, std::vector<int> vertices) {
@@ -96,8 +74,8 @@ bool lie_side_by_side(const Points& points, const std::vector<int>& group, const
 
 }  // namespace
 
-std::vector<int> join_touching_fans(TriangleSoup& soup) {
-  const std::vector<std::vector<int>> groups = groups_in_one_place(soup, open_vertices(soup));
+std::vector<int> join_touching_fans(TriangleSoup& soup, const VertexSurvey& survey) {
+  const std::vector<std::vector<int>> groups = groups_in_one_place(soup, open_vertices(survey, soup.triangles));
   if (groups.empty()) return {};
   std::map<int, NextAround> around;
   for (const std::vector<int>& group : groups)

@@ -153,10 +153,10 @@ void describe_beyond(const TriangleSoup& soup, const FlatView& view, const std::
 
 }  // namespace
 
-SurfaceModel make_surface_model(TriangleSoup soup) {
-  check_indices(soup);
+SurfaceModel make_surface_model(TriangleSoup soup, std::optional<VertexSurvey> survey) {
+  if (!survey) check_indices(soup);
   SurfaceModel model;
-  FlatView view = flat_view(soup, model.repairs);
+  FlatView view = flat_view(soup, std::move(survey), model.repairs);
   model.turned_faces = std::move(view.turned_faces);
   const std::size_t count = view.all(soup).size();
   // Each triangle has three edges, of which two share one but at boundaries; these have about as many edges as points. Were one
@@ -170,14 +170,14 @@ SurfaceModel make_surface_model(TriangleSoup soup) {
   return model;
 }
 
-std::shared_ptr<const SurfaceModel> make_shared_surface_model(TriangleSoup soup) {
-  return std::shared_ptr<const SurfaceModel>(new SurfaceModel(make_surface_model(std::move(soup))));
+std::shared_ptr<const SurfaceModel> make_shared_surface_model(TriangleSoup soup, std::optional<VertexSurvey> survey) {
+  return std::shared_ptr<const SurfaceModel>(new SurfaceModel(make_surface_model(std::move(soup), std::move(survey))));
 }
 
-SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around) {
-  check_indices(soup);
+SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around, std::optional<VertexSurvey> survey) {
+  if (!survey) check_indices(soup);
   SurfaceModel model;
-  FlatView view = flat_view(soup, model.repairs);
+  FlatView view = flat_view(soup, std::move(survey), model.repairs);
   model.turned_faces = std::move(view.turned_faces);
   std::vector<char> points;
   std::vector<unsigned char> ring;

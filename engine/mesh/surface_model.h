@@ -4,6 +4,7 @@
 
 #include "mesh/tri_mesh.h"
 #include "mesh/triangle_soup.h"
+#include "mesh/vertex_survey.h"
 
 #include <Eigen/Geometry>
 
@@ -50,11 +51,12 @@ struct SurfaceModel {
   std::optional<SurfaceBeyond> beyond{};
 };
 
-/// Builds the view. Deterministic.
+/// Builds the view. Deterministic. @param survey  of this soup, where somebody has made it before; its indices are in range then
 /// @throws InvalidArgument if an index is out of range or no usable face is left.
-SurfaceModel make_surface_model(TriangleSoup soup);
+SurfaceModel make_surface_model(TriangleSoup soup, std::optional<VertexSurvey> survey = std::nullopt);
 /// The same, made in place.
-std::shared_ptr<const SurfaceModel> make_shared_surface_model(TriangleSoup soup);
+std::shared_ptr<const SurfaceModel> make_shared_surface_model(TriangleSoup soup,
+                                                              std::optional<VertexSurvey> survey = std::nullopt);
 
 /// What a view around the boundary loops holds: all faces at points that are up to `rings` edges from a boundary, or from a
 /// point in one of the boxes.
@@ -66,7 +68,8 @@ struct AroundLoops {
 /// The same for a large scan of which only the loops and what lies around them matter: it takes a fraction of the time and
 /// memory. Vertices and faces are in the same order as in the whole view; find_boundary_loops and fill_holes give the same
 /// (with the neighborhood that pipeline/filling_view.h asks for). What walks over the whole view needs the whole view.
-SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around);
+SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around,
+                                    std::optional<VertexSurvey> survey = std::nullopt);
 
 /// The soup before any triangle was turned round.
 TriangleSoup as_read(SurfaceModel model);

@@ -6,13 +6,47 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
 #include <numeric>
+#include <span>
+#include <utility>
 
 namespace loopmend {
 
 namespace {
 
 constexpr int vertices_at_a_time = 4096;
+
+/// The corners at each vertex: 3 · triangle + place, ascending. Triangles with a corner twice are left out.
+class CornersAtVertices {
+ public:
+  CornersAtVertices(const Triangles& triangles, std::size_t vertex_count)
+      : first_(vertex_count + 2, 0),
+        corners_(std::make_unique_for_overwrite<int[]>(3 * triangles.size())) {
+    for (const Triangle& t : triangles) {
+      if (!has_three_corners(t)) {
+        ++left_out_;
+        continue;
+      }
+      for (int v : t) ++first_[static_cast<std::size_t>(v) + 2];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      if (left_out_ > 0 && !has_three_corners(triangles[f])) continue;
+      for (int k = 0; k < 3; ++k)
+        corners_[first_[static_cast<std::size_t>(triangles[f][k]) + 1]++] = static_cast<int>(3 * f) + k;
+    }
+  }
+  std::span<const int> operator[](int v) const { return {corners_.get() + first_[v], corners_.get() + first_[v + 1]}; }
+  std::size_t left_out() const { return left_out_; }
+
+ private:
+  std::vector<int> first_;
+  std::unique_ptr<int[]> corners_;
+  std::size_t left_out_ = 0;
+};
 
 /// One triangle seen from one of its corners: the edge opposite runs from `next` to `previous`.
 struct LinkEdge {
@@ -49,6 +83,13 @@ bool is_one_ring(const std::vector<LinkEdge>& link) {
     if (at == link.front().next) return steps + 1 == link.size();
   }
   return false;
+}
+
+/// A number without a pattern for each vertex.
+std::uint64_t scattered(int v) {
+  std::uint64_t z = static_cast<std::uint64_t>(v) * 0x9E3779B97F4A7C15ull;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
+  return z ^ (z >> 31);
 }
 
 /// How many triangles the edges to the neighbours have: sorted neighbours, one for each triangle at the edge.
@@ -137,22 +178,12 @@ VertexState state_of(Scratch& scratch, int& ends) {
 
 }  // namespace
 
-CornersAtVertices::CornersAtVertices(const Triangles& triangles, std::size_t vertex_count)
-    : first_(vertex_count + 2, 0),
-      corners_(3 * triangles.size()) {
-  for (const Triangle& t : triangles)
-    for (int v : t) ++first_[static_cast<std::size_t>(v) + 2];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    for (int k = 0; k < 3; ++k)
-      corners_[first_[static_cast<std::size_t>(triangles[f][k]) + 1]++] = static_cast<int>(3 * f) + k;
-}
-
 bool VertexSurvey::any(VertexState which) const { return std::find(state.begin(), state.end(), which) != state.end(); }
 
 VertexSurvey survey_vertices(const Triangles& triangles, std::size_t vertex_count) {
   const CornersAtVertices corners(triangles, vertex_count);
   VertexSurvey survey;
+  survey.collapsed_triangles = corners.left_out();
   survey.state.assign(vertex_count, VertexState::clean);
   survey.at_boundary.assign(vertex_count, 0);
   std::atomic<bool> may_repeat{false};
@@ -210,14 +241,33 @@ std::vector<char> repeated_triangles(const Triangles& triangles, std::size_t ver
   return repeated;
 }
 
+std::vector<int> open_vertices(const VertexSurvey& survey, const Triangles& triangles) {
+  std::map<int, std::uint64_t> balance;  // of the disordered ones: what is entered less what is left, without a pattern
+  if (survey.any(VertexState::disordered))
+    for (const Triangle& t : triangles)
+      for (int k = 0; k < 3; ++k)
+        if (survey.state[t[k]] == VertexState::disordered && has_three_corners(t))
+          balance[t[k]] += scattered(t[(k + 1) % 3]) - scattered(t[(k + 2) % 3]);
+  std::vector<int> open;
+  for (std::size_t v = 0; v < survey.state.size(); ++v) {
+    const auto sum = balance.find(static_cast<int>(v));
+    if (sum == balance.end() ? survey.at_boundary[v] != 0 : sum->second != 0) open.push_back(static_cast<int>(v));
+  }
+  return open;
+}
+
 void separate_fans(const VertexSurvey& survey, Triangles& triangles, std::vector<int>& origin) {
-  const CornersAtVertices corners(triangles, survey.state.size());
+  std::map<int, std::vector<int>> corners_at;
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (const auto v = static_cast<std::size_t>(triangles[f][k]);
+          v < survey.state.size() && survey.state[v] == VertexState::several)
+        corners_at[triangles[f][k]].push_back(static_cast<int>(3 * f) + k);
   std::vector<std::pair<int, int>> renumbered;  // corner, new vertex
   Scratch scratch;
-  for (std::size_t v = 0; v < survey.state.size(); ++v) {
-    if (survey.state[v] != VertexState::several) continue;
+  for (const auto& [v, corners] : corners_at) {
     const std::vector<LinkEdge>& link = scratch.link;
-    link_at(triangles, corners[static_cast<int>(v)], scratch.link);
+    link_at(triangles, corners, scratch.link);
     find_led_to(link, scratch.neighbors, scratch.is_led_to);
     std::vector<char> used(link.size(), 0);
     std::vector<std::vector<int>> fans;

@@ -16,7 +16,7 @@ constexpr int reweightings = 4;
 
 /// The samples' coordinates, in units of their mean distance.
 /// @returns that mean; 0 where a true distance has no direction: the sample is straight above, or in the same place.
-double flatten(const Points& points, int i, const Vec3& normal, Coordinates coordinates,
+double flatten(std::span<const Vec3> points, int i, const Vec3& normal, Coordinates coordinates,
                const std::vector<int>& samples, std::vector<Eigen::Vector2d>& flat) {
   flat.clear();
   const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
@@ -167,7 +167,7 @@ void estimate_covariance(const Eigen::Matrix<double, terms, terms>& inverse, Fit
 /// Derivatives of the surface and what else the output asks for, to samples in units of their mean distance.
 /// @returns whether the samples determine the polynomial. All sizes are known to the compiler: this is the innermost loop.
 template <int degree, int first>
-bool solve(const Points& points, int centre, const FitOptions& options, double least_condition, double mean,
+bool solve(std::span<const Vec3> points, int centre, const FitOptions& options, double least_condition, double mean,
            FitScratch& scratch, PolynomialFit& fit) {
   using P = Polynomial<degree, first>;
   constexpr int terms = P::terms;
@@ -256,8 +256,8 @@ void differentiate(const Vec3& reference_normal, const FitOptions& options, FitS
 }
 
 /// By the highest degree that the samples determine.
-void fit_samples(const Points& points, int i, const Vec3& reference_normal, const FitOptions& options, double mean,
-                 FitScratch& scratch, PolynomialFit& fit) {
+void fit_samples(std::span<const Vec3> points, int i, const Vec3& reference_normal, const FitOptions& options,
+                 double mean, FitScratch& scratch, PolynomialFit& fit) {
   const bool constant = options.centre != Centre::interpolated;
   for (int degree = options.degree; degree >= options.least_degree && !fit.valid; --degree) {
     fit.degree = degree;
@@ -272,7 +272,7 @@ void fit_samples(const Points& points, int i, const Vec3& reference_normal, cons
 
 }  // namespace
 
-bool fit_polynomial(const Points& points, const Topology& topology, int i, const Vec3& reference_normal,
+bool fit_polynomial(std::span<const Vec3> points, const Topology& topology, int i, const Vec3& reference_normal,
                     const FitOptions& options, FitScratch& scratch, PolynomialFit& fit) {
   fit.valid = false;
   const int most_rings = reference_normal.isZero() ? 0 : options.most_rings;

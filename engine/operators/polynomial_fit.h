@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <span>
 #include <vector>
 
 namespace loopmend {
@@ -27,7 +28,7 @@ enum class Centre {
 };
 
 enum class Outliers {
-  count,         ///< plain least squares
+  count,  ///< plain least squares
   weighted_down  ///< Huber's weights at 1.5 × 1.4826 × median |residual|, four rounds (docs/dev/numerics.md, "Rough boundaries")
 };
 
@@ -109,7 +110,7 @@ struct FitScratch {
 
 /// @param reference_normal  unit, e.g. the angle-weighted normal at i; zero: no fit. @param fit  may be one from before.
 /// @returns fit.valid.
-bool fit_polynomial(const Points& points, const Topology& topology, int i, const Vec3& reference_normal,
+bool fit_polynomial(std::span<const Vec3> points, const Topology& topology, int i, const Vec3& reference_normal,
                     const FitOptions& options, FitScratch& scratch, PolynomialFit& fit);
 
 }  // namespace loopmend

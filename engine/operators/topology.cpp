@@ -46,6 +46,11 @@ std::span<const int> Topology::faces(int v) const {
   return {face_.data() + face_offset_[v], face_.data() + face_offset_[v + 1]};
 }
 
+void Topology::forget_faces() {
+  std::vector<int>().swap(face_offset_);
+  std::vector<int>().swap(face_);
+}
+
 void Topology::k_ring(int v, int rings, std::vector<int>& result, std::vector<char>& mark) const {
   result.clear();
   mark[v] = 1;

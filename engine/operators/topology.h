@@ -14,11 +14,13 @@ class Topology {
  public:
   Topology(int vertex_count, const Triangles& triangles);
 
-  int vertex_count() const { return static_cast<int>(face_offset_.size()) - 1; }
+  int vertex_count() const { return static_cast<int>(neighbor_offset_.size()) - 1; }
   /// One-ring of v without v.
   std::span<const int> neighbors(int v) const;
-  /// Triangles at v.
+  /// Triangles at v; not to be asked for after forget_faces().
   std::span<const int> faces(int v) const;
+  /// Gives back the memory that faces() needs, half of all.
+  void forget_faces();
   /// True if some edge at v has only one triangle (or v has none).
   bool is_boundary(int v) const { return boundary_[v] != 0; }
   int valence(int v) const { return static_cast<int>(neighbors(v).size()); }

@@ -12,7 +12,7 @@ namespace loopmend {
 namespace {
 
 /// The share of corner k of the triangle in the normal there.
-double angle_at(const Points& points, const Triangle& t, int k) {
+double angle_at(std::span<const Vec3> points, const Triangle& t, int k) {
   const Vec3 a = points[t[(k + 1) % 3]] - points[t[k]], b = points[t[(k + 2) % 3]] - points[t[k]];
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -24,7 +24,7 @@ Vec3 unit_or_zero(const Vec3& sum) {
 
 }  // namespace
 
-Points angle_weighted_normals(const Points& points, const Triangles& triangles) {
+Points angle_weighted_normals(std::span<const Vec3> points, const Triangles& triangles) {
   Points normals(points.size(), Vec3::Zero());
   for (const Triangle& t : triangles) {
     const Vec3 normal = unit_normal(points[t[0]], points[t[1]], points[t[2]]);
@@ -34,7 +34,7 @@ Points angle_weighted_normals(const Points& points, const Triangles& triangles) 
   return normals;
 }
 
-Vec3 angle_weighted_normal(const Points& points, const Triangles& triangles, const Topology& topology, int i) {
+Vec3 angle_weighted_normal(std::span<const Vec3> points, const Triangles& triangles, const Topology& topology, int i) {
   Vec3 sum = Vec3::Zero();
   for (int f : topology.faces(i)) {
     const Triangle& t = triangles[f];

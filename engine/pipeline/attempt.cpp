@@ -52,6 +52,24 @@ bool roll_back(const AttemptContext& context, const Patch& start, const Evolutio
   return take_rolled_back(context, start, evolution, result);
 }
 
+struct CheckedPatch {
+  Patch patch;
+  Validity validity;
+  std::vector<SeamReport> seams;
+  bool is_bent = false;  ///< past what it cut
+};
+
+CheckedPatch checked(const PatchProblem& problem, Patch patch, const CancelToken& cancel) {
+  CheckedPatch result{std::move(patch), {}, {}};
+  parallel_invoke([&] { result.validity = validate(problem.scan, result.patch); },
+                  [&] { result.seams = seam_reports(result.patch); });
+  if (result.validity.intersections == 0) return result;
+  std::optional<BentPatch> bent = bent_aside(problem.scan, result.patch, result.validity, cancel);
+  if (!bent) return result;
+  std::vector<SeamReport> seams = seam_reports(bent->patch);
+  return {std::move(bent->patch), std::move(bent->validity), std::move(seams), true};
+}
+
 }  // namespace
 
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result) {
@@ -74,33 +92,25 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
     return false;
   }
   result.reason = is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : "";
-  Patch patch = context.clean_neighborhood ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch();
-  Validity validity;
-  std::vector<SeamReport> seams;
-  parallel_invoke([&] { validity = validate(problem.scan, patch); }, [&] { seams = seam_reports(patch); });
-  std::optional<BentPatch> bent;
-  if (validity.intersections > 0) bent = bent_aside(problem.scan, patch, validity, context.cancel);
-  if (bent) {
-    patch = std::move(bent->patch);
-    validity = std::move(bent->validity);
-    seams = seam_reports(patch);
-  }
-  if (!validity.is_clean() && !no_worse(validity, validate(problem.scan, problem.initial))) {
+  CheckedPatch found = checked(
+      problem, context.clean_neighborhood ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch(),
+      context.cancel);
+  if (!found.validity.is_clean() && !no_worse(found.validity, validate(problem.scan, problem.initial))) {
     if (evolution.method() == Method::split_flow && !context.clean_neighborhood &&
         take_rolled_back(context, faired, evolution, result))
       return true;
     result.message = "the flow would have folded the patch or cut the surface";
     return false;
   }
-  result.patch = std::move(patch);
-  result.validity = std::move(validity);
-  result.seams = std::move(seams);
+  result.patch = std::move(found.patch);
+  result.validity = std::move(found.validity);
+  result.seams = std::move(found.seams);
   result.status = status;
   result.method = evolution.method();
   result.message = evolution.message().empty() && context.clean_neighborhood
                        ? message_on_outliers(context.clean_neighborhood->outliers)
                        : evolution.message();
-  if (bent) {
+  if (found.is_bent) {
     result.energy.final = energy_of(result.patch, options.flow);
     add_message(result, bent_message);
   }

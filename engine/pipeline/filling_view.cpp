@@ -51,7 +51,9 @@ std::vector<BoundaryLoop> with_islands(const SurfaceModel& model, const std::vec
 
 }  // namespace
 
-SurfaceModel make_filling_view(TriangleSoup soup) { return make_view_around_loops(std::move(soup), {rings, {}}); }
+SurfaceModel make_filling_view(TriangleSoup soup, std::optional<VertexSurvey> survey) {
+  return make_view_around_loops(std::move(soup), {rings, {}}, std::move(survey));
+}
 
 bool widen_filling_view(SurfaceModel& model, const std::vector<BoundaryLoop>& all,
                         const std::vector<BoundaryLoop>& loops) {

@@ -5,12 +5,13 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
 
+#include <optional>
 #include <vector>
 
 namespace loopmend {
 
 /// The view in which most loops can be filled. @throws as make_surface_model
-SurfaceModel make_filling_view(TriangleSoup soup);
+SurfaceModel make_filling_view(TriangleSoup soup, std::optional<VertexSurvey> survey = std::nullopt);
 
 /// Makes the view wider where the filling of some loops looks further than it reaches; view vertices may take other numbers
 /// then. @param all  loops of the model. @param loops  to be filled. @returns whether it was made anew: find the loops again.

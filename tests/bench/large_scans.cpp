@@ -188,7 +188,7 @@ void measure(const std::string& path) {
   ImportedMesh mesh = read_mesh(path);
   const double read = seconds_since(start);
   const std::size_t triangles = mesh.soup.triangles.size();
-  const SurfaceModel model = make_view_around_loops(std::move(mesh.soup), {});
+  const SurfaceModel model = make_view_around_loops(std::move(mesh.soup), {}, std::move(mesh.survey));
   const double built = seconds_since(start);
   const std::size_t loops = find_boundary_loops(model).size();
   const double all = seconds_since(start);

@@ -66,6 +66,29 @@ TEST(VertexSurvey, DisorderedEdges) {
   EXPECT_EQ(same_way.state[1], VertexState::disordered);
 }
 
+TEST(VertexSurvey, TrianglesWithACornerTwiceCountForNothingElse) {
+  TriangleSoup soup = make_icosphere(1);
+  const VertexSurvey whole = survey_vertices(soup.triangles, soup.points.size());
+  EXPECT_EQ(whole.collapsed_triangles, 0u);
+  soup.triangles.insert(soup.triangles.begin() + 7, {5, 5, 9});
+  soup.triangles.push_back({3, 3, 3});
+  const VertexSurvey survey = survey_vertices(soup.triangles, soup.points.size());
+  EXPECT_EQ(survey.collapsed_triangles, 2u);
+  EXPECT_EQ(survey.state, whole.state);
+  EXPECT_EQ(survey.at_boundary, whole.at_boundary);
+  EXPECT_FALSE(survey.may_repeat);
+}
+
+TEST(VertexSurvey, OpenVertices) {
+  const auto open = [](const Triangles& triangles) { return open_vertices(survey_vertices(triangles, 6), triangles); };
+  EXPECT_EQ(open({{0, 1, 2}, {0, 2, 3}}), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(open({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(open({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}), std::vector<int>());
+  // Disordered: three triangles at the edge 0-1, of which two go round; and the same two triangles twice, which close.
+  EXPECT_EQ(open({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(open({{0, 1, 2}, {0, 2, 1}, {0, 1, 2}, {0, 2, 1}}), std::vector<int>());
+}
+
 TEST(VertexSurvey, RepeatedTriangles) {
   EXPECT_EQ(repeated_triangles({{2, 1, 0}, {0, 1, 2}, {1, 1, 2}, {1, 1, 2}, {0, 2, 3}, {1, 0, 2}}, 4),
             (std::vector<char>{0, 1, 0, 0, 0, 1}));
