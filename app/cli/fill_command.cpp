@@ -96,7 +96,7 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
     }
     const bool no_hole = choices[k].left == LoopChoice::Left::no_hole;
     ++(no_hole ? outcome.no_hole : outcome.left);
-    outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_boundary);
+    outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_outer_rim);
   }
   return outcome;
 }

@@ -7,6 +7,7 @@
 #include <windows.h>
 
 #include <atomic>
+#include <csignal>
 
 namespace loopmend {
 
@@ -21,8 +22,10 @@ std::atomic<bool> may_finish{false}, was_cancelled{false};
 std::atomic_flag leaving = ATOMIC_FLAG_INIT;
 
 /// Called on a thread of its own.
-BOOL WINAPI stop(DWORD) {
-  if (may_finish.exchange(false)) {
+BOOL WINAPI stop(DWORD event) {
+  // Whatever else it is, such as a closed console, leaves no time to finish.
+  const bool is_key = event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT;
+  if (is_key && may_finish.exchange(false)) {
     was_cancelled = true;
     to_cancel->cancel();
     say_at_exit("\nloopmend: stopping; what is finished will be written (Ctrl-C again: nothing will)\n");
@@ -36,13 +39,22 @@ BOOL WINAPI stop(DWORD) {
   return TRUE;
 }
 
-LONG WINAPI tell_crash(EXCEPTION_POINTERS*) {
-  if (!leaving.test_and_set()) {
-    remove_unfinished_files();
-    say_at_exit("\nloopmend: crashed, a fault of this program; unfinished files were removed");
-    say_what_was_written(last_words);
-  }
+void tell_crash() {
+  if (leaving.test_and_set()) return;
+  remove_unfinished_files();
+  say_at_exit("\nloopmend: crashed, a fault of this program; unfinished files were removed");
+  say_what_was_written(last_words);
+}
+
+LONG WINAPI on_exception(EXCEPTION_POINTERS*) {
+  tell_crash();
   return EXCEPTION_CONTINUE_SEARCH;
+}
+
+/// The default action comes next.
+void on_abort(int signal) {
+  tell_crash();
+  std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
@@ -62,7 +74,8 @@ void handle_signals(const char* at_the_end) {
   last_words = at_the_end;
   ::SetConsoleOutputCP(CP_UTF8);
   ::SetConsoleCtrlHandler(stop, TRUE);
-  ::SetUnhandledExceptionFilter(tell_crash);
+  ::SetUnhandledExceptionFilter(on_exception);
+  std::signal(SIGABRT, on_abort);
 }
 
 }  // namespace loopmend

@@ -107,7 +107,7 @@ LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command) 
   if (!choice.why_not.empty()) choice.left = LoopChoice::Left::no_hole;
   if (choice.why_not.empty()) choice.why_not = reason_to_leave(loop, command, false);
   choice.fill = choice.why_not.empty();
-  choice.is_boundary = loop.kind == LoopKind::outer_rim;
+  choice.is_outer_rim = loop.kind == LoopKind::outer_rim;
   return choice;
 }
 
@@ -123,7 +123,7 @@ std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vecto
     }
     choice.why_not = named.count(k) > 0 ? reason_to_leave(loops[k], command, true) : "not selected";
     choice.fill = choice.why_not.empty();
-    choice.is_boundary = loops[k].kind == LoopKind::outer_rim;
+    choice.is_outer_rim = loops[k].kind == LoopKind::outer_rim;
   }
   return choices;
 }

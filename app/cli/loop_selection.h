@@ -14,7 +14,7 @@ struct LoopChoice {
   bool fill = false;
   std::string why_not;  ///< in words, where fill is false
   Left left = Left::as_asked;
-  bool is_boundary = false;  ///< bounds a sheet: nothing is amiss where it is left
+  bool is_outer_rim = false;  ///< bounds a sheet: nothing is amiss where it is left
 };
 
 /// Why a loop is left that nobody named; `fill` where nothing is against it.

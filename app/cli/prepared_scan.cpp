@@ -62,11 +62,11 @@ std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loop
                                            const std::vector<BoundaryLoop>& chosen,
                                            const std::vector<BoundaryLoop>& grown, const FillCommand& command) {
   const bool named = command.loops != "all" || command.at_vertices;
-  const bool boundaries = std::any_of(chosen.begin(), chosen.end(),
+  const bool outer_rims = std::any_of(chosen.begin(), chosen.end(),
                                       [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; });
   std::vector<LoopChoice> choices(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const bool can_be_filled = loops[k].kind == LoopKind::hole || (boundaries && loops[k].kind == LoopKind::outer_rim);
+    const bool can_be_filled = loops[k].kind == LoopKind::hole || (outer_rims && loops[k].kind == LoopKind::outer_rim);
     choices[k].fill = can_be_filled && std::any_of(grown.begin(), grown.end(), [&](const BoundaryLoop& loop) {
                         return loop.number == loops[k].number;
                       });

@@ -23,7 +23,7 @@ SmallHolesBox::SmallHolesBox(Document& document, QWidget* parent) : QWidget(pare
   });
   connect(limit_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &SmallHolesBox::update_state);
   connect(fill_, &QPushButton::clicked, this, [this] { Q_EMIT fill_wanted(meant()); });
-  connect(boundaries_, &QCheckBox::toggled, this,
+  connect(outer_rims_, &QCheckBox::toggled, this,
           [this](bool on) { document_.set_outer_rims(on ? OuterRims::include : OuterRims::leave); });
   connect(&document_, &Document::scans_changed, this, [this] {
     propose_limit();
@@ -55,16 +55,16 @@ void SmallHolesBox::build() {
   explain(measure_, tr("Measure"),
           tr("What the size of a hole is: edges along its boundary, or its diameter in the scan's unit"));
   fill_ = make_button("fillUpTo", tr("Fill"), tr("Fill every open hole up to this size"));
-  boundaries_ = new QCheckBox;
-  boundaries_->setObjectName(QStringLiteral("includeRims"));
-  explain(boundaries_, tr("Include outer rims"),
+  outer_rims_ = new QCheckBox;
+  outer_rims_->setObjectName(QStringLiteral("includeRims"));
+  explain(outer_rims_, tr("Include outer rims"),
           tr("The outline of an open sheet looks like a hole to a program. It is left out unless you include it here, "
              "or select it yourself"));
   grid->addWidget(label, 0, 0);
   grid->addWidget(limit_, 0, 1);
   grid->addWidget(measure_, 0, 2);
   grid->addWidget(fill_, 0, 3);
-  grid->addWidget(boundaries_, 1, 0, 1, 4);
+  grid->addWidget(outer_rims_, 1, 0, 1, 4);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
 }
@@ -99,10 +99,10 @@ void SmallHolesBox::set_use(Use use) {
 }
 
 void SmallHolesBox::update_state() {
-  int boundaries = 0, open = 0;
+  int outer_rims = 0, open = 0;
   for (int loop = 0; loop < document_.loop_count(); ++loop) {
     if (!document_.present(loop)) continue;
-    boundaries += document_.loop(loop).kind == LoopKind::outer_rim;
+    outer_rims += document_.loop(loop).kind == LoopKind::outer_rim;
     open += document_.fillable(loop) && !document_.patch_of(loop);
   }
   const int count = static_cast<int>(meant().size());
@@ -111,10 +111,10 @@ void SmallHolesBox::update_state() {
   fill_->setEnabled(idle && count > 0);
   limit_->setEnabled(idle && open > 0);
   measure_->setEnabled(idle && open > 0);
-  boundaries_->setEnabled(idle && boundaries > 0);
-  boundaries_->setText(boundaries > 0 ? tr("Include outer rims of open sheets (%L1)").arg(boundaries)
+  outer_rims_->setEnabled(idle && outer_rims > 0);
+  outer_rims_->setText(outer_rims > 0 ? tr("Include outer rims of open sheets (%L1)").arg(outer_rims)
                                       : tr("Include outer rims of open sheets (none here)"));
-  boundaries_->setChecked(document_.outer_rims() == OuterRims::include);
+  outer_rims_->setChecked(document_.outer_rims() == OuterRims::include);
 }
 
 }  // namespace loopmend

@@ -36,7 +36,7 @@ class SmallHolesBox : public QWidget {
   QDoubleSpinBox* limit_ = nullptr;
   QComboBox* measure_ = nullptr;
   QPushButton* fill_ = nullptr;
-  QCheckBox* boundaries_ = nullptr;
+  QCheckBox* outer_rims_ = nullptr;
   Use use_ = Use::possible;
 };
 

@@ -141,10 +141,27 @@ vtkNew<vtkFloatArray> unknown_everywhere(const std::shared_ptr<const SurfaceShap
   return array;
 }
 
-vtkNew<vtkCellArray> wrap_triangles(const std::vector<int>& triangles, vtkIdType count) {
-  vtkNew<vtkTypeInt32Array> offsets, connectivity;
+/// Where each triangle begins: 0, 3, 6, ... The slices of a large scan share one table, which saves 4 bytes a triangle.
+vtkNew<vtkTypeInt32Array> offsets_of_triangles(vtkIdType count) {
+  constexpr std::size_t shared_size = 1 << 16;
+  static const std::vector<vtkTypeInt32> shared = [] {
+    std::vector<vtkTypeInt32> table(shared_size);
+    for (std::size_t i = 0; i < shared_size; ++i) table[i] = static_cast<vtkTypeInt32>(3 * i);
+    return table;
+  }();
+  vtkNew<vtkTypeInt32Array> offsets;
+  if (static_cast<std::size_t>(count) < shared_size) {
+    offsets->SetArray(const_cast<vtkTypeInt32*>(shared.data()), count + 1, 1);
+    return offsets;
+  }
   offsets->SetNumberOfValues(count + 1);
   for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<vtkTypeInt32>(3 * i));
+  return offsets;
+}
+
+vtkNew<vtkCellArray> wrap_triangles(const std::vector<int>& triangles, vtkIdType count) {
+  const vtkNew<vtkTypeInt32Array> offsets = offsets_of_triangles(count);
+  vtkNew<vtkTypeInt32Array> connectivity;
   connectivity->SetArray(const_cast<int*>(triangles.data()), 3 * count, 1);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);

@@ -77,8 +77,8 @@ class Search {
  public:
   explicit Search(const OpenLoop& loop) : loop_(loop), n_(static_cast<int>(loop.points.size())), spans_(n_) {
     for (int i = 0; i < n_; ++i)
-      separator_.push_back(normal(loop.points[(i + 1) % n_], loop.points[i], loop.across[i]).normalized());
-    for (int i = 0; i + 1 < n_; ++i) spans_.keep(i, i + 1, {-1, {}, 1, separator_[i]});
+      across_normal_.push_back(normal(loop.points[(i + 1) % n_], loop.points[i], loop.across[i]).normalized());
+    for (int i = 0; i + 1 < n_; ++i) spans_.keep(i, i + 1, {-1, {}, 1, across_normal_[i]});
   }
 
   /// All triangles.
@@ -136,7 +136,7 @@ class Search {
     const Vec3 across = normal(loop_.points[i], loop_.points[m], loop_.points[k]);
     const double squared = across.x() * across.x() + across.y() * across.y() + across.z() * across.z();
     double cosine = std::min(across.dot(left.normal), across.dot(right.normal));
-    if (i == 0 && k == n_ - 1) cosine = std::min(cosine, across.dot(separator_[k]));
+    if (i == 0 && k == n_ - 1) cosine = std::min(cosine, across.dot(across_normal_[k]));
     const double least = best.cosine - plainly;
     // Most end here, without waiting for the root.
     if (any && least > 0 && (cosine < 0 || cosine * cosine < (1 - plainly) * least * least * squared)) return;
@@ -179,7 +179,7 @@ class Search {
 
   const OpenLoop& loop_;
   int n_;
-  std::vector<Vec3> separator_;  ///< unit normals across the edges from i to i + 1
+  std::vector<Vec3> across_normal_;  ///< unit normals across the edges from i to i + 1
   Spans spans_;
 };
 

@@ -162,8 +162,8 @@ std::filesystem::path follow_links(const std::filesystem::path& path) {
 bool has_file(const std::filesystem::path& path, const std::filesystem::path& target) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(target, error);
-  if (status.type() == std::filesystem::file_type::not_found) return false;
-  if (!std::filesystem::status_known(status)) fail(path, "cannot be written", reason_of(error));
+  if (reason_of(error) == ENOENT) return false;
+  if (!std::filesystem::exists(status)) fail(path, "cannot be written", reason_of(error));
   if (std::filesystem::is_directory(status))
     throw WriteError(path, "is a folder, not a file", "Choose a file name inside it.");
   if (!std::filesystem::is_regular_file(status))

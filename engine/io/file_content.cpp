@@ -130,9 +130,9 @@ FileContent load_bytes(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail_open(path, errno);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) fail_open(path, error.default_error_condition().value());
+  // Of what is open: another file may stand there by now.
+  const std::streamoff size = stream.seekg(0, std::ios::end).tellg();
+  if (size < 0 || !stream.seekg(0)) fail_open(path, errno);
 
   FileContent file{path, {}};
   file.bytes.resize(static_cast<std::size_t>(size));

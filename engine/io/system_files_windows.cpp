@@ -5,7 +5,6 @@
 
 #include <fcntl.h>
 #include <io.h>
-#include <sys/stat.h>
 
 #include <array>
 #include <cerrno>
@@ -25,7 +24,16 @@ struct WidePath {
 }  // namespace
 
 int open_new_file(const std::filesystem::path& path, Readers) {
-  return ::_wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+  // May be removed while it is open: remove_file_at_exit() has to.
+  const HANDLE file =
+      ::CreateFileW(path.c_str(), GENERIC_WRITE | DELETE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
+                    nullptr, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr);
+  if (file == INVALID_HANDLE_VALUE) {
+    errno =
+        std::error_code(static_cast<int>(::GetLastError()), std::system_category()).default_error_condition().value();
+    return -1;
+  }
+  return ::_open_osfhandle(reinterpret_cast<std::intptr_t>(file), _O_BINARY | _O_NOINHERIT);
 }
 
 int flush_to_disk(int descriptor) { return ::_commit(descriptor); }

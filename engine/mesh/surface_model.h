@@ -108,7 +108,7 @@ struct PatchGeometry {
 void reserve_patches(SurfaceModel& model, std::size_t points, std::size_t triangles);
 
 /// Appends the patch to soup and view. New soup points and triangles come last; nothing that was there moves.
-/// @throws InvalidArgument if the patch does not fit (a boundary edge is not a boundary edge); the model is then unchanged, as it
+/// @throws InvalidArgument if the patch does not fit (a boundary edge of it is none of the surface); the model is then unchanged, as it
 ///         is on std::bad_alloc where there is room for the patch.
 void append_patch(SurfaceModel& model, const PatchGeometry& patch);
 

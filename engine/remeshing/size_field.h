@@ -9,8 +9,8 @@
 
 namespace loopmend {
 
-/// boundary(p) = Σ w_k size_k / Σ w_k with w_k = (|p − place_k|² + (0.1 h)²)⁻², h the mean size
-/// (docs/dev/filling.md, "Size field"); the target is boundary(p) / density. Where that is finer than the boundary, whose edges stay as they are, it is reached gradually: a long
+/// boundary_size(p) = Σ w_k size_k / Σ w_k with w_k = (|p − place_k|² + (0.1 h)²)⁻², h the mean size
+/// (docs/dev/filling.md, "Size field"); the target is boundary_size(p) / density. Where that is finer than the boundary, whose edges stay as they are, it is reached gradually: a long
 /// boundary edge with many short ones at its side would make slivers.
 class SizeField {
  public:

@@ -41,7 +41,7 @@ class Common : public cholmod_common {
     error_handler = nullptr;
     nmethods = 1;
     method[0].ordering = CHOLMOD_NATURAL;
-    postorder = 0;  // the border must stay at the end
+    postorder = 0;  // the separator must stay at the end
     supernodal = CHOLMOD_SUPERNODAL;
   }
   ~Common() { cholmod_finish(this); }
@@ -94,7 +94,7 @@ class SpoilWhenCancelled {
   std::jthread watch_;  ///< last: ends before what it uses
 };
 
-/// The factors L Lᵀ of A(rows, rows), in the order of the rows. The last of them are the border, which is factored as if
+/// The factors L Lᵀ of A(rows, rows), in the order of the rows. The last of them are the separator, which is factored as if
 /// there were no other half.
 class Half {
  public:
@@ -124,7 +124,7 @@ class Half {
     return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
 
-  /// S Sᵀ, where S is what of L belongs to the border; the border in reverse order, upper triangle.
+  /// S Sᵀ, where S is what of L belongs to the separator; the separator in reverse order, upper triangle.
   Eigen::MatrixXd schur_complement() const {
     // Reversed, S is an upper triangle U, and U Uᵀ is what LAPACK has.
     Eigen::MatrixXd left = Eigen::MatrixXd::Zero(separator_, separator_);
@@ -138,7 +138,7 @@ class Half {
     return left;
   }
 
-  /// @param y  b of the inner rows by any number; becomes what backward() goes on with. @returns −B A⁻¹ b, which the border's
+  /// @param y  b of the inner rows by any number; becomes what backward() goes on with. @returns −B A⁻¹ b, which the separator's
   /// right-hand sides get
   Eigen::MatrixXd forward(Eigen::MatrixXd& y) const {
     y.conservativeResizeLike(Eigen::MatrixXd::Zero(size_, y.cols()));
@@ -154,7 +154,7 @@ class Half {
       });
     return share;
   }
-  /// @param x_separator  of the border rows. @param y  of forward(); becomes x of the inner and the border rows
+  /// @param x_separator  of the separator rows. @param y  of forward(); becomes x of the inner and the separator rows
   void backward(const Eigen::MatrixXd& x_separator, Eigen::MatrixXd& y) const {
     for (Eigen::Index c = 0; c < y.cols(); ++c)
       for_schur_blocks([&](int begin, const auto& block, const int* rows) {
@@ -169,7 +169,7 @@ class Half {
     solve(CHOLMOD_Lt, y);
   }
 
-  /// log |A₁|: of the rows that do not belong to the border.
+  /// log |A₁|: of the rows that do not belong to the separator.
   double inner_log_determinant() const {
     const cholmod_factor& L = *factor_;
     const auto *columns = static_cast<const int*>(L.super), *row_begin = static_cast<const int*>(L.pi),
@@ -263,8 +263,8 @@ bool cholesky_of_upper(Eigen::MatrixXd& A) {
   return info == 0;
 }
 
-/// With rows in the order first half, second half, border: A = [A₁ 0 B₁ᵀ; 0 A₂ B₂ᵀ; B₁ B₂ C]. The factors of a half end with
-/// Sₖ, where C − Bₖ Aₖ⁻¹ Bₖᵀ = Sₖ Sₖᵀ; when both halves are eliminated, S₁S₁ᵀ + S₂S₂ᵀ − C is left for the border.
+/// With rows in the order first half, second half, separator: A = [A₁ 0 B₁ᵀ; 0 A₂ B₂ᵀ; B₁ B₂ C]. The factors of a half end with
+/// Sₖ, where C − Bₖ Aₖ⁻¹ Bₖᵀ = Sₖ Sₖᵀ; when both halves are eliminated, S₁S₁ᵀ + S₂S₂ᵀ − C is left for the separator.
 class NestedCholesky : public SpdSolver {
  public:
   NestedCholesky(const SparseMatrix& A, const Dissection& dissection) {
@@ -289,7 +289,7 @@ class NestedCholesky : public SpdSolver {
     if (!good[0] || !good[1] || cancel.cancelled()) return false;
     schur_factor_ = std::move(left[0]);
     schur_factor_ += left[1];
-    subtract_schur_of(A);
+    subtract_separator_block(A);
     return cholesky_of_upper(schur_factor_);
   }
 
@@ -325,8 +325,8 @@ class NestedCholesky : public SpdSolver {
     parallel_invoke([&] { work(0); }, [&] { work(1); });
   }
 
-  /// C, from the upper triangle of the border in reverse order.
-  void subtract_schur_of(const SparseMatrix& A) {
+  /// C, from the upper triangle of the separator in reverse order.
+  void subtract_separator_block(const SparseMatrix& A) {
     const int last = static_cast<int>(separator_.size()) - 1;
     std::vector<int> place(A.rows(), -1);
     for (int i = 0; i <= last; ++i) place[separator_[i]] = last - i;
@@ -339,7 +339,7 @@ class NestedCholesky : public SpdSolver {
   std::array<std::vector<int>, 2> rows_;
   std::vector<int> separator_;
   std::array<Half, 2> halves_;
-  Eigen::MatrixXd schur_factor_;  ///< upper triangle: of the border in reverse order UᵀU
+  Eigen::MatrixXd schur_factor_;  ///< upper triangle: of the separator in reverse order UᵀU
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace loopmend {
 
 /// For matrices of the pattern of A alone: factors the two halves of a dissection side by side, each with the rows between
-/// them for a border, and then what is left of the border. The factors are the same to the bit for any number of threads.
+/// them for a separator, and then what is left of the separator. The factors are the same to the bit for any number of threads.
 /// @param A  n by n, compressed; only the lower triangle is read. @returns null where A does not fall into halves, and when
 /// cancelled.
 std::unique_ptr<SpdSolver> make_nested_cholesky(const Eigen::SparseMatrix<double>& A, const CancelToken& cancel);
