@@ -32,7 +32,7 @@ enum class HoleState {
   doubtful
 };
 
-/// Whether the boundary of an open sheet counts as something to fill.
+/// Whether the outer rim of an open sheet counts as something to fill.
 enum class OuterRims { leave, include };
 
 /// Scans and loops are named by indices that stay the same as long as the scene lives, also while a scan is taken away.

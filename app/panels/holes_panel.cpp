@@ -288,7 +288,7 @@ void HolesPanel::go(Way way) {
     const int loop = way == Way::next ? *selection_.selected().rbegin() : *selection_.selected().begin();
     if (const QModelIndex at = sorted_->mapFromSource(model_->index(loop, 0)); at.isValid()) row = at.row();
   }
-  // Boundaries and cracks are passed over, unless there is nothing else.
+  // Outer rims and cracks are passed over, unless there is nothing else.
   for (int tried = 0; tried < count; ++tried) {
     row = (row + (way == Way::next ? 1 : count - 1)) % count;
     if (document_.fillable(loop_at(sorted_->index(row, 0)))) break;

@@ -152,7 +152,7 @@ TEST_F(Told, AMeshSplitAtSeamsIsNoSilentZero) {
 }
 
 TEST_F(Told, AnOuterRimThatTouchesAHoleIsLeftAsAsked) {
-  // The corner square and the next one on the diagonal are gone: boundary and hole meet at a vertex.
+  // The corner square and the next one on the diagonal are gone: outer rim and hole meet at a vertex.
   write_mesh(work / "in.ply", sheet([](int i, int j) { return i == j && i < 2; }));
   const Outcome run = fill();
   EXPECT_EQ(run.code, 0);

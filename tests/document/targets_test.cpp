@@ -18,7 +18,7 @@ TEST(Targets, FillTakesTheSelectedLoopsOrAllHoles) {
   EXPECT_EQ(loops_to_fill(document, selection), (Loops{boundary, square, diamond}));
   document.set_outer_rims(OuterRims::leave);
   selection.select({boundary, diamond});
-  EXPECT_EQ(loops_to_fill(document, selection), (Loops{boundary, diamond})) << "who selects the rim means it";
+  EXPECT_EQ(loops_to_fill(document, selection), (Loops{boundary, diamond})) << "who selects the outer rim means it";
   add_patch(document, {diamond}, state_at(PatchStatus::filled));
   EXPECT_EQ(loops_to_fill(document, selection), Loops{boundary}) << "no loop is filled twice";
 }
@@ -34,7 +34,7 @@ TEST(Targets, AFlowMovesWhatIsNotAccepted) {
   EXPECT_EQ(chosen_patches(document, selection), std::set<int>{second});
   EXPECT_TRUE(patches_to_move(document, selection).empty());
   selection.select({boundary});
-  EXPECT_TRUE(chosen_patches(document, selection).empty()) << "there is no patch in the rim";
+  EXPECT_TRUE(chosen_patches(document, selection).empty()) << "there is no patch in the outer rim";
 }
 
 TEST(Targets, APatchWithSeveralLoopsIsChosenByEach) {

@@ -58,7 +58,7 @@ double perimeter(const TriangleSoup& soup, const std::vector<int>& loop) {
   return sum;
 }
 
-/// Loops by falling perimeter: the boundary, then the holes.
+/// Loops by falling perimeter: the outer rim, then the holes.
 std::vector<std::vector<int>> sorted_loops(const TriangleSoup& soup) {
   std::vector<std::vector<int>> loops = mesh_facts(soup).loops;
   std::sort(loops.begin(), loops.end(),
