@@ -14,7 +14,7 @@
 #include "core/threads.h"
 #include "core/version.h"
 
-#include <CLI/CLI.hpp>
+#include "cli/option_parser.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -9,6 +9,7 @@
 #include "report.h"
 #include "verdict.h"
 
+#include "core/path_text.h"
 #include "core/system_memory.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
@@ -208,7 +209,7 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
   std::fprintf(out, "%d failed, %d left as asked", outcome.failed, outcome.left);
   if (outcome.unfinished > 0) std::fprintf(out, ", %d not finished", outcome.unfinished);
   if (outcome.no_hole > 0) std::fprintf(out, ", %d left because they are no holes", outcome.no_hole);
-  std::fprintf(out, "; %s written in %.2f s\n", command.output.string().c_str(), seconds);
+  std::fprintf(out, "; %s written in %.2f s\n", path_text(command.output).c_str(), seconds);
 }
 
 /// Fills the chosen loops, and shows how far it has come.
@@ -259,7 +260,7 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
                  counted(written.painted, "triangle", "triangles").c_str());
   std::string names;
   for (const std::filesystem::path& file : written.beside)
-    names += (names.empty() ? "" : ", ") + file.filename().string();
+    names += (names.empty() ? "" : ", ") + path_text(file.filename());
   if (!names.empty()) std::fprintf(out, "Beside it: %s.\n", names.c_str());
   for (const std::string& remark : written.remarks) std::fprintf(out, "%s\n", remark.c_str());
 }
@@ -322,7 +323,7 @@ int run_fill(const FillCommand& command) {
   if (command.content == FillCommand::Content::patches) {
     if (outcome.filled == 0) {
       std::fprintf(stderr, "loopmend: no loop was filled, so there are no patches and %s was not written%s.\n",
-                   command.output.string().c_str(), why_open(results).c_str());
+                   path_text(command.output).c_str(), why_open(results).c_str());
       return interrupt_exit_code() != 0 ? interrupt_exit_code() : exit_loops_failed;
     }
     options.written.assign(scan.given.triangles, 0);
@@ -341,7 +342,7 @@ int run_fill(const FillCommand& command) {
   json["output"] = losses_json(losses);
   json["output"]["content"] = command.content == FillCommand::Content::patches ? "patches" : "surface";
   json["output"]["beside"] = nlohmann::ordered_json::array();
-  for (const std::filesystem::path& file : written.beside) json["output"]["beside"].push_back(file.string());
+  for (const std::filesystem::path& file : written.beside) json["output"]["beside"].push_back(path_text(file));
   json["output"]["painted_triangles"] = written.painted;
   json["output"]["remarks"] = written.remarks;
   if (verdict) json["check"] = verdict_json(*verdict);
@@ -354,7 +355,7 @@ int run_fill(const FillCommand& command) {
     print_changes(out, command, opened.report, scan, bad);
     if (scan.loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n",
-                   command.output.string().c_str());
+                   path_text(command.output).c_str());
     else
       print_summary(out, results, outcome, command, seconds);
     if (verdict) print_verdict(out, *verdict);

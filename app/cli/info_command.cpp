@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
+#include "core/path_text.h"
 #include "exit_codes.h"
 #include "open_model.h"
 #include "outputs.h"
@@ -117,7 +118,7 @@ int run_info(const InfoCommand& command) {
     commit_with_report(outputs, command.json, json);
     return exit_done;
   }
-  std::printf("%s: %s, %zu vertices, %zu faces\n", command.input.string().c_str(), opened.import.format.c_str(),
+  std::printf("%s: %s, %zu vertices, %zu faces\n", path_text(command.input).c_str(), opened.import.format.c_str(),
               opened.import.vertices, opened.import.faces);
   print_import(opened.import, model.repairs);
   print_not_kept(opened);

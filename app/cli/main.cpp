@@ -5,11 +5,11 @@
 #include "library_start.h"
 
 #include "core/memory.h"
+#include "core/path_text.h"
 
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,10 +32,7 @@ int run_program(int argc, char** argv) {
 /// Arguments in UTF-8, as everywhere in this program.
 int wmain(int argc, wchar_t** argv) {
   std::vector<std::string> arguments;
-  for (int i = 0; i < argc; ++i) {
-    const std::u8string text = std::filesystem::path(argv[i]).u8string();
-    arguments.emplace_back(text.begin(), text.end());
-  }
+  for (int i = 0; i < argc; ++i) arguments.push_back(loopmend::path_text(argv[i]));
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);

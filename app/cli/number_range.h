@@ -2,7 +2,7 @@
 // A check of the command line's numbers.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/option_parser.h"
 
 namespace loopmend {
 

@@ -2,6 +2,7 @@
 #include "outputs.h"
 
 #include "commands.h"
+#include "core/path_text.h"
 #include "io/text_cursor.h"
 
 #include <algorithm>
@@ -36,14 +37,14 @@ void write_report(std::ostream& out, const nlohmann::ordered_json& report) {
 }
 
 bool is_gltf(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = path_text(path.extension());
   return equals_ignoring_case(extension, ".glb") || equals_ignoring_case(extension, ".gltf");
 }
-bool is_stl(const std::filesystem::path& path) { return equals_ignoring_case(path.extension().string(), ".stl"); }
+bool is_stl(const std::filesystem::path& path) { return equals_ignoring_case(path_text(path.extension()), ".stl"); }
 
 /// @throws WriteError unless the name ends in .png.
 void require_picture_name(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
+  std::string extension = path_text(path.extension());
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (extension == ".png") return;
@@ -65,7 +66,7 @@ CommandFiles& CommandFiles::writes(NamedFile::Kind kind, const std::string& name
 }
 
 CommandFiles& CommandFiles::writes_report(const std::string& name, const std::string& target) {
-  return target.empty() || target == "-" ? *this : writes(NamedFile::Kind::other, name, target);
+  return target.empty() || target == "-" ? *this : writes(NamedFile::Kind::other, name, path_of_text(target));
 }
 
 void CommandFiles::check_identity() const {
@@ -73,12 +74,12 @@ void CommandFiles::check_identity() const {
     const NamedFile& output = outputs_[k];
     for (const NamedFile& input : inputs_)
       if (same_file(input.path, output.path))
-        throw UsageError(output.name + " " + output.path.string() + " would overwrite " + input.name + " " +
-                         input.path.string() + ": choose another name");
+        throw UsageError(output.name + " " + path_text(output.path) + " would overwrite " + input.name + " " +
+                         path_text(input.path) + ": choose another name");
     for (std::size_t l = 0; l < k; ++l)
       if (same_file(outputs_[l].path, output.path))
-        throw UsageError(output.name + " " + output.path.string() + " would overwrite " + outputs_[l].name + " " +
-                         outputs_[l].path.string() + ": choose another name");
+        throw UsageError(output.name + " " + path_text(output.path) + " would overwrite " + outputs_[l].name + " " +
+                         path_text(outputs_[l].path) + ": choose another name");
   }
 }
 
@@ -86,7 +87,7 @@ void CommandFiles::check() const {
   check_identity();
   for (const NamedFile& output : outputs_) {
     if (const std::size_t names = other_names(output.path); names > 0)
-      std::fprintf(stderr, "loopmend: %s has %s; %s the old file.\n", output.path.string().c_str(),
+      std::fprintf(stderr, "loopmend: %s has %s; %s the old file.\n", path_text(output.path).c_str(),
                    counted(names, "other name (hard link)", "other names (hard links)").c_str(),
                    names == 1 ? "that keeps" : "those keep");
     if (output.kind == NamedFile::Kind::picture) require_picture_name(output.path);
@@ -98,7 +99,8 @@ void CommandFiles::check() const {
 }
 
 void commit_with_report(OutputTransaction& outputs, const std::string& target, const nlohmann::ordered_json& report) {
-  if (!target.empty() && target != "-") outputs.add(target, [&](std::ostream& out) { write_report(out, report); });
+  if (!target.empty() && target != "-")
+    outputs.add(path_of_text(target), [&](std::ostream& out) { write_report(out, report); });
   outputs.commit();
   if (target != "-") return;
   write_report(std::cout, report);
@@ -139,7 +141,7 @@ nlohmann::ordered_json losses_json(const OutputLosses& losses) {
 
 void print_losses(std::FILE* out, const std::filesystem::path& output, const OutputLosses& losses) {
   if (!losses.not_kept.empty())
-    std::fprintf(out, "Not in %s: %s.\n", output.string().c_str(), to_string(losses.not_kept).c_str());
+    std::fprintf(out, "Not in %s: %s.\n", path_text(output).c_str(), to_string(losses.not_kept).c_str());
   if (losses.largest_rounding > 0 && is_stl(output))
     std::fprintf(
         out,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
+#include "core/path_text.h"
 #include "exit_codes.h"
 #include "open_model.h"
 #include "outputs.h"
@@ -63,7 +64,7 @@ int run_render(const RenderCommand& command) {
   OutputTransaction outputs;
   add_text(outputs, command.output, png);
   outputs.commit();
-  std::printf("%s: %d x %d pixels\n", command.output.string().c_str(), options.width, options.height);
+  std::printf("%s: %d x %d pixels\n", path_text(command.output).c_str(), options.width, options.height);
   return exit_done;
 }
 

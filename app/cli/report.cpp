@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include "core/path_text.h"
 #include "outputs.h"
 
 #include <cmath>
@@ -26,7 +27,7 @@ Json seam_json(const SeamReport& seam) {
 }
 
 Json input_json(const std::filesystem::path& path, const ImportReport& import, const ModelRepairs& repairs) {
-  return {{"path", path.string()},
+  return {{"path", path_text(path)},
           {"vertices", import.vertices},
           {"faces", import.faces},
           {"import",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
+#include "core/path_text.h"
 #include "exit_codes.h"
 
 #include "outputs.h"
@@ -16,7 +17,7 @@ int run_sample(const std::filesystem::path& output) {
   OutputTransaction outputs;
   write_mesh(outputs, output, soup);
   outputs.commit();
-  std::printf("%s: the embedded sample, %zu vertices, %zu triangles\n", output.string().c_str(), soup.points.size(),
+  std::printf("%s: the embedded sample, %zu vertices, %zu triangles\n", path_text(output).c_str(), soup.points.size(),
               soup.triangles.size());
   return exit_done;
 }

@@ -2,6 +2,7 @@
 #include "appearance/scan_colors.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "filling/fairing.h"
 #include "io/texture_files.h"
 #include "operators/operator_set.h"
@@ -100,7 +101,7 @@ class Colorer {
   std::shared_ptr<const Picture> picture_of(std::size_t face) {
     const auto path = files_->picture_of(face);
     if (!path) return nullptr;
-    const auto [entry, is_new] = pictures_.try_emplace(path->string());
+    const auto [entry, is_new] = pictures_.try_emplace(path_text(*path));
     if (is_new) {
       try {
         entry->second = std::make_shared<Picture>(files_->read(*path));

@@ -2,6 +2,7 @@
 #include "export/write_scan.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "io/file_content.h"
 #include "io/gzip.h"
 #include "io/material_library.h"
@@ -63,17 +64,17 @@ class SideFiles {
   std::string named(const std::string& name, const fs::path& folder = {}) {
     if (!is_elsewhere_) return name;
     if (materials_ == MaterialFiles::copy) {
-      copy(folder / name);
+      copy(folder / path_of_text(name));
       return name;
     }
     std::error_code ignored;
-    const fs::path there = fs::relative(from_ / folder / name, to_, ignored);
-    return there.empty() ? name : there.generic_string();
+    const fs::path there = fs::relative(from_ / folder / path_of_text(name), to_, ignored);
+    return there.empty() ? name : generic_path_text(there);
   }
 
   /// A picture of the scan's texture; null: it cannot be used, which is said.
   const Picture* picture(const TextureFiles& files, const fs::path& path) {
-    const auto [entry, is_new] = pictures_.try_emplace(path.string());
+    const auto [entry, is_new] = pictures_.try_emplace(path_text(path));
     if (is_new) {
       try {
         entry->second = files.read(path);
@@ -86,19 +87,19 @@ class SideFiles {
 
   /// "NAME_patch" after the output, or with a number where a file of the scan or of somebody else is called so.
   std::string name_for_patches(const std::set<std::string>& taken) const {
-    const std::string stem = without_gzip_name(path_).stem().string() + "_patch";
+    const std::string stem = path_text(without_gzip_name(path_).stem()) + "_patch";
     std::set<std::string> taken_files;
     std::error_code error;
     for (const std::string& name : taken)  // where they are, and where they may be copied
       for (const fs::path& folder : {from_, to_})
-        taken_files.insert(fs::weakly_canonical(folder / name, error).string());
+        taken_files.insert(path_text(fs::weakly_canonical(folder / path_of_text(name), error)));
     const std::set<std::string> replaced = files_named_by_output();
     const auto is_free = [&](const std::string& name) {
       bool is_ours = false, is_there = false;
       for (const std::string& file : {name + ".png", name + ".mtl"}) {
-        if (taken_files.contains(fs::weakly_canonical(to_ / file, error).string())) return false;
+        if (taken_files.contains(path_text(fs::weakly_canonical(to_ / path_of_text(file), error)))) return false;
         is_ours = is_ours || replaced.contains(file);
-        is_there = is_there || fs::exists(to_ / file, error);
+        is_there = is_there || fs::exists(to_ / path_of_text(file), error);
       }
       return is_ours || !is_there;
     };
@@ -108,8 +109,8 @@ class SideFiles {
   }
 
   void add(const std::string& name, const std::function<void(std::ostream&)>& write) {
-    outputs_.add(to_ / name, write);
-    written_.beside.push_back(to_ / name);
+    outputs_.add(to_ / path_of_text(name), write);
+    written_.beside.push_back(to_ / path_of_text(name));
   }
 
   void say(const std::string& remark) { written_.remarks.push_back(remark); }
@@ -138,18 +139,18 @@ class SideFiles {
   void copy(const fs::path& name) {
     const fs::path relative = name.lexically_normal();
     if (relative.is_absolute() || (!relative.empty() && *relative.begin() == "..")) {
-      say("The file " + name.string() + " is outside the scan's folder and was not copied.");
+      say("The file " + path_text(name) + " is outside the scan's folder and was not copied.");
       return;
     }
     const fs::path source = from_ / relative, target = (to_ / relative).lexically_normal();
     std::error_code error;
-    if (!copied_.insert(target.string()).second || !fs::is_regular_file(source, error)) return;
+    if (!copied_.insert(path_text(target)).second || !fs::is_regular_file(source, error)) return;
     const std::optional<std::string> content = bytes_of(source);
-    if (!content) return say("The file " + name.string() + " cannot be read and was not copied.");
+    if (!content) return say("The file " + path_text(name) + " cannot be read and was not copied.");
     if (fs::exists(target, error)) {
       if (bytes_of(target) == content) return;
       throw WriteError(
-          target, "another file of this name is there already, which the scan's " + name.string() + " would replace",
+          target, "another file of this name is there already, which the scan's " + path_text(name) + " would replace",
           "Choose another folder for the output, or --materials reference.");
     }
     if (target.has_parent_path()) outputs_.add_folder(target.parent_path());
@@ -208,7 +209,8 @@ class ObjTexture : public Texture {
     std::error_code ignored;
     for (const MaterialLibrary& library : named_.libraries())
       for (const std::string& picture : library.pictures)
-        taken.insert((fs::relative(folder_of(library.path), files_.scan_folder(), ignored) / picture).string());
+        taken.insert(
+            path_text(fs::relative(folder_of(library.path), files_.scan_folder(), ignored) / path_of_text(picture)));
     const std::string name = files_.name_for_patches(taken);
     for (FaceNames& names : continued.names) {
       if (names.keyword != "usemtl") continue;
@@ -307,7 +309,7 @@ class GltfTexture : public Texture {
     std::error_code ignored;
     for (const ScanPicture& picture : scan_.materials->pictures)
       if (!picture.path.empty() && !fs::is_regular_file(picture.path, ignored))
-        files_.say("The picture " + picture.path.string() + " is not there, and not in the output.");
+        files_.say("The picture " + path_text(picture.path) + " is not there, and not in the output.");
   }
 
   void add_patches(const PaintedPatches& painted, std::size_t like_face, ScanAttributes& continued) override {
@@ -337,7 +339,7 @@ class GltfTexture : public Texture {
 /// Of a scan of the same format as the output; null: it has none.
 std::unique_ptr<Texture> texture_of(const fs::path& path, const ScanAttributes& scan, SideFiles& files) {
   const auto is_written_as = [&](const char* format, const char* extension) {
-    return scan.format == format && equals_ignoring_case(without_gzip_name(path).extension().string(), extension);
+    return scan.format == format && equals_ignoring_case(path_text(without_gzip_name(path).extension()), extension);
   };
   if (is_written_as("OBJ", ".obj") && !scan.material_libraries.empty())
     return std::make_unique<ObjTexture>(scan, files);

@@ -2,6 +2,7 @@
 #include "io/atomic_file.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "io/system_files.h"
 
 #include <unistd.h>
@@ -221,7 +222,7 @@ void remove_leftovers(const std::filesystem::path& folder) {
   const std::string tag = machine_tag();
   std::error_code error, ignored;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::optional<std::int32_t> maker = maker_of(entry->path().filename().string(), tag);
+    const std::optional<std::int32_t> maker = maker_of(path_text(entry->path().filename()), tag);
     if (maker && process_has_ended(*maker) && is_own_file(entry->path()))
       std::filesystem::remove(entry->path(), ignored);
   }
@@ -234,7 +235,7 @@ class TemporaryFile {
   TemporaryFile(const std::filesystem::path& path, const std::filesystem::path& folder, Readers readers)
       : path_(path),
         name_(temporary_name(folder)),
-        registration_(name_.string(), path.string()) {
+        registration_(path_text(name_), path_text(path)) {
     descriptor_ = open_new_file(name_, readers);
     if (descriptor_ < 0) fail(path_, "cannot be written in this folder", errno);
   }
@@ -314,7 +315,7 @@ class NewFolder {
  public:
   explicit NewFolder(const std::filesystem::path& path)
       : name_(std::filesystem::absolute(path)),
-        registration_(name_.string(), "", KnownFile::folder) {}
+        registration_(path_text(name_), "", KnownFile::folder) {}
   ~NewFolder() {
     std::error_code ignored;
     if (!kept_) std::filesystem::remove(name_, ignored);  // does nothing where something stands in it by now

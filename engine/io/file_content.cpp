@@ -2,6 +2,7 @@
 #include "io/file_content.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "io/gzip.h"
 #include "io/text_cursor.h"
 
@@ -114,7 +115,7 @@ bool is_obj_keyword(std::string_view token) {
 }  // namespace
 
 std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = without_gzip_name(path).extension().string();
+  std::string extension = path_text(without_gzip_name(path).extension());
   for (char& c : extension) c = ascii_lower(c);
   return extension;
 }

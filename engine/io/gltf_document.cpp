@@ -2,6 +2,7 @@
 #include "io/gltf_document.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "io/base64.h"
 #include "io/text_cursor.h"
 
@@ -360,7 +361,7 @@ std::string GltfDocument::find_beside(std::string_view uri, std::filesystem::pat
   if (name->find(':') != std::string::npos) return in_quotes(*name) + " is not beside the file";
   std::string plain = *name;
   std::replace(plain.begin(), plain.end(), '\\', '/');
-  const std::filesystem::path relative(plain);
+  const std::filesystem::path relative = path_of_text(plain);
   if (relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end())
     return in_quotes(*name) + " is outside the folder of the file, where nothing is read";
   path = std::filesystem::absolute(file_.path).parent_path() / relative;

@@ -2,6 +2,7 @@
 #include "io/gltf_materials.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "io/color_spaces.h"
 #include "io/file_content.h"
 #include "io/painted_material.h"
@@ -60,7 +61,7 @@ ScanPicture read_picture_entry(GltfDocument& document, const Json& image, const 
       picture.bytes = document.data_of(name, place, picture.kind.empty() ? &picture.kind : nullptr);
     else
       picture.problem = document.find_beside(name, picture.path);
-    if (picture.name.empty() && !picture.path.empty()) picture.name = picture.path.filename().string();
+    if (picture.name.empty() && !picture.path.empty()) picture.name = path_text(picture.path.filename());
   }
   if (picture.bytes.empty() && picture.path.empty() && picture.problem.empty()) picture.problem = "there are no data";
   if (!picture.problem.empty())

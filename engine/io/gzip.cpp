@@ -2,6 +2,7 @@
 #include "io/gzip.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "core/system_memory.h"
 #include "io/text_cursor.h"
 
@@ -74,7 +75,9 @@ std::string gunzip(const std::filesystem::path& path, std::string_view bytes) {
   return result;
 }
 
-bool has_gzip_name(const std::filesystem::path& path) { return equals_ignoring_case(path.extension().string(), ".gz"); }
+bool has_gzip_name(const std::filesystem::path& path) {
+  return equals_ignoring_case(path_text(path.extension()), ".gz");
+}
 
 std::filesystem::path without_gzip_name(const std::filesystem::path& path) {
   return has_gzip_name(path) ? path.parent_path() / path.stem() : path;

@@ -2,6 +2,7 @@
 #include "io/read_mesh.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "core/threads.h"
 #include "io/file_content.h"
 #include "io/first_occurrence.h"
@@ -283,7 +284,7 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
 
 bool is_mesh_name(const std::filesystem::path& path) {
   constexpr std::array extensions{".ply", ".stl", ".obj", ".off", ".glb", ".gltf", ".3mf"};
-  const std::string extension = without_gzip_name(path).extension().string();
+  const std::string extension = path_text(without_gzip_name(path).extension());
   return std::any_of(extensions.begin(), extensions.end(),
                      [&](const char* one) { return equals_ignoring_case(extension, one); });
 }

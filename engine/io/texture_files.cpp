@@ -2,6 +2,7 @@
 #include "io/texture_files.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "io/picture_file.h"
 #include "io/text_cursor.h"
 
@@ -35,7 +36,7 @@ std::optional<Color> diffuse_color(const std::vector<std::string>& statements) {
 TextureFiles::TextureFiles(const ScanAttributes& scan, const fs::path& folder) : scan_(scan), folder_(folder) {
   for (const std::string& name : scan.material_libraries) {
     try {
-      libraries_.push_back(read_material_library(folder / name));
+      libraries_.push_back(read_material_library(folder / path_of_text(name)));
     } catch (const ReadError& error) {
       problems_.emplace_back(error.what());
     }
@@ -80,7 +81,7 @@ const ScanMaterial* TextureFiles::table_material_of(std::size_t face) const {
 /// Pictures in the scan's file: the name is its own, with their number.
 fs::path TextureFiles::name_of_picture(int picture) const {
   const ScanPicture& mine = scan_.materials->pictures[static_cast<std::size_t>(picture)];
-  return mine.path.empty() ? fs::path(scan_.file.string() + ", picture " + std::to_string(picture)) : mine.path;
+  return mine.path.empty() ? path_of_text(path_text(scan_.file) + ", picture " + std::to_string(picture)) : mine.path;
 }
 
 Picture TextureFiles::read(const fs::path& path) const {
@@ -107,7 +108,8 @@ std::optional<fs::path> TextureFiles::picture_of(std::size_t face) const {
   if (const std::string* material = material_of(face))
     for (const MaterialLibrary& library : libraries_)
       if (const auto named = library.color_pictures.find(*material); named != library.color_pictures.end())
-        return (library.path.has_parent_path() ? library.path.parent_path() : fs::path(".")) / named->second;
+        return (library.path.has_parent_path() ? library.path.parent_path() : fs::path(".")) /
+               path_of_text(named->second);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include "cli/exit_codes.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
+#include "core/path_text.h"
 #include "summary.h"
 
 #include <chrono>
@@ -39,7 +40,7 @@ int run_batch(const BatchCommand& command, const CheckFillOptions& check) {
   Ledger ledger(command.output);
   const auto foreign = ledger.foreign_summary();
   if (foreign && command.existing == BatchCommand::Existing::keep)
-    throw UsageError(foreign->string() + " is there, and no batch wrote it: move it away, or give --overwrite");
+    throw UsageError(path_text(*foreign) + " is there, and no batch wrote it: move it away, or give --overwrite");
   const CancelToken cancel;
   cancel_on_interrupt(cancel);
   const std::vector<ScanEnd> ends = fill_scans(scans, command, ledger, cancel);
@@ -52,7 +53,7 @@ int run_batch(const BatchCommand& command, const CheckFillOptions& check) {
                 counts.filled, counts.look, counts.error);
     if (counts.waiting > 0) std::printf(", %d waiting for the next run", counts.waiting);
     if (counts.as_before > 0) std::printf("; %d were complete before", counts.as_before);
-    std::printf("; %s written in %.1f s\n", (command.output / "summary.html").string().c_str(), seconds);
+    std::printf("; %s written in %.1f s\n", path_text(command.output / "summary.html").c_str(), seconds);
   }
   if (const int stopped_with = interrupt_exit_code(); cancel.cancelled() && stopped_with != 0) return stopped_with;
   return exit_code_of(counts, command.fail_on);

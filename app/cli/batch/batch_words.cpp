@@ -3,7 +3,7 @@
 
 #include "cli/number_range.h"
 
-#include <CLI/CLI.hpp>
+#include "cli/option_parser.h"
 
 #include <map>
 

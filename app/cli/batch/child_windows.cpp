@@ -2,12 +2,12 @@
 #include "child.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 
 #include <windows.h>
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <system_error>
 
 namespace loopmend {
@@ -22,10 +22,6 @@ struct HandleOwner {
     if (handle != nullptr && handle != INVALID_HANDLE_VALUE) ::CloseHandle(handle);
   }
 };
-
-std::wstring wide(const std::string& utf8) {
-  return std::filesystem::path(std::u8string(utf8.begin(), utf8.end())).wstring();
-}
 
 /// As CommandLineToArgvW takes it apart again: backslashes count only before a quotation mark.
 std::wstring quoted(const std::wstring& argument) {
@@ -86,7 +82,7 @@ Child::Child(const std::vector<std::string>& arguments) : process_(std::make_uni
   std::array<wchar_t, 32768> program{};
   ::GetModuleFileNameW(nullptr, program.data(), static_cast<DWORD>(program.size()));
   std::wstring line = quoted(program.data());
-  for (const std::string& argument : arguments) line += L" " + quoted(wide(argument));
+  for (const std::string& argument : arguments) line += L" " + quoted(path_of_text(argument).wstring());
   STARTUPINFOW start{};
   start.cb = sizeof start;
   start.dwFlags = STARTF_USESTDHANDLES;

@@ -2,6 +2,7 @@
 #include "journal_file.h"
 
 #include "cli/commands.h"
+#include "core/path_text.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -33,7 +34,7 @@ JournalFile::JournalFile(const std::filesystem::path& path)
   const bool busy = errno == EWOULDBLOCK;
   close(file);
   if (busy)
-    throw UsageError("another batch is at work in " + path.parent_path().string() + ": wait for its end, or stop it");
+    throw UsageError("another batch is at work in " + path_text(path.parent_path()) + ": wait for its end, or stop it");
   throw WriteError(path, "the file system cannot lock the file", "Choose a folder on another one.");
 }
 

@@ -2,6 +2,7 @@
 #include "journal_file.h"
 
 #include "cli/commands.h"
+#include "core/path_text.h"
 
 #include <windows.h>
 
@@ -24,7 +25,7 @@ JournalFile::JournalFile(const std::filesystem::path& path)
                                                           nullptr, OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr))) {
   if (handle_of(file_) != INVALID_HANDLE_VALUE) return;
   if (::GetLastError() == ERROR_SHARING_VIOLATION)
-    throw UsageError("another batch is at work in " + path.parent_path().string() + ": wait for its end, or stop it");
+    throw UsageError("another batch is at work in " + path_text(path.parent_path()) + ": wait for its end, or stop it");
   throw WriteError(path, last_reason(), "Choose another folder for -o.");
 }
 

@@ -2,6 +2,7 @@
 #include "ledger.h"
 
 #include "cli/commands.h"
+#include "core/path_text.h"
 #include "core/version.h"
 
 #include <chrono>
@@ -35,13 +36,14 @@ std::optional<FileState> file_state(const Json& json) {
 std::string seen_from(const fs::path& folder, const fs::path& input) {
   std::error_code error;
   const fs::path seen = fs::proximate(fs::weakly_canonical(input, error), fs::weakly_canonical(folder, error), error);
-  return Json::parse(key_of(seen.empty() ? input.generic_string() : seen.generic_string())).get<std::string>();
+  return Json::parse(key_of(seen.empty() ? generic_path_text(input) : generic_path_text(seen))).get<std::string>();
 }
 
 }  // namespace
 
 ScanFiles files_of(const fs::path& folder, const std::string& name) {
-  return {folder / "filled" / name, folder / "reports" / (name + ".json"), folder / "pictures" / (name + ".png")};
+  return {folder / "filled" / path_of_text(name), folder / "reports" / path_of_text(name + ".json"),
+          folder / "pictures" / path_of_text(name + ".png")};
 }
 
 std::optional<FileState> state_of(const fs::path& path) {
@@ -93,11 +95,11 @@ void Ledger::read() {
       }
     }
   } catch (const std::exception&) {
-    throw UsageError(path_.string() + ", line " + std::to_string(std::max(1, number)) +
+    throw UsageError(path_text(path_) + ", line " + std::to_string(std::max(1, number)) +
                      ": not what batch writes there: move the file away, or choose another folder for -o");
   }
   if (number == 0 && all.size() > 200)
-    throw UsageError(path_.string() + " is no record of a batch: choose another folder for -o");
+    throw UsageError(path_text(path_) + " is no record of a batch: choose another folder for -o");
   if (whole < all.size()) file_.cut(whole);
   if (number == 0) append({{"loopmend_batch", ledger_version}});
 }

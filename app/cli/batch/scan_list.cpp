@@ -2,6 +2,7 @@
 #include "scan_list.h"
 
 #include "cli/commands.h"
+#include "core/path_text.h"
 #include "io/read_mesh.h"
 #include "io/text_cursor.h"
 
@@ -50,7 +51,7 @@ void walk(const fs::path& folder, const fs::path& base, const fs::path& results,
   std::vector<fs::path> files, folders;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code gone;
-    if (entry->path().filename().string().starts_with(".")) continue;
+    if (path_text(entry->path().filename()).starts_with(".")) continue;
     if (entry->is_directory(gone)) {
       if (!entry->is_symlink(gone) && plain(entry->path()) != results) folders.push_back(entry->path());
     } else if (is_mesh_name(entry->path())) {
@@ -77,18 +78,18 @@ Found manifest_entry(const std::string& line, const fs::path& folder) {
         throw UsageError("\"options\" takes an array of texts, such as [\"--loops\", \"2,3\"]");
       found.options = value.template get<std::vector<std::string>>();
     } else if ((key == "input" || key == "output") && value.is_string()) {
-      (key == "input" ? found.input : found.base) = value.template get<std::string>();
+      (key == "input" ? found.input : found.base) = path_of_text(value.template get<std::string>());
     } else {
       throw UsageError("\"" + key + "\" is not one of input, output, options, or is no text");
     }
   }
-  found.output = found.base.generic_string();
+  found.output = generic_path_text(found.base);
   const fs::path output = found.base.lexically_normal();
   if (!found.output.empty() &&
       (output.is_absolute() || !output.has_filename() || *output.begin() == ".." || output == "."))
     throw UsageError("\"output\" takes the name of a file within the folder of the results, not \"" + found.output +
                      "\"");
-  if (!found.output.empty()) found.output = output.generic_string();
+  if (!found.output.empty()) found.output = generic_path_text(output);
   found.input = folder / found.input;
   found.base = found.input.parent_path();
   return found;
@@ -105,9 +106,9 @@ void read_manifest(const fs::path& path, std::vector<Found>& found) {
         found.push_back(manifest_entry(line, path.parent_path()));
     }
   } catch (const UsageError& error) {
-    throw UsageError(path.string() + ", line " + std::to_string(number) + ": " + error.what());
+    throw UsageError(path_text(path) + ", line " + std::to_string(number) + ": " + error.what());
   }
-  if (!file.eof()) throw UsageError(path.string() + ": the manifest cannot be read");
+  if (!file.eof()) throw UsageError(path_text(path) + ": the manifest cannot be read");
 }
 
 std::vector<Found> find_scans(const BatchCommand& command) {
@@ -118,16 +119,16 @@ std::vector<Found> find_scans(const BatchCommand& command) {
     const std::size_t before = found.size();
     if (fs::is_directory(input, error)) {
       if (!is_within(plain(input), results)) walk(input, input, results, found);
-    } else if (equals_ignoring_case(input.extension().string(), ".jsonl")) {
+    } else if (equals_ignoring_case(path_text(input.extension()), ".jsonl")) {
       read_manifest(input, found);
     } else {
       found.push_back({input, input.parent_path(), {}, {}, {}});
     }
-    if (found.size() == before) throw UsageError("there is no scan in " + input.string());
+    if (found.size() == before) throw UsageError("there is no scan in " + path_text(input));
   }
   for (const Found& scan : found)
     if (is_within(plain(scan.input), results))
-      throw UsageError(scan.input.string() + " lies in the folder of the results, " + command.output.string() +
+      throw UsageError(path_text(scan.input) + " lies in the folder of the results, " + path_text(command.output) +
                        ": choose another folder for -o");
   return found;
 }
@@ -147,8 +148,8 @@ fs::path common_folder(const std::vector<Found>& found) {
 
 std::string name_of(const Found& scan, const fs::path& common, const std::string& format) {
   if (!scan.output.empty()) return scan.output;
-  const std::string name = absolute_place(scan.input).lexically_relative(common).generic_string();
-  const bool as_it_is = format.empty() || equals_ignoring_case(scan.input.extension().string(), "." + format);
+  const std::string name = generic_path_text(absolute_place(scan.input).lexically_relative(common));
+  const bool as_it_is = format.empty() || equals_ignoring_case(path_text(scan.input.extension()), "." + format);
   return as_it_is ? name : name + "." + format;
 }
 
@@ -169,8 +170,8 @@ std::vector<Scan> list_scans(const BatchCommand& command) {
     }
     const Scan& other = scans[entry->second];
     if (plain(other.input) != plain(scan.input) || other.options != scan.options)
-      throw UsageError("the outputs of " + other.input.string() + " and of " + scan.input.string() + " would both be " +
-                       scan.name + ": name them in a manifest");
+      throw UsageError("the outputs of " + path_text(other.input) + " and of " + path_text(scan.input) +
+                       " would both be " + scan.name + ": name them in a manifest");
   }
   return scans;
 }

@@ -6,6 +6,7 @@
 #include "cli/exit_codes.h"
 #include "cli/outputs.h"
 #include "core/error.h"
+#include "core/path_text.h"
 #include "core/threads.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 /// A path that no program takes for an option.
 std::string as_argument(const fs::path& path) {
-  return path.string().starts_with("-") ? "./" + path.string() : path.string();
+  return path_text(path).starts_with("-") ? "./" + path_text(path) : path_text(path);
 }
 
 bool names(const std::vector<std::string>& options, const std::string& option) {
@@ -120,10 +121,10 @@ class ScanRuns {
     }
     if (const auto file = ledger_.foreign_file(scan.name)) {
       if (command_.existing == BatchCommand::Existing::keep)
-        return refuse(k, file->string() +
+        return refuse(k, path_text(*file) +
                              " is there, and no batch wrote it, or it has changed since: move it away, or "
                              "give --overwrite");
-      progress_.say(file->string() + " is overwritten, though no batch wrote it");
+      progress_.say(path_text(*file) + " is overwritten, though no batch wrote it");
     }
     ledger_.begin(scan.name);
     running_.emplace_back(k, false, state_of(scan.input), fill_words(k));
@@ -195,7 +196,7 @@ class ScanRuns {
   void refuse(std::size_t k, const std::string& why) {
     ends_[k].state = ScanEnd::State::error;
     ends_[k].why = why;
-    progress_.say(scans_[k].input.string() + ": " + why);
+    progress_.say(path_text(scans_[k].input) + ": " + why);
     finished();
   }
 

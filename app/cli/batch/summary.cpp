@@ -2,6 +2,7 @@
 #include "summary.h"
 
 #include "cli/exit_codes.h"
+#include "core/path_text.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -146,7 +147,7 @@ std::string summary_csv(const std::vector<SummaryRow>& rows) {
       "seam_angle_max_deg,seconds,fill_seconds,peak_memory_mb,mesh,report,picture,remark\n";
   for (const SummaryRow& row : rows) {
     const std::string& name = row.scan->name;
-    std::vector<std::string> fields{name, row.scan->input.generic_string(), row.status(),
+    std::vector<std::string> fields{name, generic_path_text(row.scan->input), row.status(),
                                     row.end->state == ScanEnd::State::waiting ? "" : std::to_string(row.end->code),
                                     row.end->state == ScanEnd::State::as_before ? "no" : "yes"};
     if (row.figures) {

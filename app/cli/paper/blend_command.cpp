@@ -6,6 +6,7 @@
 #include "paper_commands.h"
 #include "part_loops.h"
 
+#include "core/path_text.h"
 #include "core/version.h"
 #include "pipeline/blend.h"
 #include "pipeline/continue_attributes.h"
@@ -55,7 +56,7 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
   std::fprintf(out, "%zu loops joined by %d new vertices: %s (%s) after %d steps%s%s; %s written in %.2f s\n",
                loops.size(), result.outcome.patch.free_count, to_string(result.outcome.status),
                method_name(result.outcome).c_str(), result.outcome.steps, result.outcome.message.empty() ? "" : ", ",
-               result.outcome.message.c_str(), command.output.string().c_str(), seconds);
+               result.outcome.message.c_str(), path_text(command.output).c_str(), seconds);
 }
 
 }  // namespace

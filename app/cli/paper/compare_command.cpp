@@ -8,6 +8,7 @@
 #include "part_loops.h"
 #include "vertex_selection.h"
 
+#include "core/path_text.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
 #include "pipeline/problem.h"
@@ -86,7 +87,7 @@ int run_compare(const CompareCommand& command) {
   const FlowComparison comparison = compare_flows(
       problem.start, *options_of(command.words).evolution, [&](FlowKind flow) { progress.say(upper_name(flow)); },
       CancelToken());
-  write_comparison(outputs, problem, comparison, command.inputs[0].filename().string(), command.output);
+  write_comparison(outputs, problem, comparison, path_text(command.inputs[0].filename()), command.output);
   nlohmann::ordered_json json;
   json["version"] = version();
   json["command_line"] = command.command_line;
@@ -96,7 +97,7 @@ int run_compare(const CompareCommand& command) {
   if (!command.words.quiet) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::fprintf(command.words.report == "-" ? stderr : stdout, "%s%d free vertices; %s written in %.2f s\n",
-                 comparison_table(comparison).c_str(), problem.start.free_count, command.output.string().c_str(),
+                 comparison_table(comparison).c_str(), problem.start.free_count, path_text(command.output).c_str(),
                  seconds);
   }
   return exit_done;

@@ -7,6 +7,7 @@
 #include "paper_commands.h"
 #include "vertex_selection.h"
 
+#include "core/path_text.h"
 #include "core/version.h"
 #include "pipeline/interpolate.h"
 
@@ -28,7 +29,7 @@ int run_interpolate(const InterpolateCommand& command) {
   subdivision.subdivisions = command.subdivide;
   subdivision.boundary = command.boundary;
   if (!command.fixed.empty()) subdivision.fixed = read_vertex_numbers(command.fixed);
-  ProgressLine(command.words.verbosity()).say("interpolating " + command.input.string());
+  ProgressLine(command.words.verbosity()).say("interpolating " + path_text(command.input));
   const Interpolation result =
       interpolate_points(opened.model, subdivision, options_of(command.words).evolution, CancelToken());
   const PatchResult& evolved = result.outcome;
@@ -55,7 +56,7 @@ int run_interpolate(const InterpolateCommand& command) {
                  "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
                  result.fixed_count, evolved.patch.free_count, to_string(evolved.status), method_name(evolved).c_str(),
                  evolved.steps, evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
-                 evolved.message.c_str(), command.output.string().c_str(), seconds);
+                 evolved.message.c_str(), path_text(command.output).c_str(), seconds);
     print_reason(out, evolved.reason);
     print_losses(out, command.output, losses);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper_commands.h"
 
-#include <CLI/CLI.hpp>
+#include "cli/option_parser.h"
 
 namespace loopmend {
 

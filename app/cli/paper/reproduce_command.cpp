@@ -7,6 +7,7 @@
 #include "paper_figures.h"
 
 #include "analysis/curvature_field.h"
+#include "core/path_text.h"
 #include "core/version.h"
 #include "io/write_mesh.h"
 #include "scene/offscreen_render.h"
@@ -213,7 +214,7 @@ int run_reproduce(const ReproduceCommand& command) {
   if (!command.quiet) {
     for (const Entry& entry : entries)
       std::printf("%-8s  %-18s  %s\n", entry.run.id.c_str(), to_string(entry.run.verdict), entry.run.title.c_str());
-    std::printf("%s written in %.1f s\n", (command.output / "index.html").string().c_str(), seconds);
+    std::printf("%s written in %.1f s\n", path_text(command.output / "index.html").c_str(), seconds);
   }
   return exit_done;
 }
