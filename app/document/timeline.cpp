@@ -30,7 +30,7 @@ std::size_t size_of(const PatchState& state) {
   std::size_t sum = sizeof(PatchState) + bytes(state.patch.positions) + bytes(state.patch.triangles) +
                     bytes(state.patch.ring) + bytes(state.patch.view_vertex);
   if (state.shape)
-    sum += bytes(state.shape->points) + bytes(state.shape->normals) + bytes(state.shape->triangles) +
+    sum += bytes(state.shape->points) + bytes(state.shape->normals) + state.shape->triangles.size() * sizeof(int) +
            bytes(state.shape->H) + bytes(state.shape->K);
   return sum;
 }

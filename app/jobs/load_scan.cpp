@@ -63,7 +63,8 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   scan->import = imported.report;
   scan->origin = origin.value_or(scene_origin(imported.soup));
   scan->shape = std::make_shared<SurfaceShape>(with_reduced(shape_of(imported.soup, scan->origin)));
-  say(stages.picture, scan->shape);
+  // The whole of a large one would be sent to the graphics twice, and would keep a processor from looking for holes.
+  say(stages.picture, scan->shape->reduced ? scan->shape->reduced : scan->shape);
   if (cancel.cancelled()) return nullptr;
 
   say(stages.stage, tr("Looking for holes"));
@@ -76,9 +77,9 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
         scan->pieces = scan_pieces(scan->model->mesh);
       },
       [&scan] {
-        if (!view_is_file(*scan->model))
-          scan->shape =
-              std::make_shared<SurfaceShape>(with_reduced(shape_of(scan->model->mesh, CurvatureField{}, scan->origin)));
+        if (view_is_file(*scan->model)) return;
+        scan->shape.reset();  // a large scan needs the memory
+        scan->shape = std::make_shared<SurfaceShape>(with_reduced(shape_of(scan->model->mesh, scan->origin)));
       });
   if (cancel.cancelled()) return nullptr;
   add_colors(*scan, cancel);
@@ -100,18 +101,15 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
   scan->loops = find_boundary_loops(*scan->model);
   scan->pieces = scan_pieces(scan->model->mesh);
   scan->shape = std::make_shared<SurfaceShape>(
-      with_reduced(shape_of(scan->model->mesh, curvature_field(scan->model->mesh), origin)));
+      with_reduced(with_curvature(shape_of(scan->model->mesh, origin), curvature_field(scan->model->mesh))));
   add_colors(*scan, {});
   return scan;
 }
 
 std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel) {
-  std::optional<CurvatureField> field = curvature_field(scan.model->mesh);
+  CurvatureField field = curvature_field(scan.model->mesh);
   if (cancel.cancelled()) return nullptr;
-  SurfaceShape shape = shape_of(scan.model->mesh, *field, scan.origin);
-  field.reset();  // a large scan needs the memory
-  shape.colors = scan.shape->colors;
-  return std::make_shared<SurfaceShape>(with_reduced(std::move(shape)));
+  return std::make_shared<SurfaceShape>(with_reduced(with_curvature(*scan.shape, std::move(field))));
 }
 
 }  // namespace loopmend

@@ -14,7 +14,7 @@ using OpenedScanPtr = std::shared_ptr<OpenedScan>;
 
 /// Called on the worker's thread, in this order; each may be empty.
 struct LoadStages {
-  std::function<void(std::shared_ptr<const SurfaceShape>)> picture;  ///< first plain picture
+  std::function<void(std::shared_ptr<const SurfaceShape>)> picture;  ///< first plain picture, of a large one reduced
   std::function<void(OpenedScanPtr)> opened;                         ///< model and loops, no curvature yet
   std::function<void(QString)> stage;                                ///< what is being done, in words
 };

@@ -12,7 +12,7 @@ namespace loopmend {
 namespace {
 
 std::shared_ptr<const SurfaceShape> colored(const SurfaceModel& model, const Vec3& origin) {
-  return std::make_shared<SurfaceShape>(shape_of(model.mesh, curvature_field(model.mesh), origin));
+  return std::make_shared<SurfaceShape>(with_curvature(shape_of(model.mesh, origin), curvature_field(model.mesh)));
 }
 
 TriangleSoup filled(const BaseParts::Part& part) {

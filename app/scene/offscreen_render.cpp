@@ -62,9 +62,8 @@ std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<Boun
 }
 
 void fill_scene(SceneOfModel& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
-  const CurvatureField field =
-      !is_drawn_over_the_scan(options.shading) ? CurvatureField{} : curvature_field(model.mesh);
-  auto shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, field, origin));
+  auto shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, origin));
+  if (is_drawn_over_the_scan(options.shading)) *shape = with_curvature(*shape, curvature_field(model.mesh));
   std::vector<std::shared_ptr<const SurfaceShape>> parts;
   if (options.shading == Shading::scan) parts = colored_parts(scan_colors(model), *shape);
   picture.shape = std::move(shape);

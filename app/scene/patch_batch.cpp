@@ -13,7 +13,7 @@ void append_triangles(std::vector<int>& to, const SurfaceShape& from, std::size_
 
 std::shared_ptr<const SurfaceShape> joined(const PatchBatch::Shapes& shapes) {
   auto all = std::make_shared<SurfaceShape>();
-  std::vector<int> shifts;
+  std::vector<int> shifts, corners;
   for (const auto& [id, shape] : shapes) {
     shifts.push_back(static_cast<int>(all->points.size() / 3));
     all->points.insert(all->points.end(), shape->points.begin(), shape->points.end());
@@ -25,13 +25,14 @@ std::shared_ptr<const SurfaceShape> joined(const PatchBatch::Shapes& shapes) {
         for (const double channel : patch_color) all->colors.push_back(static_cast<unsigned char>(255 * channel));
     else
       all->colors.insert(all->colors.end(), shape->colors.begin(), shape->colors.end());
-    append_triangles(all->triangles, *shape, 0, static_cast<std::size_t>(shape->own_triangles), shifts.back());
+    append_triangles(corners, *shape, 0, static_cast<std::size_t>(shape->own_triangles), shifts.back());
   }
-  all->own_triangles = static_cast<int>(all->triangles.size() / 3);
+  all->own_triangles = static_cast<int>(corners.size() / 3);
   std::size_t k = 0;
   for (const auto& [id, shape] : shapes)
-    append_triangles(all->triangles, *shape, static_cast<std::size_t>(shape->own_triangles),
-                     shape->triangles.size() / 3, shifts[k++]);
+    append_triangles(corners, *shape, static_cast<std::size_t>(shape->own_triangles), shape->triangles.size() / 3,
+                     shifts[k++]);
+  all->triangles = std::move(corners);
   return all;
 }
 

@@ -82,7 +82,8 @@ std::size_t z_order(const Eigen::Vector3i& cell) {
 }
 
 /// Triangles that follow each other lie near each other: slices of them are compact, and those outside the view are not drawn.
-std::vector<int> in_z_order(const std::vector<int>& triangles, const std::vector<float>& points) {
+/// Triangles in this order already are shared, not copied.
+TriangleList in_z_order(const TriangleList& triangles, const std::vector<float>& points) {
   constexpr int cells = 32;
   Eigen::AlignedBox3f box;
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) box.extend(Eigen::Map<const Eigen::Vector3f>(&points[i]));
@@ -93,7 +94,14 @@ std::vector<int> in_z_order(const std::vector<int>& triangles, const std::vector
     return z_order(cell.cwiseMin(Eigen::Vector3i::Constant(cells - 1)));
   };
   std::vector<std::size_t> begin(static_cast<std::size_t>(cells * cells * cells) + 1, 0);
-  for (std::size_t t = 0; t < triangles.size(); t += 3) begin[place(t) + 1] += 3;
+  bool ordered = true;
+  for (std::size_t t = 0, last = 0; t < triangles.size(); t += 3) {
+    const std::size_t at = place(t);
+    ordered = ordered && last <= at;
+    last = at;
+    begin[at + 1] += 3;
+  }
+  if (ordered) return triangles;
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<int> sorted(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); t += 3) {
@@ -127,13 +135,15 @@ SurfaceShape with_reduced(SurfaceShape shape) {
   reduced->colors = means(shape.colors, 3, clusters);
   reduced->texture = firsts(shape.texture, 2, clusters);
   reduced->picture = shape.picture;
+  std::vector<int> corners;
   for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3) {
     const auto cluster = [&](std::size_t k) {
       return clusters.of_point[static_cast<std::size_t>(shape.triangles[t + k])];
     };
     const int a = cluster(0), b = cluster(1), c = cluster(2);
-    if (a != b && b != c && c != a) reduced->triangles.insert(reduced->triangles.end(), {a, b, c});
+    if (a != b && b != c && c != a) corners.insert(corners.end(), {a, b, c});
   }
+  reduced->triangles = std::move(corners);
   reduced->own_triangles = static_cast<int>(reduced->triangles.size() / 3);
   shape.reduced = std::move(reduced);
   shape.triangles = in_z_order(shape.triangles, shape.points);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scan_drawing.h"
 
+#include "core/release.h"
+
 #include <vtkActor.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderWindow.h>
@@ -93,6 +95,7 @@ bool ScanDrawing::send_one() {
   if (!to_make_.empty()) {
     make_next();
     coming_.back()->send(renderer_);
+    coming_.back()->actor()->GetBounds();  // a walk over all triangles; the first picture of all slices needs it
     if (to_make_.empty()) {
       finish();
       sent_ = drawn_.size();
@@ -110,7 +113,7 @@ void ScanDrawing::finish() {
   drawn_ = std::exchange(coming_, {});
   using Part = CachedBackground::Part;
   for (auto& actor : drawn_) add(*actor, reduced_.empty() ? Part::surface : Part::large_surface);
-  number_ = {};
+  release(number_);
   changing_ = false;
   sent_ = 0;
 }

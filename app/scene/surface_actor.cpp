@@ -159,7 +159,7 @@ vtkNew<vtkTypeInt32Array> offsets_of_triangles(vtkIdType count) {
   return offsets;
 }
 
-vtkNew<vtkCellArray> wrap_triangles(const std::vector<int>& triangles, vtkIdType count) {
+vtkNew<vtkCellArray> wrap_triangles(const TriangleList& triangles, vtkIdType count) {
   const vtkNew<vtkTypeInt32Array> offsets = offsets_of_triangles(count);
   vtkNew<vtkTypeInt32Array> connectivity;
   connectivity->SetArray(const_cast<int*>(triangles.data()), 3 * count, 1);

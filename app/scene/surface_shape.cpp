@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/surface_shape.h"
 
+#include "core/release.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace loopmend {
 namespace {
@@ -33,15 +36,17 @@ Points area_weighted_normals(const SurfaceShape& shape) {
   return normals;
 }
 
-void set_normals(SurfaceShape& shape, const Points& fitted) {
+void set_area_weighted_normals(SurfaceShape& shape) {
   shape.normals.resize(shape.points.size());
-  const bool complete = fitted.size() * 3 == shape.points.size() &&
-                        std::all_of(fitted.begin(), fitted.end(), [](const Vec3& n) { return n.squaredNorm() > 0.5; });
-  const Points fallback = complete ? Points{} : area_weighted_normals(shape);
-  for (std::size_t i = 0; i < shape.points.size() / 3; ++i) {
-    const bool usable = i < fitted.size() && fitted[i].squaredNorm() > 0.5;
-    put(shape.normals, i, usable ? fitted[i] : fallback[i]);
-  }
+  const Points normals = area_weighted_normals(shape);
+  for (std::size_t i = 0; i < normals.size(); ++i) put(shape.normals, i, normals[i]);
+}
+
+bool is_known(const Vec3& normal) { return normal.squaredNorm() > 0.5; }
+
+void set_fitted_normals(SurfaceShape& shape, const Points& fitted) {
+  for (std::size_t i = 0; i < fitted.size(); ++i)
+    if (is_known(fitted[i])) put(shape.normals, i, fitted[i]);
 }
 
 std::vector<float> to_floats(const std::vector<double>& values) {
@@ -57,8 +62,11 @@ std::vector<unsigned char> three_bytes(const std::vector<Color>& colors) {
   return bytes;
 }
 
-void add_triangle(SurfaceShape& shape, const Triangle& t) {
-  shape.triangles.insert(shape.triangles.end(), t.begin(), t.end());
+TriangleList listed(std::span<const Triangle> triangles) {
+  std::vector<int> corners;
+  corners.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
+  return corners;
 }
 
 }  // namespace
@@ -77,30 +85,41 @@ SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin) {
   SurfaceShape shape;
   shape.points.resize(3 * soup.points.size());
   for (std::size_t i = 0; i < soup.points.size(); ++i) put(shape.points, i, soup.points[i] - origin);
-  shape.triangles.reserve(3 * soup.triangles.size());
-  for (const Triangle& t : soup.triangles) add_triangle(shape, t);
+  shape.triangles = listed(soup.triangles);
   shape.own_triangles = static_cast<int>(soup.triangles.size());
-  set_normals(shape, {});
+  set_area_weighted_normals(shape);
   return shape;
 }
 
-SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Vec3& origin) {
+SurfaceShape shape_of(const TriMesh& mesh, const Vec3& origin) {
   SurfaceShape shape;
   shape.points.resize(3 * mesh.n_vertices());
   for (std::size_t i = 0; i < mesh.n_vertices(); ++i)
     put(shape.points, i, mesh.point(mesh.vertex_handle(static_cast<unsigned>(i))) - origin);
-  shape.triangles.reserve(3 * mesh.n_faces());
-  for (auto face : mesh.faces()) {
-    Triangle t{};
-    int k = 0;
-    for (auto v : mesh.fv_range(face)) t[static_cast<std::size_t>(k++)] = v.idx();
-    add_triangle(shape, t);
-  }
+  std::vector<int> corners;
+  corners.reserve(3 * mesh.n_faces());
+  for (auto face : mesh.faces())
+    for (auto v : mesh.fv_range(face)) corners.push_back(v.idx());
+  shape.triangles = std::move(corners);
   shape.own_triangles = static_cast<int>(mesh.n_faces());
-  set_normals(shape, field.normals);
-  shape.H = to_floats(field.H);
-  shape.K = to_floats(field.K);
+  set_area_weighted_normals(shape);
   return shape;
+}
+
+SurfaceShape with_curvature(const SurfaceShape& shape, CurvatureField field) {
+  SurfaceShape colored;
+  colored.normals = shape.normals;
+  set_fitted_normals(colored, field.normals);
+  release(field.normals);
+  colored.H = to_floats(field.H);
+  release(field.H);
+  colored.K = to_floats(field.K);
+  release(field.K);
+  colored.points = shape.points;
+  colored.triangles = shape.triangles;
+  colored.own_triangles = shape.own_triangles;
+  colored.colors = shape.colors;
+  return colored;
 }
 
 SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin,
@@ -110,13 +129,16 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   for (std::size_t i = 0; i < patch.positions.size(); ++i)
     put(shape.points, i, patch.to_mesh(patch.positions[i]) - origin);
   shape.own_triangles = patch.patch_triangles;
-  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-    const Triangle& tri = patch.triangles[t];
-    const bool near_patch = std::all_of(
-        tri.begin(), tri.end(), [&](int v) { return patch.ring[static_cast<std::size_t>(v)] <= blended_rings; });
-    if (t < static_cast<std::size_t>(patch.patch_triangles) || near_patch) add_triangle(shape, tri);
-  }
-  set_normals(shape, field.normals);
+  std::vector<Triangle> shown(patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles);
+  std::copy_if(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end(), std::back_inserter(shown),
+               [&](const Triangle& t) {
+                 return std::all_of(t.begin(), t.end(),
+                                    [&](int v) { return patch.ring[static_cast<std::size_t>(v)] <= blended_rings; });
+               });
+  shape.triangles = listed(shown);
+  shape.normals.resize(shape.points.size());
+  if (!std::all_of(field.normals.begin(), field.normals.end(), is_known)) set_area_weighted_normals(shape);
+  set_fitted_normals(shape, field.normals);
   shape.H = to_floats(field.H);
   shape.K = to_floats(field.K);
   shape.scan_colors = scan_colors;
@@ -136,7 +158,7 @@ std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors&
         shape->points.push_back(view.points[3 * static_cast<std::size_t>(v) + k]);
         shape->normals.push_back(view.normals[3 * static_cast<std::size_t>(v) + k]);
       }
-    for (const Triangle& t : part.triangles) add_triangle(*shape, t);
+    shape->triangles = listed(part.triangles);
     shape->own_triangles = static_cast<int>(part.triangles.size());
     shape->colors = three_bytes(part.colors);
     shape->texture = part.texture;
@@ -151,7 +173,8 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
                                              std::vector<int>& number) {
   auto shape = std::make_shared<SurfaceShape>();
   shape->picture = whole.picture;
-  shape->triangles.reserve(3 * triangles.size());
+  std::vector<int> corners;
+  corners.reserve(3 * triangles.size());
   if (number.size() < whole.points.size() / 3) number.resize(whole.points.size() / 3, -1);
   std::vector<int> used;
   for (int t : triangles) {
@@ -162,10 +185,11 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
         n = static_cast<int>(used.size());
         used.push_back(v);
       }
-      shape->triangles.push_back(n);
+      corners.push_back(n);
     }
     if (t < whole.own_triangles) ++shape->own_triangles;
   }
+  shape->triangles = std::move(corners);
   const auto take = [&used](const auto& from, std::size_t components, auto& to) {
     if (from.empty()) return;
     to.reserve(components * used.size());

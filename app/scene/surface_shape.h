@@ -6,6 +6,7 @@
 #include "appearance/scan_colors.h"
 #include "mesh/patch.h"
 #include "mesh/surface_model.h"
+#include "scene/triangle_list.h"
 
 #include <memory>
 #include <span>
@@ -17,7 +18,7 @@ namespace loopmend {
 struct SurfaceShape {
   std::vector<float> points;          ///< 3 × #V, mesh units, minus the scene's origin
   std::vector<float> normals;         ///< 3 × #V, unit
-  std::vector<int> triangles;         ///< 3 × #F; a patch's own come first, then those of the rings around it
+  TriangleList triangles;             ///< a patch's own come first, then those of the rings around it
   int own_triangles = 0;              ///< of a patch: how many are its own; of a scan: all
   std::vector<float> H;               ///< #V, mean curvature, 1/length, NaN where unknown; empty before it was computed
   std::vector<float> K;               ///< #V, Gaussian curvature, 1/length², likewise
@@ -45,8 +46,12 @@ Vec3 scene_origin(const TriangleSoup& soup);
 /// The first picture: area-weighted normals, no H.
 SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin);
 
-/// The view's vertices with fitted normals and H; area-weighted normals where there is no fit.
-SurfaceShape shape_of(const TriMesh& mesh, const CurvatureField& field, const Vec3& origin);
+/// The view's vertices; area-weighted normals, no H.
+SurfaceShape shape_of(const TriMesh& mesh, const Vec3& origin);
+
+/// The same surface with fitted normals and H; the shape's normals where there is no fit.
+/// @param field  of the shape's vertices; each of its arrays is freed when it has been read, since a large scan needs the memory
+SurfaceShape with_curvature(const SurfaceShape& shape, CurvatureField field);
 
 /// The patch and the three rings around it, where its H runs into that of the open scan.
 /// @param scan_colors  ScanColors::at_vertices, from which its colours go on; null: the scan has none

@@ -154,7 +154,7 @@ void RegionTool::set_vertices(int scan, const std::vector<int>& points) {
 std::shared_ptr<const SurfaceShape> RegionTool::shape() const {
   if (chosen_count_ == 0) return nullptr;
   auto shape = std::make_shared<SurfaceShape>();
-  std::vector<int> number(chosen_.size(), -1);
+  std::vector<int> number(chosen_.size(), -1), corners;
   for (std::size_t t = 0; t + 2 < triangles_.size(); t += 3) {
     bool moves = false;
     for (std::size_t k = 0; k < 3; ++k) moves = moves || chosen_[static_cast<std::size_t>(triangles_[t + k])];
@@ -169,10 +169,11 @@ std::shared_ptr<const SurfaceShape> RegionTool::shape() const {
         const auto normal = normals_.begin() + 3 * static_cast<std::ptrdiff_t>(v);
         shape->normals.insert(shape->normals.end(), normal, normal + 3);
       }
-      shape->triangles.push_back(n);
+      corners.push_back(n);
     }
     ++shape->own_triangles;
   }
+  shape->triangles = std::move(corners);
   return shape;
 }
 

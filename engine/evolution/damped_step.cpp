@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/damped_step.h"
 
+#include "core/release.h"
 #include "evolution/stopwatch.h"
 #include "solvers/diagonal.h"
 
@@ -31,8 +32,8 @@ DampedStep::DampedStep(const EvolvingPatch& patch, std::unique_ptr<SpdSolver>& s
   const int free_count = patch.state.patch.free_count;
   if (free_count <= largest_kept || free_count > largest_factored) return;
   curvature_ = system_.curvature();  // needed for certain, and its parts make room for the factors
-  system_.B = {};
-  system_.Q = {};
+  release(system_.B);
+  release(system_.Q);
 }
 
 bool DampedStep::solve_iteratively(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/state.h"
 
+#include "core/release.h"
 #include "mesh/quality.h"
 #include "operators/curvature_energy.h"
 
@@ -69,11 +70,11 @@ void add_weights(EvolutionState& state, const Objective& objective, Stencil sten
 
 void drop_weights(EvolutionState& state) {
   OperatorSet& ops = state.ops;
-  ops.offset = {};
-  ops.index = {};
-  ops.laplacian = {};
-  ops.gradient = {};
-  ops.gauss = {};
+  release(ops.offset);
+  release(ops.index);
+  release(ops.laplacian);
+  release(ops.gradient);
+  release(ops.gauss);
 }
 
 EvolutionState displaced(const EvolutionState& state, const Objective& objective, Stencil stencil,

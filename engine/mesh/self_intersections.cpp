@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/self_intersections.h"
 
+#include "core/release.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
@@ -324,7 +326,7 @@ TriangleIndex::TriangleIndex(const Points& points, const Triangles& triangles, c
   std::sort(keys.begin(), keys.end());
   impl_->order.reserve(keys.size());
   for (const auto& [key, f] : keys) impl_->order.push_back(f);
-  keys = {};
+  release(keys);
   std::vector<std::pair<TreeBox, int>> blocks;
   for (std::size_t first = 0; first < impl_->order.size(); first += block_size) {
     Eigen::AlignedBox3d box;

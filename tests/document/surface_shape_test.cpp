@@ -63,6 +63,28 @@ Triples triples(const SurfaceShape& shape) {
   return all;
 }
 
+TEST(SurfaceShape, CurvatureIsAddedToASharedListOfTriangles) {
+  const SurfaceShape plain = with_reduced(ball(7));
+  const std::size_t vertices = plain.points.size() / 3;
+  CurvatureField field{std::vector<double>(vertices, -2), std::vector<double>(vertices, 4),
+                       Points(vertices, Vec3::UnitX())};
+  field.normals.front() = Vec3::Zero();  // no fit
+  const SurfaceShape colored = with_reduced(with_curvature(plain, field));
+  EXPECT_EQ(colored.triangles.data(), plain.triangles.data()) << "12 bytes a triangle";
+  EXPECT_EQ(colored.own_triangles, plain.own_triangles);
+  EXPECT_EQ(colored.points, plain.points);
+  EXPECT_EQ(colored.colors, plain.colors);
+  EXPECT_EQ(colored.H, std::vector<float>(vertices, -2));
+  EXPECT_EQ(colored.K, std::vector<float>(vertices, 4));
+  const auto normal = [](const SurfaceShape& shape, std::size_t v) {
+    return Eigen::Vector3f(shape.normals.data() + 3 * static_cast<std::ptrdiff_t>(v));
+  };
+  EXPECT_EQ(normal(colored, 0), normal(plain, 0));
+  EXPECT_EQ(normal(colored, 1), Eigen::Vector3f::UnitX().eval());
+  ASSERT_NE(colored.reduced, nullptr);
+  EXPECT_EQ(colored.reduced->H.size(), plain.reduced->points.size() / 3);
+}
+
 TEST(SurfaceShape, ALargeOneKeepsItsTrianglesAndNearOnesFollowEachOther) {
   const SurfaceShape before = ball(7), after = with_reduced(before);
   EXPECT_EQ(triples(after), triples(before));

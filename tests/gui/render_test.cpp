@@ -138,7 +138,7 @@ class RenderTest : public QObject {
     SurfaceShape from;
     from.points = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     from.normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
-    from.triangles = {0, 1, 2};
+    from.triangles = std::vector{0, 1, 2};
     from.own_triangles = 1;
     from.H = {0, 4, unknown};
     from.K = {0, 0, 0};
@@ -168,13 +168,13 @@ class RenderTest : public QObject {
     SurfaceShape from;
     from.points.resize(12);
     from.normals.resize(12);
-    from.triangles = {0, 1, 2, 0, 2, 3, 0, 3, 1};
+    from.triangles = std::vector{0, 1, 2, 0, 2, 3, 0, 3, 1};
     from.own_triangles = 3;
     SurfaceShape to = from;
     QVERIFY(ShapeGlide::is_possible(from, to));
-    to.triangles = {0, 1, 2, 0, 2, 3, 0, 1, 3};  // one of three turned over
+    to.triangles = std::vector{0, 1, 2, 0, 2, 3, 0, 1, 3};  // one of three turned over
     QVERIFY(ShapeGlide::is_possible(from, to));
-    to.triangles = {1, 2, 0, 3, 0, 2, 3, 1, 0};
+    to.triangles = std::vector{1, 2, 0, 3, 0, 2, 3, 1, 0};
     QVERIFY(!ShapeGlide::is_possible(from, to));
     to = from;
     to.points.resize(9);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Memory that is not needed any more.
+#pragma once
+
+namespace loopmend {
+
+/// Empties a container and gives its memory back. `container = {}` keeps the memory of a std::vector and of an Eigen matrix.
+template <class Container>
+void release(Container& container) {
+  Container().swap(container);
+}
+
+}  // namespace loopmend
