@@ -3,6 +3,7 @@
 #include "export/write_scan.h"
 
 #include "appearance/scan_colors.h"
+#include "export/ramp.h"
 #include "io/gltf_test_support.h"
 #include "io/io_test_support.h"
 #include "io/picture_file.h"
@@ -18,15 +19,6 @@
 
 namespace loopmend {
 namespace {
-
-/// Red to the right, green upward.
-Picture ramp() {
-  Picture picture(200, 200);
-  for (int y = 0; y < 200; ++y)
-    for (int x = 0; x < 200; ++x)
-      picture.at(x, y) = {static_cast<unsigned char>(x), static_cast<unsigned char>(199 - y), 40, 255};
-  return picture;
-}
 
 /// A bowl with a hole in its middle, its texture the view from above, cut into two charts along x = 0: the vertices there
 /// are in the file twice, with other texture coordinates.

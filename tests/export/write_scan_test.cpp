@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A textured scan is filled and written: pictures, materials and what they are named.
 #include "export/write_scan.h"
+#include "export/ramp.h"
 
 #include "io/io_test_support.h"
 #include "io/material_library.h"
@@ -17,15 +18,6 @@
 
 namespace loopmend {
 namespace {
-
-/// Red to the right, green upward.
-Picture ramp() {
-  Picture picture(200, 200);
-  for (int y = 0; y < 200; ++y)
-    for (int x = 0; x < 200; ++x)
-      picture.at(x, y) = {static_cast<unsigned char>(x), static_cast<unsigned char>(199 - y), 40, 255};
-  return picture;
-}
 
 class WriteScan : public ::testing::Test {
  protected:

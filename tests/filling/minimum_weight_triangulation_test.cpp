@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/minimum_weight_triangulation.h"
+#include "filling/sorted_triangles.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -46,13 +47,6 @@ Triangles triangulation_by_cgal(const OpenLoop& loop) {
       CGAL::parameters::use_delaunay_triangulation(false).use_2d_constrained_delaunay_triangulation(false));
   Triangles triangles;
   for (const auto& t : found) triangles.push_back({t.first, t.second, t.third});
-  return triangles;
-}
-
-/// Each triangle's corners ascending, the triangles in order.
-Triangles sorted(Triangles triangles) {
-  for (Triangle& t : triangles) std::sort(t.begin(), t.end());
-  std::sort(triangles.begin(), triangles.end());
   return triangles;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/triangulate_loop.h"
+#include "filling/sorted_triangles.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -43,12 +44,6 @@ Boundary window(int n, double uneven, unsigned seed) {
   boundary.loop.resize(n);
   std::iota(boundary.loop.begin(), boundary.loop.end(), 0);
   return boundary;
-}
-
-Triangles sorted(Triangles triangles) {
-  for (Triangle& t : triangles) std::sort(t.begin(), t.end());
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
 }
 
 /// By CGAL's hole filling over Delaunay triangles.

@@ -17,12 +17,13 @@ struct Variant {
   const char* oddities;  ///< empty: nothing odd
 };
 
-const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+const std::string obj_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
 const std::string ply_head =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 2\nproperty list uchar int vertex_indices\nproperty float quality\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
-const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
-const std::string other = "facet normal nan nan nan\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n";
+const std::string first_facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+const std::string other_facet =
+    "facet normal nan nan nan\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n";
 constexpr const char* few = "faces of fewer than three corners, left out (1)";
 constexpr const char* lone = "vertices without a place that no face uses, now at the origin (1)";
 
@@ -40,10 +41,10 @@ std::string binary_stl(std::uint32_t count, std::size_t facets, const std::strin
 
 std::vector<Variant> variants() {
   return {
-      {"two.obj", obj + "f 1 2\nf 1 2 3\n", 1, few},
-      {"none.obj", obj + "f\nf 1 2 3\n", 1, few},
-      {"slashes.obj", "// exported by hand\n" + obj + "f 1 2 3\n", 1, "comments that begin with // (1)"},
-      {"word.obj", obj + "my_exporter_note 1 2\nf 1 2 3\n", 1, "unknown statements (1)"},
+      {"two.obj", obj_vertices + "f 1 2\nf 1 2 3\n", 1, few},
+      {"none.obj", obj_vertices + "f\nf 1 2 3\n", 1, few},
+      {"slashes.obj", "// exported by hand\n" + obj_vertices + "f 1 2 3\n", 1, "comments that begin with // (1)"},
+      {"word.obj", obj_vertices + "my_exporter_note 1 2\nf 1 2 3\n", 1, "unknown statements (1)"},
       {"nan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\n", 1, lone},
       {"two.ply", ply_head + "1 1 0\n2 0 1 0.5\n3 0 1 2 0.25\n", 1, few},
       {"zero.ply", ply_head + "1 1 0\n3 0 1 2 0.25\n0 7\n", 1, few},
@@ -53,20 +54,21 @@ std::vector<Variant> variants() {
       {"lower.off", "coff 3 1 0\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n", 1, "keyword in lower case (1)"},
       {"two.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1 255 0 0\n3 0 1 2 0 255 0\n", 1, few},
       {"nan.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 nan 0\n3 0 1 2\n", 1, lone},
-      {"plain.stl", "solid\n" + facet + "endfacet\n" + other + "endfacet\nendsolid\n", 2, ""},
-      {"words.stl", "solid\n" + facet + "endfacet # 1\n" + other + "endfacet 2\nendsolid\n", 2,
+      {"plain.stl", "solid\n" + first_facet + "endfacet\n" + other_facet + "endfacet\nendsolid\n", 2, ""},
+      {"words.stl", "solid\n" + first_facet + "endfacet # 1\n" + other_facet + "endfacet 2\nendsolid\n", 2,
        "words after \"endloop\" or \"endfacet\" (2)"},
       {"one_line.stl",
        "solid "
        "a\n" +
-           facet +
+           first_facet +
            "endfacet facet normal 0 0 1 outer loop vertex 1 0 0 vertex 1 1 0 vertex 0 1 0 "
            "endloop endfacet endsolid\n",
        2, ""},
-      {"color.stl", "solid\ncolor 1 0 0\n# half\n" + facet + "endfacet\n; more\n" + other + "endfacet\nendsolid\n", 2,
+      {"color.stl",
+       "solid\ncolor 1 0 0\n# half\n" + first_facet + "endfacet\n; more\n" + other_facet + "endfacet\nendsolid\n", 2,
        "remarks between the facets (3)"},
-      {"no_end.stl", "solid\n" + facet + "endfacet\n", 1, "missing \"endsolid\" (the file may be cut off) (1)"},
-      {"two_solids.stl", "solid a\n" + facet + "endfacet\nsolid b\n" + other + "endfacet\nendsolid b\n", 2,
+      {"no_end.stl", "solid\n" + first_facet + "endfacet\n", 1, "missing \"endsolid\" (the file may be cut off) (1)"},
+      {"two_solids.stl", "solid a\n" + first_facet + "endfacet\nsolid b\n" + other_facet + "endfacet\nendsolid b\n", 2,
        "missing \"endsolid\" (the file may be cut off) (1)"},
       {"after.stl", binary_stl(2, 2, "some exporter's own block of bytes, which is longer than a single facet of 50"),
        2, "bytes after the last triangle, left out (77)"},
@@ -100,9 +102,9 @@ TEST_F(Oddities, PropertiesStayWithTheirFaces) {
 
 TEST_F(Oddities, DamageIsStillRefused) {
   expect_refused("v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "used.obj", {"vertex 3", "finite", "line 3"});
-  expect_refused(obj + "ff 1 2 3\n", "garbled.obj", {"\"ff\""});
-  expect_refused(obj + "call other.obj\nf 1 2 3\n", "call.obj", {"\"call\""});
-  expect_refused("solid\n" + facet + "endfacet\nfacte normal 0 0 1\nendsolid\n", "garbled.stl", {"facte"});
+  expect_refused(obj_vertices + "ff 1 2 3\n", "garbled.obj", {"\"ff\""});
+  expect_refused(obj_vertices + "call other.obj\nf 1 2 3\n", "call.obj", {"\"call\""});
+  expect_refused("solid\n" + first_facet + "endfacet\nfacte normal 0 0 1\nendsolid\n", "garbled.stl", {"facte"});
   expect_refused(binary_stl(1, 2, ""), "fewer.stl", {"announces 1"});
   expect_refused(binary_stl(1, 1000, "7 bytes"), "many_more.stl", {"announces 1"});
 }

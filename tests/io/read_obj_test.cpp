@@ -8,10 +8,10 @@ namespace {
 
 class ReadObj : public ReadTest {};
 
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string square_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST_F(ReadObj, AllFormsOfCorners) {
-  const std::string text = square +
+  const std::string text = square_vertices +
                            "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 3/1 4/1\nf 1//1 2//1 3//1\nf 1/1/1 3/1/1 4/1/1\n" +
                            "f -4 -3 -2\nf 1// 2// 3//\nf 1/ 2/ 3/\n";
   EXPECT_EQ(read(text, "a.obj").soup.triangles,
@@ -24,7 +24,7 @@ TEST_F(ReadObj, NegativeIndicesCountFromWhereTheyStand) {
 }
 
 TEST_F(ReadObj, FacesMayStandBeforeTheirVertices) {
-  EXPECT_EQ(read("f 1 2 3\n" + square, "a.obj").soup.triangles, (Triangles{{0, 1, 2}}));
+  EXPECT_EQ(read("f 1 2 3\n" + square_vertices, "a.obj").soup.triangles, (Triangles{{0, 1, 2}}));
 }
 
 TEST_F(ReadObj, CommentsBlanksTabsAndLineEnds) {
@@ -36,11 +36,11 @@ TEST_F(ReadObj, ContinuationLines) {
   const ImportedMesh mesh = read("v 0 \\\n0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\n2\\\n3\nl 1 \\\n2\n", "a.obj");
   EXPECT_EQ(mesh.soup.triangles, (Triangles{{0, 1, 2}}));
   // A name may end with a backslash without swallowing the next line.
-  EXPECT_EQ(read("g C:\\\n" + square + "f 1 2 3\n", "a.obj").soup.points.size(), 4U);
+  EXPECT_EQ(read("g C:\\\n" + square_vertices + "f 1 2 3\n", "a.obj").soup.points.size(), 4U);
 }
 
 TEST_F(ReadObj, GroupsAndOtherStatementsAreSteppedOver) {
-  const std::string text = "mtllib a.mtl\no thing\ng f Three v Others\ns off\nusemtl none\n" + square +
+  const std::string text = "mtllib a.mtl\no thing\ng f Three v Others\ns off\nusemtl none\n" + square_vertices +
                            "vp 1 2\nf 1 2 3\nl 1 2 3\np 1\nl 3 4\n";
   const ImportedMesh mesh = read(text, "a.obj");
   EXPECT_EQ(mesh.soup.triangles.size(), 1U);
@@ -70,21 +70,22 @@ TEST_F(ReadObj, RefusesBrokenVertices) {
 
 TEST_F(ReadObj, RefusesBrokenFaces) {
   for (const char* bad : {"x3", "3x", "3/x", "3//x", "3/1/1/1", "3.0", "/3", "1e0"}) {
-    expect_refused(square + "f 1 2 " + bad + "\n", "a.obj", {bad, "vertex index", "line 5"});
+    expect_refused(square_vertices + "f 1 2 " + bad + "\n", "a.obj", {bad, "vertex index", "line 5"});
   }
-  expect_refused(square + "f 1 2\nf\n", "a.obj", {"points but no faces"});
-  expect_refused(square + "f 1 2 3\nf 1 2 0\n", "a.obj", {"face 2", "vertex 0", "counts from 1", "line 6"});
-  expect_refused(square + "f 1 2 3\nf 1 2 5\nf 1 2 9\n", "a.obj", {"face 3", "vertex 9", "there are 4", "line 7"});
-  expect_refused(square + "f 1 2 -5\n", "a.obj", {"face 1", "vertex -5", "line 5"});
-  expect_refused(square + "f 1 2 99999999999\n", "a.obj", {"face 1", "vertex 99999999999", "line 5"});
-  expect_refused(square + "f 1 2 99999999999999999999\n", "a.obj", {"vertex index", "line 5"});
+  expect_refused(square_vertices + "f 1 2\nf\n", "a.obj", {"points but no faces"});
+  expect_refused(square_vertices + "f 1 2 3\nf 1 2 0\n", "a.obj", {"face 2", "vertex 0", "counts from 1", "line 6"});
+  expect_refused(square_vertices + "f 1 2 3\nf 1 2 5\nf 1 2 9\n", "a.obj",
+                 {"face 3", "vertex 9", "there are 4", "line 7"});
+  expect_refused(square_vertices + "f 1 2 -5\n", "a.obj", {"face 1", "vertex -5", "line 5"});
+  expect_refused(square_vertices + "f 1 2 99999999999\n", "a.obj", {"face 1", "vertex 99999999999", "line 5"});
+  expect_refused(square_vertices + "f 1 2 99999999999999999999\n", "a.obj", {"vertex index", "line 5"});
 }
 
 TEST_F(ReadObj, RefusesUnknownStatementsAndMissingFaces) {
   // A damaged "v" must not be stepped over: all later indices would silently mean other vertices.
   expect_refused("v 0 0 0\nw 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n", "a.obj", {"\"w\"", "statement", "line 2"});
-  expect_refused(square + "f 1 2 3\ncall more.obj\n", "a.obj", {"\"call\"", "line 6"});
-  expect_refused(square, "a.obj", {"points but no faces", "4 points"});
+  expect_refused(square_vertices + "f 1 2 3\ncall more.obj\n", "a.obj", {"\"call\"", "line 6"});
+  expect_refused(square_vertices, "a.obj", {"points but no faces", "4 points"});
   expect_refused("# nothing\n", "a.obj", {"no points and no faces"});
 }
 

@@ -44,7 +44,7 @@ std::size_t holes_of(const TriangleSoup& soup) {
   return holes;
 }
 
-std::vector<int> joined(TriangleSoup& soup) {
+std::vector<int> after_joining(TriangleSoup& soup) {
   return join_touching_fans(soup, survey_vertices(soup.triangles, soup.points.size()));
 }
 
@@ -55,7 +55,7 @@ TEST(JoinTouchingFans, GivesTwoHolesThatTouchTheirOwnLoops) {
   double_vertex(soup, at(3, 3), [](const Vec3& middle) { return middle.x() > middle.y(); });
   ASSERT_NE(soup.triangles, whole.triangles);
   EXPECT_EQ(holes_of(soup), 1u);
-  const std::vector<int> named = joined(soup);
+  const std::vector<int> named = after_joining(soup);
   EXPECT_EQ(soup.triangles, whole.triangles);
   ASSERT_EQ(named.size(), whole.points.size() + 1);
   EXPECT_EQ(named.back(), at(3, 3));
@@ -70,7 +70,7 @@ TEST(JoinTouchingFans, LeavesVerticesOfOtherColours) {
   double_vertex(soup, at(3, 3), [](const Vec3& middle) { return middle.x() > middle.y(); });
   soup.colors.assign(soup.points.size(), {1, 2, 3, 255});
   soup.colors.back() = {9, 2, 3, 255};
-  EXPECT_TRUE(joined(soup).empty());
+  EXPECT_TRUE(after_joining(soup).empty());
 }
 
 /// A crack: the plane is cut along x = 3, and the vertices there are double.
@@ -78,7 +78,7 @@ TEST(JoinTouchingFans, LeavesCracks) {
   TriangleSoup soup = squares([](int, int) { return true; });
   for (int j = 0; j <= cells; ++j) double_vertex(soup, at(3, j), [](const Vec3& middle) { return middle.x() > 3; });
   const Triangles before = soup.triangles;
-  EXPECT_TRUE(joined(soup).empty());
+  EXPECT_TRUE(after_joining(soup).empty());
   EXPECT_EQ(soup.triangles, before);
 }
 
@@ -87,9 +87,9 @@ TEST(JoinTouchingFans, LeavesSheetsThatFaceDifferentSides) {
   TriangleSoup soup;
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
   soup.triangles = {{0, 1, 2}, {3, 5, 4}};
-  EXPECT_TRUE(joined(soup).empty());
+  EXPECT_TRUE(after_joining(soup).empty());
   soup.triangles = {{0, 1, 2}, {3, 4, 5}};
-  EXPECT_EQ(joined(soup)[3], 0);
+  EXPECT_EQ(after_joining(soup)[3], 0);
 }
 
 }  // namespace

@@ -13,12 +13,12 @@
 namespace loopmend {
 namespace {
 
-SurfaceModel open_sphere() {
+SurfaceModel sphere_without_cap() {
   return make_surface_model(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.6; }));
 }
 
 TEST(HandBridge, PartsAHoleIntoTwoThatCloseToASphere) {
-  const SurfaceModel model = open_sphere();
+  const SurfaceModel model = sphere_without_cap();
   const BoundaryLoop hole = find_boundary_loops(model).at(0);
   const int half = hole.edges() / 2;
   const int a = model.soup_vertex[hole.vertices[0]], b = model.soup_vertex[hole.vertices[half]];
@@ -45,7 +45,7 @@ TEST(HandBridge, MakesOneLoopOfTwo) {
 }
 
 TEST(HandBridge, RefusesNeighborsAndWhatIsNotOnABoundary) {
-  const SurfaceModel model = open_sphere();
+  const SurfaceModel model = sphere_without_cap();
   const BoundaryLoop hole = find_boundary_loops(model).at(0);
   const int a = model.soup_vertex[hole.vertices[0]], b = model.soup_vertex[hole.vertices[1]];
   EXPECT_THROW(with_bridge(model, a, b), InvalidArgument);
