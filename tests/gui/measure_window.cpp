@@ -106,6 +106,14 @@ void measure_opening(const QString& path) {
   settle(1500);
   gaps.report("flying");
   measure_hover(window);
+  gaps.report("hovering");
+  window.selection().select({0});
+  clock.restart();
+  press(window, "fillAndSmooth");
+  wait_idle(window);
+  std::printf("a hole filled and smoothed after %.2f s\n", seconds(clock));
+  settle(500);
+  gaps.report("filled and smoothed");
 }
 
 /// Everything at once, on a window that has just appeared: no waiting for its graphics to be ready.
