@@ -11,25 +11,28 @@
 namespace loopmend {
 
 ScanPieces scan_pieces(const TriMesh& mesh) {
-  const std::vector<int> lowest_face = pieces_of(mesh);
-  // Each piece by its lowest face first, in the order of these.
-  std::vector<int> number(lowest_face.size(), -1), vertex_piece(mesh.n_vertices(), 0);
+  // Each piece by its lowest vertex first, in the order of these; a vertex without faces counts to the first piece.
+  std::vector<int> vertex_piece = lowest_connected_vertices(mesh);
   std::vector<ScanPieces::Piece> found;
   std::vector<Eigen::AlignedBox3d> boxes;
-  for (const auto face : mesh.faces()) {
-    int& piece = number[static_cast<std::size_t>(lowest_face[static_cast<std::size_t>(face.idx())])];
-    if (piece < 0) {
+  for (const auto v : mesh.vertices()) {
+    int& piece = vertex_piece[static_cast<std::size_t>(v.idx())];
+    if (mesh.is_isolated(v)) {
+      piece = 0;
+      continue;
+    }
+    if (piece == v.idx()) {
       piece = static_cast<int>(found.size());
-      found.push_back({0, 0, static_cast<int>(mesh.n_vertices())});
+      found.push_back({0, 0, v.idx()});
       boxes.emplace_back();
+    } else {
+      piece = vertex_piece[static_cast<std::size_t>(piece)];  // lower, numbered already
     }
-    const auto at = static_cast<std::size_t>(piece);
-    ++found[at].triangles;
-    for (const auto v : mesh.fv_range(face)) {
-      vertex_piece[static_cast<std::size_t>(v.idx())] = piece;
-      found[at].first_vertex = std::min(found[at].first_vertex, v.idx());
-      boxes[at].extend(mesh.point(v));
-    }
+    boxes[static_cast<std::size_t>(piece)].extend(mesh.point(v));
+  }
+  for (const auto face : mesh.faces()) {
+    const int v = mesh.to_vertex_handle(mesh.halfedge_handle(face)).idx();
+    ++found[static_cast<std::size_t>(vertex_piece[static_cast<std::size_t>(v)])].triangles;
   }
   for (std::size_t k = 0; k < found.size(); ++k) found[k].diameter = boxes[k].diagonal().norm();
   std::vector<int> order(found.size()), rank(found.size());

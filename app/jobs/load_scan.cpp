@@ -32,6 +32,14 @@ bool view_is_file(const SurfaceModel& model) {
          counts_up(model.soup_vertex) && counts_up(model.soup_face);
 }
 
+/// What is drawn until the boundaries are found: a small scan as it is, which becomes its shape; of a large one the reduced version
+/// alone, since the whole would take memory, and the graphics a processor, that the search for boundaries needs.
+std::shared_ptr<const SurfaceShape> first_picture(const TriangleSoup& soup, OpenedScan& scan) {
+  auto whole = std::make_shared<SurfaceShape>(shape_of(soup, scan.origin));
+  if (auto reduced = reduced_version(*whole)) return reduced;
+  return scan.shape = whole;
+}
+
 template <class... T>
 void say(const std::function<void(T...)>& to, const std::type_identity_t<T>&... what) {
   if (to) to(what...);
@@ -62,9 +70,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   scan->name = path.isEmpty() ? tr("Sample") : QFileInfo(path).fileName();
   scan->import = imported.report;
   scan->origin = origin.value_or(scene_origin(imported.soup));
-  scan->shape = std::make_shared<SurfaceShape>(with_reduced(shape_of(imported.soup, scan->origin)));
-  // The whole of a large one would be sent to the graphics twice, and would keep a processor from looking for holes.
-  say(stages.picture, scan->shape->reduced ? scan->shape->reduced : scan->shape);
+  say(stages.picture, first_picture(imported.soup, *scan));
   if (cancel.cancelled()) return nullptr;
 
   say(stages.stage, tr("Looking for holes"));
@@ -77,9 +83,8 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
         scan->pieces = scan_pieces(scan->model->mesh);
       },
       [&scan] {
-        if (view_is_file(*scan->model)) return;
-        scan->shape.reset();  // a large scan needs the memory
-        scan->shape = std::make_shared<SurfaceShape>(with_reduced(shape_of(scan->model->mesh, scan->origin)));
+        if (!scan->shape || !view_is_file(*scan->model))
+          scan->shape = std::make_shared<SurfaceShape>(with_reduced(shape_of(scan->model->mesh, scan->origin)));
       });
   if (cancel.cancelled()) return nullptr;
   add_colors(*scan, cancel);

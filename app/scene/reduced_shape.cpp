@@ -113,8 +113,8 @@ TriangleList in_z_order(const TriangleList& triangles, const std::vector<float>&
 
 }  // namespace
 
-SurfaceShape with_reduced(SurfaceShape shape) {
-  if (shape.triangles.size() / 3 < large_triangles) return shape;
+std::shared_ptr<const SurfaceShape> reduced_version(const SurfaceShape& shape) {
+  if (shape.triangles.size() / 3 < large_triangles) return nullptr;
   int cells = finest_grid;
   Clusters clusters = clusters_of(shape.points, cells);
   while (clusters.count > most_vertices && cells > 1) {
@@ -145,8 +145,12 @@ SurfaceShape with_reduced(SurfaceShape shape) {
   }
   reduced->triangles = std::move(corners);
   reduced->own_triangles = static_cast<int>(reduced->triangles.size() / 3);
-  shape.reduced = std::move(reduced);
-  shape.triangles = in_z_order(shape.triangles, shape.points);
+  return reduced;
+}
+
+SurfaceShape with_reduced(SurfaceShape shape) {
+  shape.reduced = reduced_version(shape);
+  if (shape.reduced) shape.triangles = in_z_order(shape.triangles, shape.points);
   return shape;
 }
 

@@ -28,7 +28,7 @@ struct SurfaceShape {
   std::vector<int> view_vertex;            ///< of a part of a scan: the vertex of its view that each one is; else empty
   /// Of a patch: colours of the scan, per vertex of its view; null: it has none.
   std::shared_ptr<const std::vector<Color>> scan_colors;
-  std::shared_ptr<const SurfaceShape> reduced;  ///< of a large one: with_reduced(); else null
+  std::shared_ptr<const SurfaceShape> reduced;  ///< of a large one: reduced_version(); else null
 };
 
 /// Some triangles of a surface, in this order, with the vertices that they need.
@@ -36,8 +36,11 @@ struct SurfaceShape {
 std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::span<const int> triangles,
                                              std::vector<int>& number);
 
-/// Gives a large surface its reduced version, which is drawn while the eye moves: at most some 60 000 vertices, the means of
-/// those in one cell of a grid. Its triangles come in another order: near ones follow each other.
+/// The reduced version of a large surface, which is drawn while the eye moves: at most some 60 000 vertices, the means of those in
+/// one cell of a grid. Null: the surface is not large.
+std::shared_ptr<const SurfaceShape> reduced_version(const SurfaceShape& shape);
+
+/// Gives a large surface its reduced version. Its triangles come in another order: near ones follow each other.
 SurfaceShape with_reduced(SurfaceShape shape);
 
 /// The middle of the bounding box.
@@ -63,7 +66,7 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
 std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors& colors, SurfaceShape& view);
 
 /// Half-width R of the colour range [−R, R] that holds `percent` of the values on either side of 0, rounded to two digits
-/// so that the legend reads well; 1 when nothing is known.
+/// so that the legend reads well; 1 when nothing is known. Of more than a million values, every second, third, ... counts.
 /// @param percent  50..100, of the known values
 double symmetric_range(std::span<const float> values, double percent = 98);
 

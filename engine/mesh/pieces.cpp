@@ -51,20 +51,27 @@ class Outline {
 
 }  // namespace
 
-std::vector<int> pieces_of(const TriMesh& mesh) {
-  std::vector<int> parent(mesh.n_vertices());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+std::vector<int> lowest_connected_vertices(const TriMesh& mesh) {
+  std::vector<int> lower(mesh.n_vertices());  // in the same piece, or the vertex itself
+  std::iota(lower.begin(), lower.end(), 0);
+  const auto lowest = [&](int v) {
+    while (lower[v] != v) v = lower[v] = lower[lower[v]];
     return v;
   };
-  for (const auto face : mesh.faces()) {
-    const int first = root(mesh.from_vertex_handle(mesh.halfedge_handle(face)).idx());
-    for (const auto v : mesh.fv_range(face)) parent[root(v.idx())] = first;
+  for (const auto edge : mesh.edges()) {
+    const auto h = mesh.halfedge_handle(edge, 0);
+    const int a = lowest(mesh.from_vertex_handle(h).idx()), b = lowest(mesh.to_vertex_handle(h).idx());
+    lower[std::max(a, b)] = std::min(a, b);
   }
-  std::vector<int> lowest(mesh.n_vertices(), -1), piece(mesh.n_faces());
+  for (int& v : lower) v = lower[v];  // those before are lowest already
+  return lower;
+}
+
+std::vector<int> pieces_of(const TriMesh& mesh) {
+  const std::vector<int> lowest_vertex = lowest_connected_vertices(mesh);
+  std::vector<int> lowest_face(mesh.n_vertices(), -1), piece(mesh.n_faces());
   for (const auto face : mesh.faces()) {
-    int& name = lowest[root(mesh.from_vertex_handle(mesh.halfedge_handle(face)).idx())];
+    int& name = lowest_face[lowest_vertex[mesh.to_vertex_handle(mesh.halfedge_handle(face)).idx()]];
     if (name < 0) name = face.idx();
     piece[face.idx()] = name;
   }
@@ -83,21 +90,19 @@ Pieces::Pieces(const SurfaceModel& model) : model_(model) {
     return;
   }
   const TriMesh& mesh = model.mesh;
-  own_of_point_.assign(mesh.n_vertices(), -1);
-  {
-    const std::vector<int> piece = pieces_of(mesh);
-    for (const auto face : mesh.faces())
-      for (const auto v : mesh.fv_range(face)) own_of_point_[v.idx()] = piece[face.idx()];
-  }
-  std::vector<int> number(mesh.n_faces(), -1);
+  own_of_point_ = lowest_connected_vertices(mesh);
   for (std::size_t v = 0; v < own_of_point_.size(); ++v) {
     int& piece = own_of_point_[v];
-    if (piece < 0) continue;
-    if (number[piece] < 0) {
-      number[piece] = static_cast<int>(own_boxes_.size());
-      own_boxes_.emplace_back();
+    if (mesh.is_isolated(TriMesh::VertexHandle(static_cast<int>(v)))) {
+      piece = -1;
+      continue;
     }
-    piece = number[piece];
+    if (piece == static_cast<int>(v)) {
+      piece = static_cast<int>(own_boxes_.size());
+      own_boxes_.emplace_back();
+    } else {
+      piece = own_of_point_[piece];  // lower, numbered already
+    }
     own_boxes_[piece].extend(point(v));
   }
   of_point_ = own_of_point_;

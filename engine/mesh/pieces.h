@@ -12,6 +12,9 @@
 
 namespace loopmend {
 
+/// For each view vertex the lowest vertex of its piece of surface; one without edges is a piece of its own.
+std::vector<int> lowest_connected_vertices(const TriMesh& mesh);
+
 /// For each view face the lowest face of its piece of surface. Pieces that have a vertex in common are one.
 std::vector<int> pieces_of(const TriMesh& mesh);
 

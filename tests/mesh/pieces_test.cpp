@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace loopmend {
 namespace {
 
@@ -45,6 +47,20 @@ TEST(PiecesOf, NumbersThem) {
   EXPECT_EQ(piece[79], 0);
   EXPECT_EQ(piece[80], 80);
   EXPECT_EQ(piece.back(), 80);
+}
+
+TEST(LowestConnectedVertices, AreThoseOfThePieces) {
+  // Backwards, so that the lowest vertex of each piece is reached last.
+  TriangleSoup soup = joined({make_icosphere(2), make_icosphere(1)});
+  const int first = static_cast<int>(make_icosphere(2).points.size()), all = static_cast<int>(soup.points.size());
+  std::reverse(soup.points.begin(), soup.points.end());
+  for (Triangle& t : soup.triangles) t = {all - 1 - t[0], all - 1 - t[1], all - 1 - t[2]};
+  TriMesh mesh = make_surface_model(soup).mesh;
+  mesh.add_vertex(Vec3(9, 9, 9));
+  const std::vector<int> lowest = lowest_connected_vertices(mesh);
+  ASSERT_EQ(lowest.size(), static_cast<std::size_t>(all) + 1);
+  for (int v = 0; v < all; ++v) ASSERT_EQ(lowest[v], v < all - first ? 0 : all - first) << v;
+  EXPECT_EQ(lowest[all], all) << "it has no edge";
 }
 
 }  // namespace
