@@ -47,7 +47,7 @@ void FillController::end() {
   job_.reset();
   activity_ = Activity::idle;
   document_.set_running({});
-  Q_EMIT stage_changed({});
+  Q_EMIT stage_changed(coloring() ? tr("Computing curvature") : QString());
   Q_EMIT activity_changed();
 }
 
@@ -308,6 +308,7 @@ void FillController::end_scrub() {
 bool FillController::shut_down(std::chrono::milliseconds at_most) {
   if (job_) job_->cancel();
   if (preview_job_) preview_job_->cancel();
+  cancel_coloring();
   return tasks_.wait(at_most);
 }
 

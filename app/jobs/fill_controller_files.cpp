@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 void FillController::open(const QStringList& paths, OpenMode mode) {
@@ -59,8 +60,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         next = OpenMode::add;
         stages.picture = nullptr;
         stages.stage(tr("Computing curvature"));
-        const auto shape = colored_shape(*scan, job->token());
-        job->post([this, scan, shape] { show_color(scan, shape); });
+        color(scan, job);
       } catch (const std::exception& error) {  // the other files are opened all the same
         job->post([report, words = labels::engine_words(error.what())] { report(words); });
       }
@@ -75,6 +75,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
 
 int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
   if (mode == OpenMode::replace) {
+    cancel_coloring();
     sessions_.clear();
     scan_contexts_.clear();
     undo_.clear();
@@ -88,8 +89,42 @@ int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
 }
 
 void FillController::show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape) {
+  scan->shape = shape;  // undo may bring it back
   for (int index : document_.scans())
     if (document_.held_scan(index) == scan) document_.set_shape(index, shape);
+}
+
+/// On a worker. That of 14 million triangles takes ten seconds, in which a hole can be filled.
+void FillController::color(const OpenedScanPtr& scan, const JobPtr& job) {
+  if (scan->shape->reduced) {
+    job->post([this, scan] { color_later(scan); });
+    return;
+  }
+  const auto shape = colored_shape(*scan, job->token());
+  job->post([this, scan, shape] { show_color(scan, shape); });
+}
+
+void FillController::color_later(const OpenedScanPtr& scan) {
+  const JobPtr job = std::make_shared<Job>(this);
+  color_jobs_.insert(job);
+  const auto ended = [this, job] {
+    color_jobs_.erase(job);
+    if (!busy() && !coloring()) Q_EMIT stage_changed({});
+  };
+  tasks_.run(
+      job, [scan, job] { return colored_shape(*scan, job->token()); },
+      [this, scan, ended](const std::shared_ptr<const SurfaceShape>& shape) {
+        show_color(scan, shape);
+        ended();
+      },
+      [this, ended](const QString& text) {
+        ended();
+        report_failure(text);
+      });
+}
+
+void FillController::cancel_coloring() {
+  for (const JobPtr& job : std::exchange(color_jobs_, {})) job->cancel();
 }
 
 void FillController::close_scan(int scan) {
@@ -212,11 +247,8 @@ void FillController::open_session(const SessionFile& session) {
       return;
     }
     job->post([this, restored, session] { on_restored(*restored, session.path, session.shown_as); });
-    for (const OpenedScanPtr& scan : restored->scans) {
-      if (!scan->shape->H.empty()) continue;
-      const auto shape = colored_shape(*scan, job->token());
-      job->post([this, scan, shape] { show_color(scan, shape); });
-    }
+    for (const OpenedScanPtr& scan : restored->scans)
+      if (scan->shape->H.empty()) color(scan, job);
     job->post([this] { end(); });
   };
   tasks_.start(job, open, [this](const QString& words) {

@@ -36,7 +36,7 @@ bool view_is_file(const SurfaceModel& model) {
 /// alone, since the whole would take memory, and the graphics a processor, that the search for boundaries needs.
 std::shared_ptr<const SurfaceShape> first_picture(const TriangleSoup& soup, OpenedScan& scan) {
   auto whole = std::make_shared<SurfaceShape>(shape_of(soup, scan.origin));
-  if (auto reduced = reduced_version(*whole)) return reduced;
+  if (auto reduced = reduced_shape(*whole)) return reduced;
   return scan.shape = whole;
 }
 

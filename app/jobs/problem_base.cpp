@@ -27,7 +27,8 @@ TriangleSoup filled(const BaseParts::Part& part) {
 BaseParts parts_of(const Document& document, const std::vector<int>& scans) {
   BaseParts base{scans, {}, document.origin()};
   for (int index : scans) {
-    BaseParts::Part part{document.scan(index), {}};
+    const auto scan = document.scan(index);
+    BaseParts::Part part{scan, scan->shape, {}};
     for (const OpenPatch& patch : document.patches())
       if (patch.scan == index) part.patches.push_back(patch.state);
     base.parts.push_back(std::move(part));
@@ -41,7 +42,7 @@ ProblemBase make_base(const BaseParts& parts) {
   const BaseParts::Part& first = parts.parts.front();
   if (parts.parts.size() == 1 && first.patches.empty()) {
     base.model = first.scan->model;
-    base.shape = first.scan->shape;
+    base.shape = first.shape;
     base.first_point = {0, base.model->soup.points.size()};
     return base;
   }

@@ -12,6 +12,7 @@ struct BaseParts {
   std::vector<int> scans;
   struct Part {
     std::shared_ptr<const OpenedScan> scan;
+    std::shared_ptr<const SurfaceShape> shape;  ///< the scan's; the window may give that another one meanwhile
     std::vector<PatchStatePtr> patches;
   };
   std::vector<Part> parts;

@@ -113,7 +113,7 @@ TriangleList in_z_order(const TriangleList& triangles, const std::vector<float>&
 
 }  // namespace
 
-std::shared_ptr<const SurfaceShape> reduced_version(const SurfaceShape& shape) {
+std::shared_ptr<const SurfaceShape> reduced_shape(const SurfaceShape& shape) {
   if (shape.triangles.size() / 3 < large_triangles) return nullptr;
   int cells = finest_grid;
   Clusters clusters = clusters_of(shape.points, cells);
@@ -149,7 +149,7 @@ std::shared_ptr<const SurfaceShape> reduced_version(const SurfaceShape& shape) {
 }
 
 SurfaceShape with_reduced(SurfaceShape shape) {
-  shape.reduced = reduced_version(shape);
+  shape.reduced = reduced_shape(shape);
   if (shape.reduced) shape.triangles = in_z_order(shape.triangles, shape.points);
   return shape;
 }

@@ -28,7 +28,7 @@ struct SurfaceShape {
   std::vector<int> view_vertex;            ///< of a part of a scan: the vertex of its view that each one is; else empty
   /// Of a patch: colours of the scan, per vertex of its view; null: it has none.
   std::shared_ptr<const std::vector<Color>> scan_colors;
-  std::shared_ptr<const SurfaceShape> reduced;  ///< of a large one: reduced_version(); else null
+  std::shared_ptr<const SurfaceShape> reduced;  ///< of a large one: reduced_shape(); else null
 };
 
 /// Some triangles of a surface, in this order, with the vertices that they need.
@@ -38,7 +38,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
 
 /// The reduced version of a large surface, which is drawn while the eye moves: at most some 60 000 vertices, the means of those in
 /// one cell of a grid. Null: the surface is not large.
-std::shared_ptr<const SurfaceShape> reduced_version(const SurfaceShape& shape);
+std::shared_ptr<const SurfaceShape> reduced_shape(const SurfaceShape& shape);
 
 /// Gives a large surface its reduced version. Its triangles come in another order: near ones follow each other.
 SurfaceShape with_reduced(SurfaceShape shape);

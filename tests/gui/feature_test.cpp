@@ -9,6 +9,7 @@
 #include "document/language.h"
 #include "document/targets.h"
 #include "io/write_mesh.h"
+#include "samples/analytic_surfaces.h"
 #include "samples/sample_scan.h"
 
 #include <QAction>
@@ -52,6 +53,7 @@ class FeatureTest : public QObject {
   void help_is_complete();
   void every_control_has_a_name_and_words();
   void a_german_window_is_german_throughout();
+  void a_large_scan_is_filled_before_its_curvature_is_known();
   void no_long_gaps_on_the_bunny();
   void undo_keeps_within_its_memory();
   void memory_is_given_back();
@@ -288,6 +290,38 @@ void FeatureTest::a_german_window_is_german_throughout() {
   }
   install_language(QStringLiteral("en"));
   QVERIFY2(english.isEmpty(), qPrintable(english.join(QStringLiteral(" | "))));
+}
+
+void FeatureTest::a_large_scan_is_filled_before_its_curvature_is_known() {
+  Shown shown;
+  MainWindow& window = shown.window;
+  const Document& document = window.document();
+  const TriangleSoup ball = cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0.999; });  // 327 000 triangles
+  window.open(scan_file(folder_, QStringLiteral("ball.ply"), ball));
+  QVERIFY(wait_until([&] { return document.has_scan() && !window.controller().busy(); }));
+  const auto plain = document.scan(0)->shape;
+  QVERIFY(plain->reduced && plain->H.empty());
+  // A job that takes long is still at work, or what it found has not been taken in yet: this function has not waited since.
+  QVERIFY(window.controller().coloring());
+  QCOMPARE(part<QLabel>(window, "stage")->text(), QStringLiteral("Computing curvature"));
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_until([&] { return !window.controller().busy(); }));
+  QCOMPARE(document.patches().size(), std::size_t(1));
+  QVERIFY(wait_idle(window));
+  const auto colored = document.scan(0)->shape;
+  QCOMPARE(colored->H.size(), plain->points.size() / 3);
+  QVERIFY(std::abs(colored->H.front() + 1) < 1e-3);
+  QVERIFY(colored->triangles.data() == plain->triangles.data());
+  QCOMPARE(part<QLabel>(window, "stage")->text(), QStringLiteral("Nothing is running."));
+
+  // Another scan takes the place of one whose curvature is not known.
+  window.controller().open({folder_.filePath(QStringLiteral("ball.ply"))}, OpenMode::replace);
+  QVERIFY(wait_until([&] { return window.controller().coloring(); }));
+  window.controller().open({sample_file(folder_)}, OpenMode::replace);
+  QVERIFY(wait_idle(window));
+  settle(300);
+  QCOMPARE(document.scans().size(), std::size_t(1));
+  QVERIFY(!document.scan(document.scans().front())->shape->reduced);
 }
 
 void FeatureTest::no_long_gaps_on_the_bunny() {

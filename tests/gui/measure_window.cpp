@@ -96,8 +96,8 @@ void measure_opening(const QString& path) {
   window.open(path);
   wait_until([&] { return !part<QWidget>(window, "welcome")->isVisible(); });
   std::printf("first picture after %.2f s\n", seconds(clock));
-  wait_until([&] { return window.document().has_scan(); });
-  std::printf("holes can be picked after %.2f s\n", seconds(clock));
+  wait_until([&] { return window.document().has_scan() && !window.controller().busy(); });
+  std::printf("holes can be picked and filled after %.2f s\n", seconds(clock));
   wait_idle(window);
   std::printf("open, with holes and curvature, after %.2f s\n", seconds(clock));
   settle(500);
