@@ -382,15 +382,16 @@ void CompareWindow::update_use() {
   wait_->setText(words);
 }
 
-/// From the neighborhood' curvature, as in the main window; where there are none, from the last view.
+/// From the neighborhood's curvature, as in the main window; where none is known, from the last view.
 void CompareWindow::update_range() {
   half_width_->setEnabled(own_range_->isChecked());
   if (own_range_->isChecked()) {
     range_ = half_width_->value();
   } else if (flow_comparison_.start()) {
     const bool mean = look_.shading != Shading::gaussian;
-    const SurfaceShape& shape = flow_comparison_.neighborhood()
-                                    ? *flow_comparison_.neighborhood()
+    const auto& neighborhood = flow_comparison_.neighborhood();
+    const SurfaceShape& shape = neighborhood && !neighborhood->H.empty()
+                                    ? *neighborhood
                                     : *flow_comparison_.flow_run(flow_comparison_.flow_runs() - 1)->shape;
     const std::vector<float>& values = mean ? shape.H : shape.K;
     if (!values.empty()) range_ = symmetric_range(values, mean ? look_.H.percent : look_.K.percent);

@@ -30,6 +30,7 @@ FillController::FillController(Document& document, UndoHistory& undo, QObject* p
 FillController::~FillController() {
   if (job_) job_->cancel();
   if (preview_job_) preview_job_->cancel();
+  if (curvature_job_) curvature_job_->cancel();
 }
 
 JobPtr FillController::begin(Activity activity, const QString& stage) {
@@ -47,7 +48,7 @@ void FillController::end() {
   job_.reset();
   activity_ = Activity::idle;
   document_.set_running({});
-  Q_EMIT stage_changed(coloring() ? tr("Computing curvature") : QString());
+  Q_EMIT stage_changed(computing_curvature() ? tr("Computing curvature") : QString());
   Q_EMIT activity_changed();
 }
 
@@ -308,7 +309,7 @@ void FillController::end_scrub() {
 bool FillController::shut_down(std::chrono::milliseconds at_most) {
   if (job_) job_->cancel();
   if (preview_job_) preview_job_->cancel();
-  cancel_coloring();
+  cancel_curvature();
   return tasks_.wait(at_most);
 }
 

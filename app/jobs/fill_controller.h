@@ -17,6 +17,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -83,8 +84,8 @@ class FillController : public QObject {
 
   Activity activity() const { return activity_; }
   bool busy() const { return activity_ != Activity::idle; }
-  /// Whether the curvature of a large scan is computed, beside other work: its holes can be filled meanwhile.
-  bool coloring() const { return !color_jobs_.empty(); }
+  /// Whether the curvature of a large scan is being computed, beside other work: its holes can be filled meanwhile.
+  bool computing_curvature() const { return curvature_job_ != nullptr; }
 
   void open(const QStringList& paths, OpenMode mode);
   void open_sample();
@@ -186,9 +187,9 @@ class FillController : public QObject {
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
   void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);
-  void color(const OpenedScanPtr& scan, const JobPtr& job);
-  void color_later(const OpenedScanPtr& scan);
-  void cancel_coloring();
+  void add_curvature(const OpenedScanPtr& scan, const JobPtr& job);
+  void compute_next_curvature();
+  void cancel_curvature();
   Restored restore(const SessionFile& file, const JobPtr& job) const;
   void on_restored(Restored restored, const QString& path, const QString& shown_as);
   std::vector<FillTask> fill_tasks(const std::set<int>& loops, const FillChoice& choice);
@@ -214,7 +215,8 @@ class FillController : public QObject {
   Activity activity_ = Activity::idle;
   JobPtr job_;
   JobPtr preview_job_;
-  std::set<JobPtr> color_jobs_;
+  JobPtr curvature_job_;
+  std::deque<OpenedScanPtr> without_curvature_;  ///< large scans whose turn has not come
   std::shared_ptr<FillPreview> preview_;
   QElapsedTimer clock_;
   std::shared_ptr<RunRecorder> recorder_;

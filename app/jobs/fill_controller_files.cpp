@@ -60,7 +60,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         next = OpenMode::add;
         stages.picture = nullptr;
         stages.stage(tr("Computing curvature"));
-        color(scan, job);
+        add_curvature(scan, job);
       } catch (const std::exception& error) {  // the other files are opened all the same
         job->post([report, words = labels::engine_words(error.what())] { report(words); });
       }
@@ -75,7 +75,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
 
 int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
   if (mode == OpenMode::replace) {
-    cancel_coloring();
+    cancel_curvature();
     sessions_.clear();
     scan_contexts_.clear();
     undo_.clear();
@@ -94,37 +94,46 @@ void FillController::show_color(const OpenedScanPtr& scan, std::shared_ptr<const
     if (document_.held_scan(index) == scan) document_.set_shape(index, shape);
 }
 
-/// On a worker. That of 14 million triangles takes ten seconds, in which a hole can be filled.
-void FillController::color(const OpenedScanPtr& scan, const JobPtr& job) {
+/// On a worker. The curvature of 14 million triangles takes ten seconds; holes can be filled meanwhile.
+void FillController::add_curvature(const OpenedScanPtr& scan, const JobPtr& job) {
   if (scan->shape->reduced) {
-    job->post([this, scan] { color_later(scan); });
+    job->post([this, scan] {
+      without_curvature_.push_back(scan);
+      if (!curvature_job_) compute_next_curvature();
+    });
     return;
   }
   const auto shape = colored_shape(*scan, job->token());
   job->post([this, scan, shape] { show_color(scan, shape); });
 }
 
-void FillController::color_later(const OpenedScanPtr& scan) {
-  const JobPtr job = std::make_shared<Job>(this);
-  color_jobs_.insert(job);
-  const auto ended = [this, job] {
-    color_jobs_.erase(job);
-    if (!busy() && !coloring()) Q_EMIT stage_changed({});
-  };
+/// One scan after another: each takes all processors.
+void FillController::compute_next_curvature() {
+  curvature_job_.reset();
+  if (without_curvature_.empty()) {
+    if (!busy()) Q_EMIT stage_changed({});
+    return;
+  }
+  const OpenedScanPtr scan = without_curvature_.front();
+  without_curvature_.pop_front();
+  const JobPtr job = curvature_job_ = std::make_shared<Job>(this);
   tasks_.run(
       job, [scan, job] { return colored_shape(*scan, job->token()); },
-      [this, scan, ended](const std::shared_ptr<const SurfaceShape>& shape) {
+      [this, scan](const std::shared_ptr<const SurfaceShape>& shape) {
         show_color(scan, shape);
-        ended();
+        compute_next_curvature();
       },
-      [this, ended](const QString& text) {
-        ended();
+      [this](const QString& text) {
+        compute_next_curvature();
         report_failure(text);
       });
 }
 
-void FillController::cancel_coloring() {
-  for (const JobPtr& job : std::exchange(color_jobs_, {})) job->cancel();
+void FillController::cancel_curvature() {
+  without_curvature_.clear();
+  if (!curvature_job_) return;
+  std::exchange(curvature_job_, nullptr)->cancel();
+  if (!busy()) Q_EMIT stage_changed({});
 }
 
 void FillController::close_scan(int scan) {
@@ -248,7 +257,7 @@ void FillController::open_session(const SessionFile& session) {
     }
     job->post([this, restored, session] { on_restored(*restored, session.path, session.shown_as); });
     for (const OpenedScanPtr& scan : restored->scans)
-      if (scan->shape->H.empty()) color(scan, job);
+      if (scan->shape->H.empty()) add_curvature(scan, job);
     job->post([this] { end(); });
   };
   tasks_.start(job, open, [this](const QString& words) {

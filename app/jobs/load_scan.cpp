@@ -70,7 +70,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   scan->name = path.isEmpty() ? tr("Sample") : QFileInfo(path).fileName();
   scan->import = imported.report;
   scan->origin = origin.value_or(scene_origin(imported.soup));
-  say(stages.picture, first_picture(imported.soup, *scan));
+  if (stages.picture) stages.picture(first_picture(imported.soup, *scan));
   if (cancel.cancelled()) return nullptr;
 
   say(stages.stage, tr("Looking for holes"));

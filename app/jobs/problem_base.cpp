@@ -3,6 +3,7 @@
 
 #include "analysis/curvature_field.h"
 #include "core/error.h"
+#include "jobs/near_shape.h"
 #include "mesh/join_parts.h"
 #include "pipeline/append_colored_patch.h"
 
@@ -58,6 +59,18 @@ ProblemBase make_base(const BaseParts& parts) {
   }
   base.shape = colored(*base.model, parts.origin);
   return base;
+}
+
+std::shared_ptr<const SurfaceShape> shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles) {
+  if (soup_triangles.empty()) return base.shape;
+  std::vector<char> own(base.model->soup.triangles.size(), 0);
+  for (int f : soup_triangles) own[static_cast<std::size_t>(f)] = 1;
+  std::vector<char> left_out(base.model->soup_face.size());
+  for (std::size_t f = 0; f < left_out.size(); ++f)
+    left_out[f] = own[static_cast<std::size_t>(base.model->soup_face[f])];
+  SurfaceShape whole = *base.shape;
+  whole.triangles = triangles_of_view(base.model->mesh);  // those of a large shape are in another order
+  return without_triangles(whole, left_out);
 }
 
 BoundaryLoop loop_in_base(const ProblemBase& base, std::size_t part, const OpenedScan& scan, const BoundaryLoop& loop) {

@@ -24,6 +24,9 @@ BaseParts parts_of(const Document& document, const std::vector<int>& scans);
 /// On a worker. @throws InvalidArgument where parts cut each other.
 ProblemBase make_base(const BaseParts& parts);
 
+/// What is drawn of the base without these of its soup's triangles.
+std::shared_ptr<const SurfaceShape> shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles);
+
 /// The loop of the base's model that runs through this loop of a scan, by its points.
 /// @param part  which of the base's scans. @throws InvalidArgument where there is none: the loop has been filled.
 BoundaryLoop loop_in_base(const ProblemBase& base, std::size_t part, const OpenedScan& scan, const BoundaryLoop& loop);

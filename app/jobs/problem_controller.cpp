@@ -4,7 +4,6 @@
 #include "analysis/curvature_field.h"
 #include "document/engine_words.h"
 #include "document/labels.h"
-#include "jobs/near_shape.h"
 #include "jobs/problem_base.h"
 
 #include <algorithm>
@@ -15,17 +14,6 @@ namespace {
 
 std::shared_ptr<const SurfaceShape> shape_of_patch(const Patch& patch, const Vec3& origin) {
   return std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
-}
-
-/// The surface that stays when the patch is taken out.
-std::shared_ptr<const SurfaceShape> around(const ProblemBase& base, const PosedProblem& posed) {
-  if (posed.replaced.empty()) return base.shape;
-  std::vector<char> own(base.model->soup.triangles.size(), 0);
-  for (int f : posed.replaced) own[static_cast<std::size_t>(f)] = 1;
-  std::vector<char> left_out(base.model->soup_face.size());
-  for (std::size_t f = 0; f < left_out.size(); ++f)
-    left_out[f] = own[static_cast<std::size_t>(base.model->soup_face[f])];
-  return without_triangles(*base.shape, left_out);
 }
 
 std::vector<PatchStatePtr> patches_of(const Document& document, const std::vector<int>& scans) {
@@ -119,7 +107,8 @@ void ProblemController::pose(ProblemRequest request) {
     const auto posed = std::make_shared<const PosedProblem>(request.pose(*base, job->token()));
     if (job->token().cancelled()) return;
     const auto start = shape_of_patch(posed->problem.start, parts.origin);
-    const auto backdrop = request.around == ProblemRequest::Around::shown ? around(*base, *posed) : nullptr;
+    const auto backdrop =
+        request.around == ProblemRequest::Around::shown ? shape_without(*base, posed->replaced) : nullptr;
     job->post([this, base, posed, start, backdrop] { on_posed(base, posed, start, backdrop); });
   };
   tasks_.start(job_, work, [this](const QString& words) {

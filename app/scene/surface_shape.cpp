@@ -91,16 +91,20 @@ SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin) {
   return shape;
 }
 
+TriangleList triangles_of_view(const TriMesh& mesh) {
+  std::vector<int> corners;
+  corners.reserve(3 * mesh.n_faces());
+  for (auto face : mesh.faces())
+    for (auto v : mesh.fv_range(face)) corners.push_back(v.idx());
+  return corners;
+}
+
 SurfaceShape shape_of(const TriMesh& mesh, const Vec3& origin) {
   SurfaceShape shape;
   shape.points.resize(3 * mesh.n_vertices());
   for (std::size_t i = 0; i < mesh.n_vertices(); ++i)
     put(shape.points, i, mesh.point(mesh.vertex_handle(static_cast<unsigned>(i))) - origin);
-  std::vector<int> corners;
-  corners.reserve(3 * mesh.n_faces());
-  for (auto face : mesh.faces())
-    for (auto v : mesh.fv_range(face)) corners.push_back(v.idx());
-  shape.triangles = std::move(corners);
+  shape.triangles = triangles_of_view(mesh);
   shape.own_triangles = static_cast<int>(mesh.n_faces());
   set_area_weighted_normals(shape);
   return shape;
@@ -208,7 +212,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
 
 double symmetric_range(std::span<const float> values, double percent) {
   constexpr std::size_t enough = 1'000'000;  // all of 7 million take 60 ms on the thread that draws
-  const std::size_t stride = 1 + values.size() / enough;
+  const std::size_t stride = 1 + values.size() / (enough + 1);
   std::vector<float> known;
   known.reserve(1 + values.size() / stride);
   for (std::size_t i = 0; i < values.size(); i += stride)

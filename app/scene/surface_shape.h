@@ -49,6 +49,9 @@ Vec3 scene_origin(const TriangleSoup& soup);
 /// The first picture: area-weighted normals, no H.
 SurfaceShape shape_of(const TriangleSoup& soup, const Vec3& origin);
 
+/// In the order of the view's faces.
+TriangleList triangles_of_view(const TriMesh& mesh);
+
 /// The view's vertices; area-weighted normals, no H.
 SurfaceShape shape_of(const TriMesh& mesh, const Vec3& origin);
 

@@ -197,6 +197,7 @@ void MainWindow::connect_leisure() {
   });
   connect(&controller_, &FillController::activity_changed, leisure, qOverload<>(&QTimer::start));
   connect(&undo_, &UndoHistory::changed, leisure, qOverload<>(&QTimer::start));
+  connect(&document_, &Document::shape_changed, leisure, qOverload<>(&QTimer::start));
 }
 
 void MainWindow::connect_document() {

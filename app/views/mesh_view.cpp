@@ -112,7 +112,7 @@ void MeshView::follow_document() {
   connect(&document, &Document::opened, this, [this] {
     impl_->fresh_scene = true;
     impl_->trial = {};
-    // A preview is of the scan that is about to come: it stays, so that it need not go to the graphics again.
+    // A preview is of the scan that is about to come: it stays until that is drawn.
     if (!impl_->preview_shown) impl_->scene.keep_scans({});
     impl_->scene.keep_patches({});
     impl_->scene.set_ghosts({});
@@ -125,6 +125,7 @@ void MeshView::follow_document() {
   });
   connect(&document, &Document::scans_changed, this, &MeshView::on_scans_changed);
   connect(&document, &Document::shape_changed, this, [this] {
+    if (impl_->preview_shown) return;  // of another scan, which is about to come
     show_surfaces();
     update_colors();
     frame_if_untouched();  // now there is a legend, which the scan should not lie under
@@ -226,6 +227,7 @@ void MeshView::update_range() {
     if (half_width > 0) of_scans[index] = half_width;
     widest = std::max(widest, half_width);
   }
+  if (widest == 0) widest = range_of_patches(wanted.percent);  // the curvature of a large scan is still being computed
   const int of_legend = legend_scan();
   if (of_legend == every_scan || !of_scans.contains(of_legend)) {
     use_ranges(widest, {});
@@ -235,6 +237,16 @@ void MeshView::update_range() {
   for (int index : impl_->trial.hidden_scans)
     if (of_scans.contains(index)) of_scans[trial_scan] = of_scans[index];
   use_ranges(of_scans[of_legend], of_scans);
+}
+
+double MeshView::range_of_patches(double percent) const {
+  double widest = 0;
+  for (const OpenPatch& patch : impl_->document.patches()) {
+    const SurfaceShape& shape = *patch.state->shape;
+    const std::vector<float>& values = impl_->look.shading == Shading::gaussian ? shape.K : shape.H;
+    if (!values.empty()) widest = std::max(widest, symmetric_range(values, percent));
+  }
+  return widest;
 }
 
 void MeshView::use_ranges(double half_width, const std::map<int, double>& of_scans) {
@@ -348,6 +360,7 @@ void MeshView::update_hidden_note() {
 void MeshView::on_patches_changed() {
   update_hidden_note();
   show_surfaces();
+  if (is_colored(impl_->look.shading)) update_range();
   redraw_at_leisure();
 }
 

@@ -117,6 +117,7 @@ class MeshView : public QWidget {
   void on_scans_changed();
   void update_colors();
   void update_range();
+  double range_of_patches(double percent) const;
   void use_ranges(double half_width, const std::map<int, double>& of_scans);
   int legend_scan() const;
   void update_legend_words();

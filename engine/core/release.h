@@ -4,7 +4,8 @@
 
 namespace loopmend {
 
-/// Empties a container and gives its memory back. `container = {}` keeps the memory of a std::vector and of an Eigen matrix.
+/// Empties a container and gives its memory back. `container = {}` keeps that of a std::vector and of an Eigen
+/// sparse matrix.
 template <class Container>
 void release(Container& container) {
   Container().swap(container);

@@ -119,7 +119,7 @@ bool wait_until(const std::function<bool()>& holds, double seconds) {
 }
 
 bool wait_idle(MainWindow& window, double seconds) {
-  return wait_until([&] { return !window.controller().busy() && !window.controller().coloring(); }, seconds);
+  return wait_until([&] { return !window.controller().busy() && !window.controller().computing_curvature(); }, seconds);
 }
 
 bool fly(MainWindow& window, int loop) {

@@ -302,7 +302,7 @@ void FeatureTest::a_large_scan_is_filled_before_its_curvature_is_known() {
   const auto plain = document.scan(0)->shape;
   QVERIFY(plain->reduced && plain->H.empty());
   // A job that takes long is still at work, or what it found has not been taken in yet: this function has not waited since.
-  QVERIFY(window.controller().coloring());
+  QVERIFY(window.controller().computing_curvature());
   QCOMPARE(part<QLabel>(window, "stage")->text(), QStringLiteral("Computing curvature"));
   press(window, "fillAndSmooth");
   QVERIFY(wait_until([&] { return !window.controller().busy(); }));
@@ -316,7 +316,7 @@ void FeatureTest::a_large_scan_is_filled_before_its_curvature_is_known() {
 
   // Another scan takes the place of one whose curvature is not known.
   window.controller().open({folder_.filePath(QStringLiteral("ball.ply"))}, OpenMode::replace);
-  QVERIFY(wait_until([&] { return window.controller().coloring(); }));
+  QVERIFY(wait_until([&] { return window.controller().computing_curvature(); }));
   window.controller().open({sample_file(folder_)}, OpenMode::replace);
   QVERIFY(wait_idle(window));
   settle(300);
