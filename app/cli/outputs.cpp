@@ -165,11 +165,11 @@ void print_coincident(std::FILE* out, const ImportReport& import, const std::vec
   // Where the view was cut, one edge of the file has become two: those cannot be welded.
   for (const BoundaryLoop& loop : loops) edges += loop.kind == LoopKind::cut ? 0 : loop.coincident;
   if (edges == 0 || import.coincident_vertices == 0) return;
-  std::fprintf(
-      out,
-      "%d boundary edges lie exactly on another one, and %zu vertices on an earlier one: the mesh is split there, "
-      "as along the seams of a texture. fill --stitch joins them.\n",
-      edges, import.coincident_vertices);
+  std::fprintf(out,
+               "%s exactly on another one, and %s on an earlier one: the mesh is split there, "
+               "as along the seams of a texture. fill --stitch joins them.\n",
+               counted(static_cast<std::size_t>(edges), "boundary edge lies", "boundary edges lie").c_str(),
+               counted(import.coincident_vertices, "vertex", "vertices").c_str());
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {
