@@ -162,7 +162,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "  loopmend fill scan.ply -o filled.ply\n"
       "  loopmend fill scan.ply -o filled.stl --loops 2,5 --report report.json\n"
       "  loopmend fill scan.obj -o filled.ply --flow wf --mode steps --steps 20 --sigma 1\n"
-      "Exit codes: 0 all done; 1 some loops failed, are doubtful, or none could be filled, the rest is written; 2 "
+      "Exit codes: 0 all done; 1 some loops failed, have a bad patch, or none could be filled, the rest is written; 2 "
       "wrong usage;\n"
       "3 input unreadable; 4 output unwritable; 128 + signal: stopped, 130 by Ctrl-C.");
 }

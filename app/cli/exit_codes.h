@@ -7,7 +7,7 @@ namespace loopmend {
 enum ExitCode : int {
   exit_done = 0,  ///< everything asked was done
   exit_loops_failed =
-      1,  ///< some loops failed or have a doubtful patch, or no loop is a hole as the mesh stands; the rest is written
+      1,  ///< some loops failed or have a bad patch, or no loop is a hole as the mesh stands; the rest is written
   exit_usage = 2,          ///< wrong usage
   exit_unreadable = 3,     ///< the input cannot be read
   exit_unwritable = 4,     ///< an output cannot be written

@@ -27,12 +27,17 @@ namespace loopmend {
 
 namespace {
 
-/// "0.1234 -> 0.0056", or a dash where the surface has too few vertices to measure it.
-std::string before_and_after(double before, double after) {
-  char text[64];
-  if (!std::isfinite(before) || !std::isfinite(after)) return "-";
-  std::snprintf(text, sizeof text, "%.4f -> %.4f", before, after);
+/// For people: three digits, none beyond two decimal places. "28.7", "0.05", "1230".
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", std::abs(value) < 10 ? 2 : std::abs(value) < 100 ? 1 : 0, value);
   return text;
+}
+
+/// "28.7 -> 17.2", or a dash where the surface has too few vertices to measure it.
+std::string before_and_after(double before, double after) {
+  if (!std::isfinite(before) || !std::isfinite(after)) return "-";
+  return short_number(before) + " -> " + short_number(after);
 }
 
 /// The text with … for each number: reasons that differ by a figure are one.
@@ -71,7 +76,7 @@ void print_reasons(std::FILE* out, const std::vector<HoleResult>& results, Detai
 /// What became of the loops, in numbers.
 struct Outcome {
   int filled = 0, failed = 0;
-  int doubtful = 0;         ///< of those filled
+  int look = 0, bad = 0;    ///< verdicts of those filled
   int left = 0;             ///< as asked
   int unfinished = 0;       ///< when the command was stopped, or its time was over
   int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
@@ -79,9 +84,7 @@ struct Outcome {
 
   /// Nothing was done, and nobody asked for that.
   bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
-  int exit_code() const {
-    return failed > 0 || doubtful > 0 || unfinished > 0 || in_vain() ? exit_loops_failed : exit_done;
-  }
+  int exit_code() const { return failed > 0 || bad > 0 || unfinished > 0 || in_vain() ? exit_loops_failed : exit_done; }
 };
 
 Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<LoopChoice>& choices) {
@@ -89,7 +92,8 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
   for (std::size_t k = 0; k < results.size(); ++k) {
     outcome.filled += is_filled(results[k].status);
     outcome.failed += results[k].status == PatchStatus::failed;
-    outcome.doubtful += results[k].status == PatchStatus::doubtful;
+    outcome.look += results[k].verdict().grade == Grade::look;
+    outcome.bad += results[k].verdict().grade == Grade::bad;
     if (results[k].status != PatchStatus::skipped) continue;
     if (choices[k].fill) {
       ++outcome.unfinished;
@@ -185,18 +189,22 @@ void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
 void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const Outcome& outcome,
                    const FillCommand& command, double seconds) {
   const bool all = command.detail == Detail::all || results.size() <= most_loops_in_full;
-  std::fprintf(out, "%5s  %6s  %6s  %5s  %-10s  %-24s  %20s  %20s\n", "loop", "edges", "new", "steps", "status",
+  std::fprintf(out, "%5s  %6s  %6s  %-7s  %-10s  %-16s  %18s  %20s\n", "loop", "edges", "new", "verdict", "status",
                "method", "angle at seam, deg", "jump of H x diameter");
   for (std::size_t k = 0; k < (all ? results.size() : largest_loops); ++k) {
     const HoleResult& r = results[k];
-    std::fprintf(out, "%5d  %6d  %6d  %5d  %-10s", r.loop.number, r.loop.edges(), r.free_vertices, r.steps(),
-                 to_string(r.status));
-    if (is_filled(r.status))
-      std::fprintf(out, "  %-24s  %20s  %20s", r.method().c_str(),
+    const Verdict verdict = r.verdict();
+    const bool filled = is_filled(r.status);
+    std::fprintf(out, "%5d  %6d  %6d  %-7s  %-10s", r.loop.number, r.loop.edges(), r.free_vertices,
+                 filled ? to_string(verdict.grade) : "-", to_string(r.status));
+    if (filled)
+      std::fprintf(out, "  %-16s  %18s  %20s", r.method().c_str(),
                    before_and_after(r.seam_before().g1_rms_deg, r.seam_after().g1_rms_deg).c_str(),
                    before_and_after(r.seam_before().h_jump_rms_times_diameter, r.seam_after().h_jump_rms_times_diameter)
                        .c_str());
-    std::fprintf(out, "%s%s\n", r.message.empty() ? "" : "  ", r.message.c_str());
+    std::string remark = verdict.sentence();
+    if (!r.message.empty()) remark += (remark.empty() ? "" : "; ") + r.message;
+    std::fprintf(out, "%s%s\n", remark.empty() ? "" : "  ", remark.c_str());
   }
   if (!all) {
     std::fprintf(out, "... and %zu smaller ones (all of them with --verbose or --report). In all:\n",
@@ -205,7 +213,8 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
   }
   print_reasons(out, results, all ? Detail::all : Detail::summary);
   std::fprintf(out, "%d filled, ", outcome.filled);
-  if (outcome.doubtful > 0) std::fprintf(out, "%d of them doubtful, ", outcome.doubtful);
+  if (outcome.look > 0) std::fprintf(out, "%d of them to look at, ", outcome.look);
+  if (outcome.bad > 0) std::fprintf(out, "%d of them bad, ", outcome.bad);
   std::fprintf(out, "%d failed, %d left as asked", outcome.failed, outcome.left);
   if (outcome.unfinished > 0) std::fprintf(out, ", %d not finished", outcome.unfinished);
   if (outcome.no_hole > 0) std::fprintf(out, ", %d left because they are no holes", outcome.no_hole);

@@ -84,6 +84,27 @@ Json boundary_json(const HoleResult& result) {
           {"fitted_vertices", boundary.fitted}};
 }
 
+Json verdict_json(const Verdict& verdict) {
+  Json findings = Json::array();
+  for (const Notice& finding : verdict.findings)
+    findings.push_back(
+        {{"code", to_string(finding.code)}, {"arguments", finding.arguments}, {"text", english(finding)}});
+  return {{"grade", to_string(verdict.grade)},
+          {"sentence", verdict.sentence()},
+          {"findings", findings},
+          {"crease_deg", json_number(verdict.crease_deg)},
+          {"height", json_number(verdict.height)},
+          {"folds", verdict.folds}};
+}
+
+/// J of the split and its last relative decrease; null where the patch was not made by a descent of J.
+Json split_energy_json(const std::vector<StepRecord>& history) {
+  if (history.empty() || !(history.back().split.total() > 0)) return nullptr;
+  const double last = history.back().split.total();
+  const double before = history.size() > 1 ? history[history.size() - 2].split.total() : 0;
+  return {{"J", json_number(last)}, {"last_decrease", before > 0 ? json_number((before - last) / before) : Json()}};
+}
+
 }  // namespace
 
 Json loop_json(const HoleResult& result) {
@@ -97,6 +118,7 @@ Json loop_json(const HoleResult& result) {
   json["made_by"] = patch.made_by;
   if (is_filled(result.status)) {
     const Proportion proportion = result.proportion();
+    json["verdict"] = verdict_json(result.verdict());
     json["proportion"] = {{"area", json_number(proportion.area)},
                           {"depth", json_number(proportion.depth)},
                           {"energy", json_number(proportion.energy)}};
@@ -110,6 +132,7 @@ Json loop_json(const HoleResult& result) {
                      {"solve", patch.seconds.solve},
                      {"total", result.seconds}};
   json["energy"] = {{"initial", json_number(patch.energy.initial)}, {"final", json_number(patch.energy.final)}};
+  json["split_energy"] = split_energy_json(patch.history);
   json["seam_before"] = seam_json(result.seam_before());
   json["seam_after"] = seam_json(result.seam_after());
   return json;
@@ -123,6 +146,7 @@ Json brief_loop_json(const HoleResult& result) {
           {"status", to_string(result.status)},
           {"message", result.message},
           {"method", result.method()},
+          {"grade", is_filled(result.status) ? Json(to_string(result.verdict().grade)) : Json()},
           {"free_vertices", result.free_vertices},
           {"seam_after", seam_json(result.seam_after())}};
 }

@@ -60,7 +60,6 @@ QString status_words(const std::string& status) {
   if (status == "faired") return CompareNumbers::tr("faired");
   if (status == "step_limit") return CompareNumbers::tr("step limit");
   if (status == "stalled") return CompareNumbers::tr("stopped early");
-  if (status == "doubtful") return CompareNumbers::tr("doubtful");
   if (status == "invalid") return CompareNumbers::tr("cuts surface");
   if (status == "filled") return CompareNumbers::tr("filled");
   if (status == "failed") return CompareNumbers::tr("failed");

@@ -67,6 +67,10 @@ HoleState Document::state(int loop) const {
   }
   if (running_.contains(patch->id)) return HoleState::running;
   if (patch->acceptance == Acceptance::accepted) return HoleState::accepted;
+  if (const Verdict* found = verdict(loop); found && is_filled(patch->state->status)) {
+    if (found->grade == Grade::bad) return HoleState::bad;
+    if (found->grade == Grade::look) return HoleState::look;
+  }
   switch (patch->state->status) {
     case PatchStatus::filled: return HoleState::filled;
     case PatchStatus::ready: return HoleState::stepped;
@@ -75,9 +79,16 @@ HoleState Document::state(int loop) const {
     case PatchStatus::step_limit: return HoleState::stalled;
     case PatchStatus::invalid: return HoleState::cutting;
     case PatchStatus::faired: return HoleState::faired;
-    case PatchStatus::doubtful: return HoleState::doubtful;
     default: return HoleState::open;
   }
+}
+
+const Verdict* Document::verdict(int loop) const {
+  const OpenPatch* patch = patch_of(loop);
+  if (!patch) return nullptr;
+  const auto at =
+      static_cast<std::size_t>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  return at < patch->state->verdicts.size() ? &patch->state->verdicts[at] : nullptr;
 }
 
 std::string Document::message(int loop) const {

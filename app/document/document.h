@@ -29,7 +29,8 @@ enum class HoleState {
   accepted,
   failed,
   faired,
-  doubtful
+  look,  ///< sound; a person should look at it
+  bad    ///< has a hard fault
 };
 
 /// Whether the outer rim of an open sheet counts as something to fill.
@@ -70,6 +71,8 @@ class Document : public QObject {
   HoleState state(int loop) const;
   /// Why it failed, or what else the engine has to say, as it says it (document/engine_words.h); may be empty.
   std::string message(int loop) const;
+  /// On the part of its patch; null where there is no patch, or nothing has judged it.
+  const Verdict* verdict(int loop) const;
   /// A hole, or a loop that touches itself; the outer rim when it is included. Others are left out unless selected.
   bool fillable(int loop) const;
   OuterRims outer_rims() const { return outer_rims_; }

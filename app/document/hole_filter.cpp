@@ -36,8 +36,8 @@ bool HoleFilter::in_group(int loop) const {
     case HoleGroup::filled: return document_.patch_of(loop) != nullptr;
     case HoleGroup::accepted: return state == HoleState::accepted;
     case HoleGroup::fault:
-      return state == HoleState::failed || state == HoleState::cutting || state == HoleState::doubtful ||
-             state == HoleState::stalled;
+      return state == HoleState::failed || state == HoleState::cutting || state == HoleState::bad ||
+             state == HoleState::look || state == HoleState::stalled;
     case HoleGroup::left_out: return state == HoleState::left_out;
   }
   return true;

@@ -140,7 +140,9 @@ QVariant HoleTable::tool_tip(int loop, int column) const {
   if (column == boundary) return boundary_of(loop) ? labels::boundary_help(*boundary_of(loop)) : QString();
   if (column != state) return {};
   const QString more = labels::engine_words(document_.message(loop));
-  const QString help = labels::state_help(document_.state(loop));
+  const Verdict* verdict = document_.verdict(loop);
+  QString help = labels::state_help(document_.state(loop));
+  if (verdict && verdict->grade != Grade::good) help += QLatin1Char(' ') + labels::sentence_of(*verdict);
   return more.isEmpty() ? help : help + QLatin1Char(' ') + labels::sentence(more);
 }
 

@@ -85,7 +85,8 @@ QString state(HoleState state) {
     case HoleState::stepped: return tr("in progress");
     case HoleState::converged: return tr("converged");
     case HoleState::faired: return tr("faired");
-    case HoleState::doubtful: return tr("doubtful");
+    case HoleState::look: return tr("look");
+    case HoleState::bad: return tr("bad");
     case HoleState::stalled: return tr("stopped early");
     case HoleState::cutting: return tr("cuts surface");
     case HoleState::accepted: return tr("accepted");
@@ -103,10 +104,9 @@ QString state_help(HoleState state) {
     case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
     case HoleState::converged: return tr("The flow has converged to its steady state.");
     case HoleState::faired: return tr("Shaped by linear fairing, not by the flow.");
-    case HoleState::doubtful:
-      return tr(
-          "Filled, but the patch is out of proportion to its hole: look at it, then accept it, or discard it and trim "
-          "the boundary.");
+    case HoleState::look: return tr("Filled; look at this patch before you accept it.");
+    case HoleState::bad:
+      return tr("Filled, but the patch has a fault: look at it, then accept it, or discard it and trim the boundary.");
     case HoleState::stalled:
       return tr(
           "The flow stopped before it converged; this is its last good state. Run goes on from here; Accept keeps it.");
@@ -186,7 +186,7 @@ QString number(double value) {
   return in_digits(value, 'f', decimals);
 }
 
-QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage) {
+QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage, Grade grade) {
   if (std::isnan(now.g1_rms_deg)) return tr("The scan around the hole is too small for its seam to be measured.");
   const bool tangent = now.g1_rms_deg < tangent_seen_deg;
   const bool curvature = tangent && now.h_jump_rms_times_diameter < curvature_seen;
@@ -196,8 +196,7 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
     sentence =
         tr("The tangent runs through the seam; the mean curvature jumps by %1 (rms).").arg(number(now.h_jump_rms));
   if (stage == PatchStatus::filled) return sentence + QLatin1Char(' ') + tr("No flow has run yet.");
-  if (stage == PatchStatus::doubtful)
-    return sentence + QLatin1Char(' ') + tr("But the patch is out of proportion to its hole.");
+  if (grade == Grade::bad) return sentence;
   // No praise for a sharp crease, nor for one that is sharper than before.
   const bool creased = now.g1_rms_deg > sharp_crease_deg || now.g1_rms_deg > before.g1_rms_deg + 1;
   if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms && !creased)
@@ -206,6 +205,41 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
                                                          : tr("The flow made the jump of curvature %1 times smaller."))
                                .arg(number(before.h_jump_rms / now.h_jump_rms));
   return sentence;
+}
+
+QString notice(const Notice& notice) {
+  const auto value = [&](std::size_t k) { return k < notice.arguments.size() ? notice.arguments[k] : std::nan(""); };
+  const auto whole = [&](std::size_t k) { return in_digits(std::round(value(k)), 'f', 0); };
+  const auto digits = [&](std::size_t k) { return in_digits(value(k), 'g', 2); };
+  const int n = notice.arguments.empty() ? 0 : static_cast<int>(std::lround(notice.arguments.front()));
+  // By themselves: lupdate does not see them within the call.
+  const char* const crossings =
+      QT_TRANSLATE_N_NOOP("loopmend::labels", "crosses the surface or itself in %Ln place(s)");
+  const char* const nonmanifold = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) of more than two faces");
+  const char* const folds = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) folded by more than 150\u00b0");
+  switch (notice.code) {
+    case NoticeCode::crosses_surface: return tr(crossings, n);
+    case NoticeCode::nonmanifold_edges: return tr(nonmanifold, n);
+    case NoticeCode::folded_edges: return tr(folds, n);
+    case NoticeCode::torn_seam:
+      return tr("a crease of %1\u00b0 along %2 edges of the seam, where the initial patch had %3\u00b0")
+          .arg(whole(0), whole(1), whole(2));
+    case NoticeCode::dome_over_flat_loop: return tr("a dome %1 diameters high over a flat loop").arg(digits(0));
+    case NoticeCode::bubble:
+      return tr("a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it")
+          .arg(digits(0), digits(1));
+    case NoticeCode::curvature_torn:
+      return tr("mean curvature jumps at the seam by %1 / diameter, before the flow by %2").arg(digits(0), digits(1));
+    case NoticeCode::initial_patch_kept: return tr("no flow or fairing gave a sound patch: the initial patch was kept");
+    case NoticeCode::crease: return tr("a crease of %1\u00b0 along %2 edges of the seam").arg(whole(0), whole(1));
+    case NoticeCode::high_over_loop:
+      return tr("rises %1 diameters over its loop; a ball through the seam would rise %2").arg(digits(0), digits(1));
+  }
+  return {};
+}
+
+QString sentence_of(const Verdict& verdict) {
+  return verdict.findings.empty() ? QString() : sentence(notice(verdict.findings.front())) + QLatin1Char('.');
 }
 
 QString neighborhood(NeighborhoodKind kind) {

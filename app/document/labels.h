@@ -37,7 +37,12 @@ QString length(const Document& document, double value);
 QString seconds(qint64 milliseconds);
 
 /// One sentence on how the patch meets the scan at a loop.
-QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage);
+QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage, Grade grade);
+
+/// "a crease of 50° along 12 edges of the seam"
+QString notice(const Notice& notice);
+/// The first finding of the verdict as a sentence; empty where it is good.
+QString sentence_of(const Verdict& verdict);
 
 /// "3", or "3 of bunny.ply" when several scans are open.
 QString hole_name(const Document& document, int loop);

@@ -213,6 +213,7 @@ PatchStatePtr state(Reader& in) {
   auto s = std::make_shared<PatchState>();
   s->patch = patch(in);
   s->status = word(in, PatchStatus::step_limit);
+  if (static_cast<int>(s->status) == 6) s->status = PatchStatus::converged;  // older sessions: now a verdict
   s->message = in.text().toStdString();
   s->recipe = recipe(in);
   s->patch.grading.density = s->recipe.density;

@@ -58,7 +58,10 @@ class Stepper {
   void judge() {
     if (state_ == item_.patch.state) return;
     const Patch& initial = item_.patch.timeline->front()->patch;
-    PatchStatePtr marked = in_proportion(judged(state_, &initial, *item_.scan_context), initial);
+    const bool bridge = state_->recipe.start == PatchRecipe::Start::bridge;
+    PatchStatePtr marked =
+        with_verdicts(judged(state_, &initial, *item_.scan_context), initial,
+                      bridge ? std::vector<BoundaryLoop>() : item_.loops, evolution_->options(), *item_.scan_context);
     if (marked == state_) return;
     state_ = std::move(marked);
     recorder_.amend(item_.patch.id, state_);

@@ -2,7 +2,7 @@
 #include "jobs/state_making.h"
 
 #include "analysis/curvature_field.h"
-#include "pipeline/proportion.h"
+#include "pipeline/candidates.h"
 
 namespace loopmend {
 
@@ -32,6 +32,7 @@ std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch
   next->patch = patch;
   next->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, old.shape->scan_colors));
   next->seams = seam_reports(patch);
+  next->verdicts.clear();
   return next;
 }
 
@@ -51,16 +52,13 @@ PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanContext& sca
   return marked;
 }
 
-PatchStatePtr in_proportion(PatchStatePtr state, const Patch& initial) {
+PatchStatePtr with_verdicts(PatchStatePtr state, const Patch& initial, const std::vector<BoundaryLoop>& loops,
+                            const EvolutionOptions& options, ScanContext& scan_context) {
   if (state->status == PatchStatus::invalid) return state;
-  const std::vector<Proportion> proportions = proportions_of(state->patch, initial);
-  const Proportion* bad = out_of_proportion(proportions);
-  if (!bad) return state;
-  auto marked = std::make_shared<PatchState>(*state);
-  marked->status = PatchStatus::doubtful;
-  marked->message =
-      "the patch is out of proportion: " + describe(*bad) + (state->message.empty() ? "" : "; " + state->message);
-  return marked;
+  auto judged = std::make_shared<PatchState>(*state);
+  judged->validity = validate(scan_context.index(), judged->patch);
+  judge_again({scan_context.index(), initial, loops}, options, *judged);
+  return judged;
 }
 
 }  // namespace loopmend

@@ -21,7 +21,9 @@ std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch
 /// The state, marked as invalid where its patch is worse than `initial`, or cuts at all where there is none.
 PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanContext& scan_context);
 
-/// The state, marked as doubtful where its patch is out of proportion to its initial patch.
-PatchStatePtr in_proportion(PatchStatePtr state, const Patch& initial);
+/// The state with verdicts on its patch, as solve_group() gives them.
+/// @param loops  that `initial` was made for; empty where it is a bridge
+PatchStatePtr with_verdicts(PatchStatePtr state, const Patch& initial, const std::vector<BoundaryLoop>& loops,
+                            const EvolutionOptions& options, ScanContext& scan_context);
 
 }  // namespace loopmend

@@ -27,7 +27,8 @@ QColor dot_color(HoleState state) {
     case HoleState::accepted: return QColor(30, 130, 70);
     case HoleState::failed: return QColor(190, 50, 30);
     case HoleState::faired: return QColor(30, 140, 110);
-    case HoleState::doubtful: return QColor(200, 120, 20);
+    case HoleState::look: return QColor(200, 120, 20);
+    case HoleState::bad: return QColor(190, 50, 30);
   }
   return {};
 }
@@ -83,7 +84,11 @@ void paint_sign(QPainter* painter, HoleState state, const QColor& color) {
       painter->setBrush(color);
       painter->drawEllipse(QRectF(-1.6, -1.6, 3.2, 3.2));
       break;
-    case HoleState::doubtful: painter->drawPath(polyline({{0, -4}, {4.5, 3.8}, {-4.5, 3.8}, {0, -4}})); break;
+    case HoleState::look: painter->drawPath(polyline({{0, -4}, {4.5, 3.8}, {-4.5, 3.8}, {0, -4}})); break;
+    case HoleState::bad:
+      painter->setBrush(color);
+      painter->drawPath(polyline({{0, -4}, {4.5, 3.8}, {-4.5, 3.8}, {0, -4}}));
+      break;
   }
 }
 

@@ -251,10 +251,11 @@ void InspectPanel::update_seam() {
   const auto at =
       static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), first) - patch.loops.begin());
   if (at >= patch.state->seams.size()) return;
-  sentence_->setText(
-      tr("Hole %1: %2")
-          .arg(labels::hole_name(document_, first),
-               labels::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status)));
+  const Verdict* verdict = document_.verdict(first);
+  QString text = labels::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status,
+                                       verdict ? verdict->grade : Grade::good);
+  if (verdict && verdict->grade != Grade::good) text = labels::sentence_of(*verdict) + QLatin1Char(' ') + text;
+  sentence_->setText(tr("Hole %1: %2").arg(labels::hole_name(document_, first), text));
 }
 
 void InspectPanel::fill_row(int row, int loop) {

@@ -11,7 +11,6 @@ const char* to_string(PatchStatus status) {
     case PatchStatus::stalled: return "stalled";
     case PatchStatus::invalid: return "invalid";
     case PatchStatus::faired: return "faired";
-    case PatchStatus::doubtful: return "doubtful";
     case PatchStatus::step_limit: return "step_limit";
     case PatchStatus::cancelled: return "cancelled";
     case PatchStatus::failed: return "failed";

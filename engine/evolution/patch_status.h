@@ -4,20 +4,19 @@
 
 namespace loopmend {
 
-/// Sessions store it by number, up to `step_limit`: these keep their places.
+/// Sessions store it by number, up to `step_limit`: these keep their numbers.
 enum class PatchStatus {
-  filled,      ///< the initial patch alone: asked for, or because the flow would have spoilt it (see the message)
-  ready,       ///< some steps of a flow; more can be taken
-  converged,   ///< the flow's steady state: a step of the size that was asked for moves nothing that could be seen, or next
-               ///< to no energy is left to win
-  stalled,     ///< no acceptable step was found; the patch is the last accepted one
-  invalid,     ///< it cuts the surface or itself, or folds where the initial patch did not
-  faired,      ///< shaped by linear fairings, or by something between these and a flow: see the method
-  doubtful,    ///< out of proportion: a person should look at it
-  step_limit,  ///< stopped at the step limit, before the steady state
-  cancelled,   ///< by the token; the patch is the last accepted one
-  failed,      ///< there is no patch; the message says why
-  skipped,     ///< not asked for
+  filled,     ///< the initial patch alone: asked for, or because the flow would have spoilt it (see the message)
+  ready,      ///< some steps of a flow; more can be taken
+  converged,  ///< the flow's steady state: a step of the size that was asked for moves nothing that could be seen, or next
+              ///< to no energy is left to win
+  stalled,         ///< no acceptable step was found; the patch is the last accepted one
+  invalid,         ///< it cuts the surface or itself, or folds where the initial patch did not
+  faired,          ///< shaped by linear fairings, or by something between these and a flow: see the method
+  step_limit = 7,  ///< 6 was another status in sessions; stopped at the step limit, before the steady state
+  cancelled,       ///< by the token; the patch is the last accepted one
+  failed,          ///< there is no patch; the message says why
+  skipped,         ///< not asked for
 };
 
 /// The word of reports.

@@ -17,7 +17,7 @@ double min_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triangles& triangles, int count) {
+std::vector<Bend> bends(const Points& points, const Triangles& triangles, int count) {
   // The sides of all triangles in buckets by their lower vertex; each bucket in order.
   struct Side {
     int high, face;
@@ -37,16 +37,25 @@ std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triang
   Points normal;
   normal.reserve(triangles.size());
   for (const Triangle& t : triangles) normal.push_back(unit_normal(points[t[0]], points[t[1]], points[t[2]]));
-  std::vector<std::pair<int, int>> folds;
+  std::vector<Bend> result;
+  result.reserve(2 * triangles.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto first = sides.begin() + begin[v], last = sides.begin() + begin[v + 1];
     std::sort(first, last,
               [](const Side& a, const Side& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
     for (auto s = first; s != last && s + 1 != last; ++s) {
       if (s->high != (s + 1)->high || s->face >= count) continue;
-      if (normal[s->face].dot(normal[(s + 1)->face]) <= 0) folds.emplace_back(s->face, (s + 1)->face);
+      result.push_back(
+          {static_cast<int>(v), s->high, s->face, (s + 1)->face, normal[s->face].dot(normal[(s + 1)->face])});
     }
   }
+  return result;
+}
+
+std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triangles& triangles, int count) {
+  std::vector<std::pair<int, int>> folds;
+  for (const Bend& bend : bends(points, triangles, count))
+    if (bend.cosine <= 0) folds.emplace_back(bend.face, bend.other);
   return folds;
 }
 

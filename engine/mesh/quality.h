@@ -25,6 +25,16 @@ double min_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 /// `count` triangles. A degenerate triangle counts as folded against each neighbour.
 int count_folds(const Points& points, const Triangles& triangles, int count);
 
+/// An edge between two triangles.
+struct Bend {
+  int low = 0, high = 0;    ///< its vertices, low < high
+  int face = 0, other = 0;  ///< the triangles beside it, face < other
+  double cosine = 1;        ///< of the angle between their normals; 0 where one is degenerate
+};
+
+/// All edges shared by two triangles of which at least one is among the first `count`, by lower, then higher vertex.
+std::vector<Bend> bends(const Points& points, const Triangles& triangles, int count);
+
 /// The edges that count_folds counts, each as the pair of triangles beside it.
 std::vector<std::pair<int, int>> folded_pairs(const Points& points, const Triangles& triangles, int count);
 

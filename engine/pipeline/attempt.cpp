@@ -22,34 +22,24 @@ std::string message_on_outliers(int outliers) {
                    " boundary vertices are outliers: the patch meets them, but does not take its curvature from them";
 }
 
-/// Takes the patch with the places given back where it would fold or intersect. @returns false if there is no such patch.
-bool take_rolled_back(const AttemptContext& context, const Patch& start, const Evolution& evolution,
+/// Takes the patch with the spoilt places reverted to `start`, if that has fewer faults.
+void take_rolled_back(const AttemptContext& context, const Patch& start, const Evolution& evolution,
                       PatchResult& result) {
   const PatchProblem& problem = context.problem;
   std::optional<LocalRollback> rollback = roll_back_locally(problem.scan, start, evolution.patch(),
                                                             validate(problem.scan, problem.initial), context.cancel);
-  if (!rollback) return false;
+  if (!rollback || rollback->moved == 0) return;
+  std::vector<SeamReport> seams = seam_reports(rollback->patch);
+  std::vector<Verdict> verdicts = context.judge(rollback->patch, rollback->validity, seams);
+  if (!(faults(verdicts) < faults(result.verdicts))) return;
   result.patch = std::move(rollback->patch);
   result.validity = std::move(rollback->validity);
-  result.seams = seam_reports(result.patch);
-  result.status = evolution.status();
-  result.method = evolution.method();
+  result.seams = std::move(seams);
+  result.verdicts = std::move(verdicts);
   result.energy.final = energy_of(result.patch, evolution.options().flow);
-  result.message = rollback->moved == 0
-                       ? ""
-                       : "the patch would have folded or cut the surface at a few places: there, at " +
-                             std::to_string(rollback->moved) + " of its " + std::to_string(result.patch.free_count) +
-                             " vertices, it goes back towards what it set out from";
-  return true;
-}
-
-bool roll_back(const AttemptContext& context, const Patch& start, const EvolutionOptions& options,
-               PatchResult& result) {
-  Evolution evolution(start, options);
-  const PatchStatus status = evolution.run(context.on_step, context.cancel);
-  if (status == PatchStatus::cancelled || status == PatchStatus::stalled) return false;
-  take_figures(evolution, result);
-  return take_rolled_back(context, start, evolution, result);
+  result.message = "the patch would have folded or cut the surface at a few places: there, at " +
+                   std::to_string(rollback->moved) + " of its " + std::to_string(result.patch.free_count) +
+                   " vertices, it goes back towards what it set out from";
 }
 
 struct CheckedPatch {
@@ -95,13 +85,6 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   CheckedPatch found = checked(
       problem, context.clean_neighborhood ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch(),
       context.cancel);
-  if (!found.validity.is_clean() && !no_worse(found.validity, validate(problem.scan, problem.initial))) {
-    if (evolution.method() == Method::split_flow && !context.clean_neighborhood &&
-        take_rolled_back(context, faired, evolution, result))
-      return true;
-    result.message = "the flow would have folded the patch or cut the surface";
-    return false;
-  }
   result.patch = std::move(found.patch);
   result.validity = std::move(found.validity);
   result.seams = std::move(found.seams);
@@ -114,17 +97,11 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
     result.energy.final = energy_of(result.patch, options.flow);
     add_message(result, bent_message);
   }
+  result.verdicts = context.judge(result.patch, result.validity, result.seams);
+  const bool spoilt = faults(result.verdicts)[0] + faults(result.verdicts)[1] > 0;
+  if (spoilt && evolution.method() == Method::split_flow && !context.clean_neighborhood)
+    take_rolled_back(context, faired, evolution, result);
   return true;
-}
-
-bool run_with_rollback(const AttemptContext& context, const Patch& start, const EvolutionOptions& options,
-                       PatchResult& result) {
-  for (const PatchTriangles triangles : {PatchTriangles::kept, PatchTriangles::fixed}) {
-    EvolutionOptions same_vertices = options;
-    same_vertices.triangles = triangles;
-    if (roll_back(context, start, same_vertices, result)) return true;
-  }
-  return false;
 }
 
 }  // namespace loopmend

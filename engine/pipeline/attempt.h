@@ -3,6 +3,7 @@
 #pragma once
 
 #include "neighborhood/outlier_vertices.h"
+#include "pipeline/judge.h"
 #include "pipeline/patch_result.h"
 #include "pipeline/validate.h"
 
@@ -23,17 +24,14 @@ struct AttemptContext {
   const PatchProblem& problem;
   /// The neighborhood without its outliers, which the patch meets all the same; null: as it is.
   const CleanNeighborhood* clean_neighborhood;
+  const Judge& judge;
   const Evolution::OnStep& on_step;
   const CancelToken& cancel;
 };
 
-/// One run of the flow. The split form of MMCVF, where it would fold or intersect at a few places, goes back to its fairings
-/// there, and its message says so. @returns true if its result may be kept: if it is no worse than the initial patch. Where not, its
-/// message says why.
+/// One run of the flow, validated and judged. A split flow that folds or crosses at a few places reverts locally to its fairings
+/// there, if that is better; its message says so. @returns false where there is no patch, with the cause in its message, or
+/// when cancelled.
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result);
-
-/// The same, but where the result would fold or intersect, it goes back to `start` at these places and there alone.
-bool run_with_rollback(const AttemptContext& context, const Patch& start, const EvolutionOptions& options,
-                       PatchResult& result);
 
 }  // namespace loopmend

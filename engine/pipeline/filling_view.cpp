@@ -22,7 +22,7 @@ constexpr int rings = patch_rings;
 std::vector<Eigen::AlignedBox3d> boxes_to_hold(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const BoundaryLoop& loop : loops) {
-    const double reach = reach_of_flat_cut(model, loop);
+    const double reach = reach_of_loop_end(model, loop);
     if (reach <= 0) continue;
     Eigen::AlignedBox3d box;
     for (int v : loop.vertices) box.extend(model.mesh.point(TriMesh::VertexHandle(v)));

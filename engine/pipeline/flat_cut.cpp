@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -16,77 +17,157 @@ namespace loopmend {
 namespace {
 
 constexpr int fewest_edges = 4;
-constexpr double plane = 0.003;  ///< rms distance from the plane, in diameters
-constexpr double steep = 0.5;    ///< sine of the angle between surface and plane
-/// Of the curvature of a ball that meets the plane at this angle: below, the surface runs straight on; above, it is an edge that
-/// is rounded, as of a plinth.
-constexpr double least_of_a_dome = 0.5, most_of_a_dome = 1.5;
-constexpr double reach_of_fit = 0.3;  ///< in loop radii; at least so many boundary edges:
+constexpr double exact_planarity = 0.003;
+constexpr double flat_planarity = 0.03;  ///< rms distance from the plane, in diameters: bases of scanned statues
+constexpr double most_planarity = 0.1;   ///< above, the loop's plane says nothing about the wall
+constexpr double steep = 0.5;            ///< sine of the angle between surface and plane, median along the loop
+constexpr double still_steep = 0.35;     ///< the same, for all but the share of the loop that may be torn:
+constexpr double torn_share = 0.1;
+constexpr double upright = 0.9;
+constexpr double least_steep_edge = 0.15;
+/// Profile curvatures in that of a ball that meets the plane at this angle. A dome: their median is about 1 and most agree.
+/// Straighter walls end, sharper ones are rounded edges, and scattered ones tell no dome. Chosen on six bases of scanned statues
+/// and on tubes and balls with noise up to 1 % of their size.
+constexpr double least_of_a_dome = 0.6, most_of_a_dome = 1.4;
+constexpr double least_that_agrees = 0.25, most_that_agrees = 2, agreeing_share = 0.6;
+constexpr double reach_of_fit = 0.3;  ///< in loop radii; at least so many boundary edges, up to the radius:
 constexpr double edges_of_fit = 4;
+constexpr int fewest_samples = 8;
 constexpr std::size_t most_fits = 200;
 
-/// Normal curvature of the surface across the boundary at v, from a parabola through what lies behind v; positive where the
-/// surface bends towards its inside. NaN where too little lies there.
-double curvature_across(const TriMesh& mesh, int v, const Vec3& conormal, double reach) {
-  const Vec3 p = mesh.point(TriMesh::VertexHandle(v));
-  std::vector<int> queue{v};
-  std::set<int> seen{v};
-  Vec3 normal = Vec3::Zero();
-  for (const auto face : mesh.vf_range(TriMesh::VertexHandle(v))) normal += mesh.calc_face_normal(face);
-  normal = (normal - conormal.dot(normal) * conormal).normalized();
-  Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  int count = 0;
-  for (std::size_t q = 0; q < queue.size(); ++q)
-    for (const auto w : mesh.vv_range(TriMesh::VertexHandle(queue[q]))) {
-      const Vec3 d = mesh.point(w) - p;
-      if (d.norm() > reach || !seen.insert(w.idx()).second) continue;
-      queue.push_back(w.idx());
-      const double back = -conormal.dot(d) / reach, height = normal.dot(d) / reach;
-      const double aside = std::sqrt(std::max(0.0, d.squaredNorm() / (reach * reach) - back * back - height * height));
-      if (back <= 0 || aside > back) continue;  // within 45 degrees of straight back
-      const Eigen::Vector2d row(back, back * back);
-      matrix += row * row.transpose();
-      right += row * height;
-      ++count;
-    }
-  if (count < 4) return std::nan("");
-  return -2 * matrix.ldlt().solve(right)[1] / reach;
-}
-
-bool is_plane(const BoundaryLoop& loop) {
-  return loop.edges() >= fewest_edges && loop.diameter > 0 && loop.planarity <= plane;
-}
-
-double steepness_of(const LoopFacing& facing) { return std::abs(facing.onward.dot(facing.axis)); }
-
 double reach_of(const BoundaryLoop& loop, const LoopFacing& facing) {
-  return std::max(reach_of_fit * facing.radius, edges_of_fit * loop.perimeter / loop.edges());
+  const double edges = edges_of_fit * loop.perimeter / loop.edges();
+  return std::max(reach_of_fit * facing.radius, std::min(edges, facing.radius));
+}
+
+/// The profile of the surface at one loop vertex, in the plane of the loop's axis and the direction to its center.
+struct Profile {
+  double steepness = 0;             ///< sine of the angle between surface and loop plane; positive along the axis
+  std::optional<double> curvature;  ///< 1/length, positive where the profile turns from the axis to the center
+};
+
+/// Where a loop lies, and the points of the surface behind its vertices.
+class Profiles {
+ public:
+  Profiles(const SurfaceModel& model, const BoundaryLoop& loop, const LoopFacing& facing)
+      : mesh_(model.mesh),
+        loop_(loop),
+        facing_(facing),
+        axis_(facing.onward.dot(facing.axis) < 0 ? Vec3(-facing.axis) : facing.axis),
+        reach_(reach_of(loop, facing)) {}
+
+  Profile at(std::size_t k) const {
+    const Vec3 p = mesh_.point(TriMesh::VertexHandle(loop_.vertices[k]));
+    const Vec3 across = facing_.conormals[k];
+    Profile profile{across.dot(axis_), std::nullopt};
+    Vec3 inward = facing_.center - p;
+    inward = (inward - axis_.dot(inward) * axis_).normalized();
+    // In the loop's own plane of symmetry the conormal has no part beside these two; what it has is noise.
+    const Eigen::Vector2d straight = Eigen::Vector2d(across.dot(axis_), across.dot(inward)).normalized();
+    const std::vector<Vec3> samples = behind(loop_.vertices[k], p, inward, straight);
+    if (static_cast<int>(samples.size()) < fewest_samples) return profile;
+    fit(samples, straight, profile);
+    return profile;
+  }
+
+ private:
+  /// Points within reach, and within 45 degrees of straight back, as (axis, inward, aside) from p in units of the reach.
+  std::vector<Vec3> behind(int v, const Vec3& p, const Vec3& inward, const Eigen::Vector2d& onward) const {
+    const Vec3 aside = axis_.cross(inward);
+    std::vector<Vec3> samples;
+    std::vector<int> queue{v};
+    std::set<int> seen{v};
+    for (std::size_t q = 0; q < queue.size(); ++q)
+      for (const auto w : mesh_.vv_range(TriMesh::VertexHandle(queue[q]))) {
+        const Vec3 d = mesh_.point(w) - p;
+        if (d.norm() > reach_ || !seen.insert(w.idx()).second) continue;
+        queue.push_back(w.idx());
+        const Vec3 sample(d.dot(axis_), d.dot(inward), d.dot(aside));
+        const double back = -sample.head<2>().dot(onward);
+        if (back > 0 && std::hypot(sample.z(), sample.x() * onward.y() - sample.y() * onward.x()) <= back)
+          samples.push_back(sample / reach_);
+      }
+    return samples;
+  }
+
+  /// A quadratic height field over the mean direction of the samples. Its constant term is free, since p has noise of its own,
+  /// and so is what the loop's own curvature adds beside the profile.
+  void fit(const std::vector<Vec3>& samples, const Eigen::Vector2d& straight, Profile& profile) const {
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const Vec3& s : samples) mean += s.head<2>();
+    const Eigen::Vector2d onward = mean.norm() > 0 ? Eigen::Vector2d(-mean.normalized()) : straight;
+    const Eigen::Vector2d normal(-onward.y(), onward.x());  // turned from the axis towards the center
+    Eigen::MatrixXd rows(samples.size(), 6);
+    Eigen::VectorXd heights(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double t = samples[i].head<2>().dot(onward), a = samples[i].z();
+      rows.row(static_cast<Eigen::Index>(i)) << 1, t, t * t, a, a * a, a * t;
+      heights[static_cast<Eigen::Index>(i)] = samples[i].head<2>().dot(normal);
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows);
+    if (qr.rank() < 6) return;
+    const Eigen::VectorXd c = qr.solve(heights);
+    const double stretch = 1 + c[1] * c[1];
+    profile.steepness = (onward + c[1] * normal).x() / std::sqrt(stretch);
+    profile.curvature = 2 * c[2] / (stretch * std::sqrt(stretch)) / reach_;
+  }
+
+  const TriMesh& mesh_;
+  const BoundaryLoop& loop_;
+  const LoopFacing& facing_;
+  Vec3 axis_;  ///< to the side to which the surface runs on
+  double reach_;
+};
+
+/// @param shares  curvature of each profile in that of a ball.
+bool is_dome(const std::vector<double>& shares) {
+  if (shares.empty()) return false;
+  const double usual = median(shares);
+  if (usual < least_of_a_dome || usual > most_of_a_dome) return false;
+  const auto agreeing = std::count_if(
+      shares.begin(), shares.end(), [](double share) { return share > least_that_agrees && share < most_that_agrees; });
+  return static_cast<double>(agreeing) >= agreeing_share * static_cast<double>(shares.size());
+}
+
+/// The wall has turned into the loop's plane by a rounded edge, as under a statue.
+bool rounds_into_plane(double steepness, const std::vector<double>& shares) {
+  return !shares.empty() && steepness > least_steep_edge && steepness < steep &&
+         quantile(shares, 0.25) > most_of_a_dome;
+}
+
+bool may_end(const BoundaryLoop& loop) {
+  return loop.edges() >= fewest_edges && loop.diameter > 0 && loop.planarity <= most_planarity;
 }
 
 }  // namespace
 
-double reach_of_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop) {
-  if (!is_plane(loop)) return 0;
-  const LoopFacing facing = loop_facing(model, loop);
-  return steepness_of(facing) < steep ? 0 : reach_of(loop, facing);
+double reach_of_loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
+  if (!may_end(loop)) return 0;
+  return reach_of(loop, loop_facing(model, loop));
 }
 
-bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop) {
-  if (!is_plane(loop)) return false;
+LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
+  if (!may_end(loop)) return LoopEnd::runs_on;
   const LoopFacing facing = loop_facing(model, loop);
-  const double steepness = steepness_of(facing);
-  if (steepness < steep) return false;
-  const double reach = reach_of(loop, facing);
-  std::vector<double> curvatures;
+  if (facing.axis.isZero()) return LoopEnd::runs_on;
+  const Profiles profiles(model, loop, facing);
+  std::vector<double> steepness, curvatures;
   const std::size_t stride = 1 + loop.vertices.size() / most_fits;
   for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
-    const double curvature = curvature_across(model.mesh, loop.vertices[k], facing.conormals[k], reach);
-    if (std::isfinite(curvature)) curvatures.push_back(curvature);
+    const Profile profile = profiles.at(k);
+    steepness.push_back(profile.steepness);
+    if (profile.curvature) curvatures.push_back(*profile.curvature);
   }
-  if (curvatures.empty()) return steepness > 0.9;  // a coarse box: its walls tell nothing but that they are steep
-  const double share = median(std::move(curvatures)) * facing.radius / steepness;
-  return share < least_of_a_dome || share > most_of_a_dome;
+  // Without profiles the wall is known by single faces only, as of a coarse box: it has to stand upright on a flat loop.
+  const bool known = 2 * curvatures.size() >= steepness.size();
+  const bool flat = loop.planarity <= flat_planarity;
+  const double usual = median(steepness);
+  if (!known && (!flat || usual < upright)) return LoopEnd::runs_on;
+  for (double& curvature : curvatures) curvature *= facing.radius / usual;  // of that of a ball
+  if (flat && loop.planarity <= exact_planarity && rounds_into_plane(usual, curvatures)) return LoopEnd::flat;
+  if (usual < steep || quantile(steepness, torn_share) < still_steep || is_dome(curvatures)) return LoopEnd::runs_on;
+  if (flat) return LoopEnd::flat;
+  return loop.kind == LoopKind::outer_rim ? LoopEnd::curved : LoopEnd::runs_on;
 }
 
 }  // namespace loopmend

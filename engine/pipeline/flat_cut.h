@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holes that a saw made: the boundary lies in one plane, and the surface runs through it without bending towards closing.
+// Loops at which the surface ends: the base of a bust, the end of a tube, the opening of a vase.
 #pragma once
 
 #include "mesh/boundary_loops.h"
 
 namespace loopmend {
 
-/// Whether what is missing is a flat cap, as at the base of a bust or the end of a tube, and not a dome: the loop is plane, the
-/// surface meets the plane steeply, and it bends inward there much less than a ball through the loop would, or much more.
-bool is_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop);
+/// What the surface does at a loop.
+enum class LoopEnd {
+  runs_on,  ///< it continues across the hole
+  flat,     ///< it was cut: the wall leaves the loop's plane on one side all along; a plane cap is missing
+  curved,   ///< the same at an outer rim that is not plane: a minimal surface is missing
+};
 
-/// How far from the loop is_flat_cut looks, as the crow flies; 0 where the loop itself tells.
-double reach_of_flat_cut(const SurfaceModel& model, const BoundaryLoop& loop);
+/// `flat` where the loop is nearly plane (planarity up to 0.03), the surface meets its plane steeply on one side along nine
+/// tenths of the loop or more, and it does not bend towards closing there as a ball through the loop would. `curved` for outer
+/// rims of planarity up to 0.1: of holes in natural surfaces, those with such loops mostly run on. The surface is read from fits
+/// behind the loop, so that noise does not decide; which side of it is out does not matter.
+LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop);
+
+/// Distance from the loop within which loop_end() reads the surface, mesh units; 0 where the loop's own shape decides.
+double reach_of_loop_end(const SurfaceModel& model, const BoundaryLoop& loop);
 
 }  // namespace loopmend

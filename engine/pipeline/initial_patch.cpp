@@ -186,7 +186,8 @@ InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const
 
 std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group) {
   const auto treatment = [&](const std::vector<int>& members) {
-    if (std::all_of(members.begin(), members.end(), [&](int k) { return is_flat_cut(model, group.loops[k]); }))
+    if (std::all_of(members.begin(), members.end(),
+                    [&](int k) { return loop_end(model, group.loops[k]) != LoopEnd::runs_on; }))
       return treatment_of_a_flat_cut;
     const std::optional<Patch> patch =
         joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);

@@ -7,7 +7,7 @@
 #include "mesh/patch.h"
 #include "mesh/validity.h"
 #include "neighborhood/boundary_fits.h"
-#include "pipeline/proportion.h"
+#include "pipeline/judge.h"
 
 #include <string>
 #include <vector>
@@ -20,8 +20,8 @@ struct PatchResult {
   Method method = Method::initial_patch;  ///< what shaped the patch
   std::string message;                    ///< for a person: what is to be known of the patch; empty when all is well
   std::string reason;  ///< why it was not the flow that was asked for, and how to get that; empty if it was
-  std::vector<std::string> attempts;  ///< of the strategy's table, those that were made, in order
-  std::string made_by;                ///< the attempt that made the patch; empty where it is the initial patch
+  std::vector<std::string> attempts;  ///< candidates that were computed, in order
+  std::string made_by;                ///< the candidate that was kept; empty where it is the initial patch
   Patch patch;
   int steps = 0;                    ///< accepted steps, over all runs that made the patch
   double bending = 0;               ///< EvolutionOptions::bending that was used
@@ -34,7 +34,7 @@ struct PatchResult {
   } energy;  ///< units as in StepRecord
   Validity validity;
   // One for each loop of the patch; empty where nobody measured.
-  std::vector<Proportion> proportions;
+  std::vector<Verdict> verdicts;
   std::vector<SeamReport> seams_before;  ///< of the initial patch
   std::vector<SeamReport> seams;
   std::vector<BoundarySummary> neighborhood;

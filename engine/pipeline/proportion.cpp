@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace loopmend {
 
@@ -80,23 +79,6 @@ bool is_out_of_proportion(const Proportion& proportion) {
   // The other way round, so that what is not a number is out of proportion.
   return !(proportion.energy <= notable_energy) &&
          (!(proportion.area <= large_area) || !(proportion.depth <= large_depth));
-}
-
-const Proportion* out_of_proportion(const std::vector<Proportion>& proportions) {
-  const auto found = std::find_if(proportions.begin(), proportions.end(), is_out_of_proportion);
-  return found == proportions.end() ? nullptr : &*found;
-}
-
-std::string describe(const Proportion& proportion) {
-  constexpr double told_depth = 0.05;
-  char text[160];
-  if (proportion.depth < told_depth)
-    std::snprintf(text, sizeof text, "its area is %.2g times that of the initial patch", proportion.area);
-  else
-    std::snprintf(text, sizeof text,
-                  "its area is %.2g times that of the initial patch, and it reaches %.2g diameters beyond it",
-                  proportion.area, proportion.depth);
-  return text;
 }
 
 }  // namespace loopmend

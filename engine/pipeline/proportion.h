@@ -4,7 +4,6 @@
 
 #include "mesh/patch.h"
 
-#include <string>
 #include <vector>
 
 namespace loopmend {
@@ -22,11 +21,5 @@ std::vector<Proportion> proportions_of(const Patch& patch, const Patch& initial)
 
 /// A large or deep patch is right where it runs on as a sphere does, with next to no energy. With energy it is a bubble.
 bool is_out_of_proportion(const Proportion& proportion);
-
-/// The first that is out of proportion; null if there is none.
-const Proportion* out_of_proportion(const std::vector<Proportion>& proportions);
-
-/// "its area is 3.8 times that of the initial patch, and it reaches 1.2 diameters beyond it"; the latter only where it does.
-std::string describe(const Proportion& proportion);
 
 }  // namespace loopmend

@@ -3,9 +3,9 @@
 
 #include "core/threads.h"
 #include "pipeline/bend_aside.h"
+#include "pipeline/candidates.h"
 #include "pipeline/patch_relief.h"
 #include "pipeline/seconds_since.h"
-#include "pipeline/strategy.h"
 
 #include <algorithm>
 #include <chrono>
@@ -77,7 +77,7 @@ class GroupSolver {
   GroupResult part(const InitialPatch& initial) const {
     GroupResult joint = jointly(initial);
     const bool spoilt = std::any_of(joint.holes.begin(), joint.holes.end(), [&](const HoleResult& hole) {
-      return hole.status == PatchStatus::failed || hole.status == PatchStatus::doubtful ||
+      return hole.status == PatchStatus::failed || hole.verdict().grade == Grade::bad ||
              (options_.evolution && hole.status == PatchStatus::filled);
     });
     if (initial.loops.size() == 1 || !spoilt || cancel_.cancelled()) return joint;
@@ -110,7 +110,7 @@ class GroupSolver {
     if (cancel_.cancelled()) return result;
     if (made.validity.intersections > 0 && initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops)
       solve_from_uncut_triangles(initial, made, result.holes.front().message);
-    if (made.validity.intersections > 0) bend_past_crumbs(made);
+    if (made.validity.intersections > 0) bend_past_crumbs(initial, made);
     if (cancel_.cancelled()) return result;
     const bool valid = made.validity.intersections == 0;
     if (!valid) {
@@ -159,6 +159,7 @@ class GroupSolver {
       uncut.seconds = made.seconds.total + seconds_since(start);
       PatchResult next = solved(uncut);
       if (next.validity.intersections > 0 || cancel_.cancelled()) return;
+      judge_again({scan_, *uncut.patch, initial.loops}, options_.evolution.value_or(EvolutionOptions{}), next);
       made.attempts.emplace_back("from triangles that cut nothing");
       next.attempts.insert(next.attempts.begin(), made.attempts.begin(), made.attempts.end());
       message = uncut.outcomes.front().message;
@@ -167,7 +168,7 @@ class GroupSolver {
     }
   }
 
-  void bend_past_crumbs(PatchResult& made) const {
+  void bend_past_crumbs(const InitialPatch& initial, PatchResult& made) const {
     made.attempts.emplace_back("bent past crumbs");
     std::optional<BentPatch> bent = bent_aside(scan_, made.patch, made.validity, cancel_);
     if (!bent) return;
@@ -175,33 +176,32 @@ class GroupSolver {
     made.validity = std::move(bent->validity);
     made.seams = seam_reports(made.patch);
     made.made_by = made.attempts.back();
+    const std::vector<BoundaryLoop> loops = loops_of(initial);
+    judge_again({scan_, *initial.patch, loops}, options_.evolution.value_or(EvolutionOptions{}), made);
     add_message(made, bent_message);
+  }
+
+  /// The loops whose initial patch it is; none where a flow has moved it.
+  static std::vector<BoundaryLoop> loops_of(const InitialPatch& initial) {
+    return initial.origin == InitialPatch::Origin::loops ? initial.loops : std::vector<BoundaryLoop>();
   }
 
   PatchResult solved(const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
     const BoundarySurvey survey = initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_);
-    const bool from_loops = initial.origin == InitialPatch::Origin::loops;
-    const std::vector<BoundaryLoop> loops = from_loops ? initial.loops : std::vector<BoundaryLoop>();
+    const std::vector<BoundaryLoop> loops = loops_of(initial);
     const PatchProblem problem{scan_, *initial.patch, loops};
     PatchResult result;
-    std::vector<SeamReport> before;
-    parallel_invoke(
-        [&] {
-          if (options_.evolution) {
-            EvolutionOptions evolution = *options_.evolution;
-            evolution.split = survey.split;
-            result = solve_patch(problem, evolution, on_step_, cancel_);
-            if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
-                is_filled(result.status))
-              add_relief(problem, survey.split, evolution.relief, cancel_, result);
-          } else {
-            result = initial_result(problem, FlowKind::mmcvf);
-          }
-        },
-        [&] { before = seam_reports(*initial.patch); });
-    if (result.seams.empty()) result.seams = before;
-    result.seams_before = std::move(before);
+    if (options_.evolution) {
+      EvolutionOptions evolution = *options_.evolution;
+      evolution.split = survey.split;
+      result = solve_patch(problem, evolution, on_step_, cancel_);
+      if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
+          is_filled(result.status))
+        add_relief(problem, survey.split, evolution.relief, cancel_, result);
+    } else {
+      result = initial_result(problem, FlowKind::mmcvf);
+    }
     result.neighborhood = boundary_summaries(*initial.patch, survey.split, survey.loops);
     result.seconds.initial_patch = initial.seconds;
     result.seconds.total = initial.seconds + seconds_since(start);

@@ -37,7 +37,9 @@ struct HoleResult {
   /// Zero where there is no patch, or where nobody measured.
   SeamReport seam_before() const { return entry(&PatchResult::seams_before); }
   SeamReport seam_after() const { return entry(&PatchResult::seams); }
-  Proportion proportion() const { return entry(&PatchResult::proportions); }
+  /// Good where there is no patch: its status says more.
+  Proportion proportion() const { return verdict().proportion; }
+  Verdict verdict() const { return is_filled(status) ? entry(&PatchResult::verdicts) : Verdict(); }
   BoundarySummary neighborhood() const { return entry(&PatchResult::neighborhood); }
 
  private:

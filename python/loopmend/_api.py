@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from loopmend import _core
-from loopmend.results import BoundaryLoop, Check, Curvatures, FillResult, HoleResult, Mesh, PatchResult, Seam
+from loopmend.results import (
+    BoundaryLoop, Check, Curvatures, FillResult, Finding, HoleResult, Mesh, PatchResult, Seam, Verdict,
+)
 
 Path = Union[str, "os.PathLike[str]"]
 OnProgress = Callable[[int, int, int], Any]
@@ -28,6 +30,9 @@ def _seam(figures: Optional[Dict[str, float]]) -> Optional[Seam]:
 def _hole(figures: Dict[str, Any]) -> HoleResult:
     for name in ("seam_before", "seam_after"):
         figures[name] = _seam(figures[name])
+    if figures["verdict"] is not None:
+        figures["verdict"]["findings"] = tuple(Finding(**finding) for finding in figures["verdict"]["findings"])
+        figures["verdict"] = Verdict(**figures["verdict"])
     return HoleResult(**_loop(figures))
 
 

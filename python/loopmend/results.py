@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Dict, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,18 +100,47 @@ class Seam:
     h_jump_rms_times_diameter: float
 
 
+@dataclass(frozen=True)
+class Finding:
+    """One thing that a person should know of a patch: a code, its arguments, and the sentence."""
+
+    code: str
+    arguments: List[float]
+    text: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a person sees of a patch, apart from how the solver ended.
+
+    grade: "good"; "look": sound, a person should look at it; "bad": it folds, crosses the surface, tears its seam or is a bubble.
+    sentence: the most serious finding; empty where the patch is good.
+    findings: all of them, the most serious first.
+    crease_deg: largest bend of a seam edge, degrees.
+    height: of the patch over the loop's best plane, beyond the loop itself, in loop diameters.
+    folds: edges bent by more than 150 degrees.
+    """
+
+    grade: str
+    sentence: str
+    findings: Tuple[Finding, ...]
+    crease_deg: float
+    height: float
+    folds: int
+
+
 @dataclass(frozen=True, eq=False)
 class HoleResult:
     """What became of one boundary loop.
 
     number, kind, edges, perimeter, diameter, planarity, area, center: as in BoundaryLoop.
-    status: "converged", "faired", "filled", "step_limit", "stalled" and "doubtful" have a patch; "failed" and "skipped"
-        have none.
+    status: "converged", "faired", "filled", "step_limit" and "stalled" have a patch; "failed" and "skipped" have none.
     is_filled: whether there is a patch.
     message: what is to be known of it, or why there is none; empty when all is well. Options are named as on the command
         line: --include-outer-rim is include_outer_rim=True.
     method: what shaped the patch, such as "mmcvf"; empty where there is none.
     reason: why that was not the flow that was asked for, and how to get it; empty if it was.
+    verdict: what a person sees of the patch; None where there is none.
     steps: accepted steps.
     energy_before, energy_after: of the flow, at the initial patch and at the end; MMCVF 1/length², WF none, SDF and MCF
         length².
@@ -134,6 +163,7 @@ class HoleResult:
     message: str
     method: str
     reason: str
+    verdict: Optional[Verdict]
     steps: int
     energy_before: float
     energy_after: float

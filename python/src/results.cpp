@@ -23,6 +23,15 @@ py::list seams_of(const std::vector<SeamReport>& seams) {
   return list;
 }
 
+py::dict verdict_figures(const Verdict& verdict) {
+  py::list findings;
+  for (const Notice& finding : verdict.findings)
+    findings.append(
+        py::dict("code"_a = to_string(finding.code), "arguments"_a = finding.arguments, "text"_a = english(finding)));
+  return py::dict("grade"_a = to_string(verdict.grade), "sentence"_a = verdict.sentence(), "findings"_a = findings,
+                  "crease_deg"_a = verdict.crease_deg, "height"_a = verdict.height, "folds"_a = verdict.folds);
+}
+
 py::dict hole_figures(const HoleResult& hole, NewPart part) {
   py::dict figures = loop_figures(hole.loop);
   figures["status"] = to_string(hole.status);
@@ -30,6 +39,7 @@ py::dict hole_figures(const HoleResult& hole, NewPart part) {
   figures["message"] = hole.message;
   figures["method"] = hole.method();
   figures["reason"] = hole.reason();
+  figures["verdict"] = is_filled(hole.status) ? py::object(verdict_figures(hole.verdict())) : py::none();
   figures["steps"] = hole.steps();
   figures["energy_before"] = hole.outcome().energy.initial;
   figures["energy_after"] = hole.outcome().energy.final;

@@ -496,10 +496,6 @@
             <translation>Stellen, an denen der Flicken sich oder seine Umgebung schneidet</translation>
         </message>
         <message>
-            <source>doubtful</source>
-            <translation>fraglich</translation>
-        </message>
-        <message>
             <source>cuts surface</source>
             <translation>schneidet</translation>
         </message>
@@ -2440,10 +2436,6 @@
             <translation>mit dem Rand „Exakt“ läuft der Fluss selbst</translation>
         </message>
         <message>
-            <source>the boundary lies in a plane that the surface runs into without bending, so that it was closed flat</source>
-            <translation>der Rand liegt in einer Ebene, in die die Fläche ohne Biegung ausläuft, sodass er eben geschlossen wurde</translation>
-        </message>
-        <message>
             <source>robust fairing in place of the flow</source>
             <translation>robuste Glättung statt des Flusses</translation>
         </message>
@@ -2468,52 +2460,12 @@
             <translation>der Fluss konnte nicht beginnen</translation>
         </message>
         <message>
-            <source>the flow would have folded the patch or cut the surface</source>
-            <translation>der Fluss hätte den Flicken gefaltet oder die Fläche geschnitten</translation>
-        </message>
-        <message>
             <source>the flow itself did not converge</source>
             <translation>der Fluss selbst ist nicht konvergiert</translation>
         </message>
         <message>
             <source>with bending energy mixed in it did</source>
             <translation>mit beigemischter Biegeenergie schon</translation>
-        </message>
-        <message>
-            <source>the patch of the flow itself was out of proportion</source>
-            <translation>der Flicken des Flusses selbst stand in keinem Verhältnis zum Loch</translation>
-        </message>
-        <message>
-            <source>with bending energy mixed in it is not</source>
-            <translation>mit beigemischter Biegeenergie nicht</translation>
-        </message>
-        <message>
-            <source>the patch of MMCVF was out of proportion</source>
-            <translation>der Flicken von MMCVF stand in keinem Verhältnis zum Loch</translation>
-        </message>
-        <message>
-            <source>the patch of MMCVF on the smooth surface was out of proportion</source>
-            <translation>der Flicken von MMCVF auf der glatten Fläche stand in keinem Verhältnis zum Loch</translation>
-        </message>
-        <message>
-            <source>the patch of MMCVF with bending energy mixed in was out of proportion</source>
-            <translation>der Flicken von MMCVF mit beigemischter Biegeenergie stand in keinem Verhältnis zum Loch</translation>
-        </message>
-        <message>
-            <source>the patch of robust fairing was out of proportion</source>
-            <translation>der Flicken der robusten Glättung stand in keinem Verhältnis zum Loch</translation>
-        </message>
-        <message>
-            <source>the patch of linear fairing was out of proportion</source>
-            <translation>der Flicken der linearen Glättung stand in keinem Verhältnis zum Loch</translation>
-        </message>
-        <message>
-            <source>the patch is out of proportion</source>
-            <translation>der Flicken steht in keinem Verhältnis zum Loch</translation>
-        </message>
-        <message>
-            <source>its area is %1 times that of the initial patch, and it reaches %2 diameters beyond it</source>
-            <translation>seine Fläche ist das %1-Fache der des ersten Flickens, und er reicht %2 Durchmesser über diesen hinaus</translation>
         </message>
         <message>
             <source>too small to hold a free vertex</source>
@@ -2904,12 +2856,88 @@
             <translation>„Kreuzende Dreiecke beschneiden“ im Menü Flicken kann helfen</translation>
         </message>
         <message>
-            <source>the mean curvature would have jumped across the seam</source>
-            <translation>die mittlere Krümmung wäre über die Naht gesprungen</translation>
+            <source>the surface ends at this loop, which is flat, so that it was closed flat</source>
+            <translation>die Fläche endet an diesem Rand, der flach ist; er wurde flach geschlossen</translation>
         </message>
         <message>
-            <source>its area is %1 times that of the initial patch</source>
-            <translation>seine Fläche ist das %1-Fache der des ersten Flickens</translation>
+            <source>the surface ends at this loop, so that it was closed by a minimal surface</source>
+            <translation>die Fläche endet an diesem Rand; er wurde durch eine Minimalfläche geschlossen</translation>
+        </message>
+        <message>
+            <source>minimal surface over a cut</source>
+            <translation>Minimalfläche über einem Schnitt</translation>
+        </message>
+        <message>
+            <source>flow</source>
+            <translation>Fluss</translation>
+        </message>
+        <message>
+            <source>split flow</source>
+            <translation>Fluss auf der glatten Fläche</translation>
+        </message>
+        <message>
+            <source>robust fairing</source>
+            <translation>robuste Glättung</translation>
+        </message>
+        <message>
+            <source>tangent fairing</source>
+            <translation>tangentiale Glättung</translation>
+        </message>
+        <message>
+            <source>minimal surface</source>
+            <translation>Minimalfläche</translation>
+        </message>
+        <message>
+            <source>crosses the surface or itself in %1 places</source>
+            <translation>schneidet die Fläche oder sich selbst an %1 Stellen</translation>
+        </message>
+        <message>
+            <source>crosses the surface or itself in %1 place</source>
+            <translation>schneidet die Fläche oder sich selbst an %1 Stelle</translation>
+        </message>
+        <message>
+            <source>%1 edges have more than two faces</source>
+            <translation>%1 Kanten haben mehr als zwei Flächen</translation>
+        </message>
+        <message>
+            <source>%1 edge has more than two faces</source>
+            <translation>%1 Kante hat mehr als zwei Flächen</translation>
+        </message>
+        <message>
+            <source>%1 edges are folded by more than 150°</source>
+            <translation>%1 Kanten sind um mehr als 150° gefaltet</translation>
+        </message>
+        <message>
+            <source>%1 edge is folded by more than 150°</source>
+            <translation>%1 Kante ist um mehr als 150° gefaltet</translation>
+        </message>
+        <message>
+            <source>a crease of %1° along %2 edges of the seam, where the initial patch had %3°</source>
+            <translation>ein Knick von %1° entlang %2 Kanten der Naht, wo der erste Flicken %3° hatte</translation>
+        </message>
+        <message>
+            <source>a dome %1 diameters high over a flat loop</source>
+            <translation>eine Kuppel, %1 Durchmesser hoch, über einem flachen Rand</translation>
+        </message>
+        <message>
+            <source>a bubble of %1 times the area of the initial patch</source>
+            <translation>eine Blase mit dem %1-Fachen der Fläche des ersten Flickens</translation>
+        </message>
+        <message>
+            <source>a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it</source>
+            <translation>eine Blase mit dem %1-Fachen der Fläche des ersten Flickens, die %2 Durchmesser darüber hinausreicht</translation>
+        </message>
+        <message>
+            <source>mean curvature jumps at the seam by %1 / diameter, before the flow by %2</source>
+            <translation>die mittlere Krümmung springt an der Naht um %1 / Durchmesser, vor dem Fluss um %2</translation>
+        </message>
+        <message>
+            <source>the patch of the flow itself had a fault</source>
+            <translation>der Flicken des Flusses selbst hatte einen Fehler</translation>
+        </message>
+        <message>
+            <source>with bending energy mixed in it has none</source>
+            <translation>mit beigemischter Biegeenergie hat er keinen</translation>
         </message>
     </context>
     <context>
@@ -6375,10 +6403,6 @@
             <translation>geglättet</translation>
         </message>
         <message>
-            <source>doubtful</source>
-            <translation>fraglich</translation>
-        </message>
-        <message>
             <source>stopped early</source>
             <translation>früh beendet</translation>
         </message>
@@ -6473,10 +6497,6 @@
         <message>
             <source>No flow has run yet.</source>
             <translation>Noch lief kein Fluss.</translation>
-        </message>
-        <message>
-            <source>But the patch is out of proportion to its hole.</source>
-            <translation>Aber die Fläche steht in keinem Verhältnis zum Loch.</translation>
         </message>
         <message>
             <source>Fairing made the jump of curvature %1 times smaller.</source>
@@ -6733,10 +6753,6 @@
             <translation>Kein Loch: mehr als zwei Dreiecke treffen sich an dieser Kante, deshalb wurde die Fläche hier getrennt. Reparieren… im Reiter Flicken führt solche Kanten auf und entfernt sie.</translation>
         </message>
         <message>
-            <source>Filled, but the patch is out of proportion to its hole: look at it, then accept it, or discard it and trim the boundary.</source>
-            <translation>Gefüllt, aber die Fläche steht in keinem Verhältnis zum Loch: bitte ansehen, dann annehmen, oder verwerfen und den Rand beschneiden.</translation>
-        </message>
-        <message>
             <source>The flow stopped before it converged; this is its last good state. Run goes on from here; Accept keeps it.</source>
             <translation>Der Fluss hielt an, bevor er konvergierte; dies ist sein letzter guter Zustand. Lauf macht hier weiter; Annehmen behält ihn.</translation>
         </message>
@@ -6822,6 +6838,64 @@
                 <numerusform>%Ln Kante, an der sie sich selbst berührt</numerusform>
                 <numerusform>%Ln Kanten, an denen sie sich selbst berührt</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>look</source>
+            <translation>ansehen</translation>
+        </message>
+        <message>
+            <source>bad</source>
+            <translation>schlecht</translation>
+        </message>
+        <message>
+            <source>Filled; look at this patch before you accept it.</source>
+            <translation>Gefüllt; diesen Flicken vor dem Annehmen ansehen.</translation>
+        </message>
+        <message>
+            <source>Filled, but the patch has a fault: look at it, then accept it, or discard it and trim the boundary.</source>
+            <translation>Gefüllt, aber der Flicken hat einen Fehler: ansehen, dann annehmen, oder verwerfen und den Rand beschneiden.</translation>
+        </message>
+        <message numerus="yes">
+            <source>crosses the surface or itself in %Ln place(s)</source>
+            <translation>
+                <numerusform>schneidet die Fläche oder sich selbst an %Ln Stelle</numerusform>
+                <numerusform>schneidet die Fläche oder sich selbst an %Ln Stellen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) folded by more than 150°</source>
+            <translation>
+                <numerusform>%Ln um mehr als 150° gefaltete Kante</numerusform>
+                <numerusform>%Ln um mehr als 150° gefaltete Kanten</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>a crease of %1° along %2 edges of the seam, where the initial patch had %3°</source>
+            <translation>ein Knick von %1° entlang %2 Kanten der Naht, wo der erste Flicken %3° hatte</translation>
+        </message>
+        <message>
+            <source>a dome %1 diameters high over a flat loop</source>
+            <translation>eine Kuppel, %1 Durchmesser hoch, über einem flachen Rand</translation>
+        </message>
+        <message>
+            <source>a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it</source>
+            <translation>eine Blase mit dem %1-Fachen der Fläche des ersten Flickens, die %2 Durchmesser darüber hinausreicht</translation>
+        </message>
+        <message>
+            <source>mean curvature jumps at the seam by %1 / diameter, before the flow by %2</source>
+            <translation>die mittlere Krümmung springt an der Naht um %1 / Durchmesser, vor dem Fluss um %2</translation>
+        </message>
+        <message>
+            <source>no flow or fairing gave a sound patch: the initial patch was kept</source>
+            <translation>kein Fluss und keine Glättung ergab einen fehlerfreien Flicken: der erste Flicken wurde behalten</translation>
+        </message>
+        <message>
+            <source>a crease of %1° along %2 edges of the seam</source>
+            <translation>ein Knick von %1° entlang %2 Kanten der Naht</translation>
+        </message>
+        <message>
+            <source>rises %1 diameters over its loop; a ball through the seam would rise %2</source>
+            <translation>erhebt sich %1 Durchmesser über seinen Rand; eine Kugel durch die Naht erhöbe sich %2</translation>
         </message>
     </context>
 </TS>

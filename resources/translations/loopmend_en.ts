@@ -345,13 +345,6 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>%Ln edge(s) of more than two faces</source>
-            <translation>
-                <numerusform>%Ln edge of more than two faces</numerusform>
-                <numerusform>%Ln edges of more than two faces</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
             <source>%Ln edge(s) whose faces look to opposite sides</source>
             <translation>
                 <numerusform>%Ln edge whose faces look to opposite sides</numerusform>
@@ -377,6 +370,27 @@
             <translation>
                 <numerusform>%Ln edge along which it touches itself</numerusform>
                 <numerusform>%Ln edges along which it touches itself</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>crosses the surface or itself in %Ln place(s)</source>
+            <translation>
+                <numerusform>crosses the surface or itself in %Ln place</numerusform>
+                <numerusform>crosses the surface or itself in %Ln places</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>%Ln edge of more than two faces</numerusform>
+                <numerusform>%Ln edges of more than two faces</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%Ln edge(s) folded by more than 150°</source>
+            <translation>
+                <numerusform>%Ln edge folded by more than 150°</numerusform>
+                <numerusform>%Ln edges folded by more than 150°</numerusform>
             </translation>
         </message>
     </context>

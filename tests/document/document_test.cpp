@@ -44,18 +44,26 @@ TEST(Document, TellsTheStateOfEveryLoop) {
   const std::pair<PatchStatus, HoleState> pairs[] = {
       {PatchStatus::filled, HoleState::filled},       {PatchStatus::ready, HoleState::stepped},
       {PatchStatus::converged, HoleState::converged}, {PatchStatus::stalled, HoleState::stalled},
-      {PatchStatus::invalid, HoleState::cutting},     {PatchStatus::faired, HoleState::faired},
-      {PatchStatus::doubtful, HoleState::doubtful}};
+      {PatchStatus::invalid, HoleState::cutting},     {PatchStatus::faired, HoleState::faired}};
   for (const auto& [stage, state] : pairs) {
     document.set_states({{id, state_at(stage)}});
     EXPECT_EQ(document.state(square), state);
+  }
+  for (const auto& [grade, state] : {std::pair(Grade::good, HoleState::converged),
+                                     std::pair(Grade::look, HoleState::look), std::pair(Grade::bad, HoleState::bad)}) {
+    auto judged = std::make_shared<PatchState>(*state_at(PatchStatus::converged));
+    judged->verdicts.resize(1);
+    judged->verdicts[0].grade = grade;
+    document.set_states({{id, judged}});
+    EXPECT_EQ(document.state(square), state);
+    EXPECT_EQ(document.verdict(square)->grade, grade);
   }
   document.set_running({id});
   EXPECT_EQ(document.state(square), HoleState::running);
   document.replace({id}, {});
   EXPECT_EQ(document.state(square), HoleState::open);
   EXPECT_FALSE(document.is_running(id));
-  add_patch(document, {square}, state_at(PatchStatus::doubtful), Acceptance::accepted);
+  add_patch(document, {square}, state_at(PatchStatus::converged), Acceptance::accepted);
   EXPECT_EQ(document.state(square), HoleState::accepted);
 }
 

@@ -74,10 +74,11 @@ inline constexpr const char* engine_messages[] = {
     "the flow on the smooth surface under the scan: the scan around the hole is noisy: the flow runs on the smooth "
     "surface "
     "under it; --boundary exact runs the flow itself; stopped after 100 steps, before the steady state",
-    "linear fairing in place of the flow: the boundary lies in a plane that the surface runs into without bending, so "
-    "that "
-    "it was closed flat; --boundary exact runs the flow itself",
-    "the flow with bending energy mixed in: the flow would have folded the patch or cut the surface",
+    "linear fairing in place of the flow: the surface ends at this loop, which is flat, so that it was closed flat; "
+    "--boundary exact runs the flow itself",
+    "linear fairing in place of the flow: the surface ends at this loop, so that it was closed by a minimal surface; "
+    "--boundary exact runs the flow itself",
+    "the flow with bending energy mixed in: split flow: 3 edges are folded by more than 150°",
     "no step of the flow came below its fairings, which were kept",
     "stopped early: the noise could not be carried into the patch",
     "stopped early: only vanishing time steps keep the flow stable here",
@@ -91,41 +92,31 @@ inline constexpr const char* engine_messages[] = {
     "the time step sigma must lie between 1e-6 and 1e8, not 0.000000",
     "the share of bending energy must lie between 0 and 1e6, not -1.000000",
     "the number of steps must be at least 1, not 0",
-    // pipeline/attempt.cpp, strategy.cpp, proportion.cpp, patch_relief.cpp, blend.cpp
+    // core/notice.cpp, pipeline/attempt.cpp, candidates.cpp, patch_relief.cpp, blend.cpp
     "one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it",
     "5 boundary vertices are outliers: the patch meets them, but does not take its curvature from them",
     "the patch would have folded or cut the surface at a few places: there, at 12 of its 300 vertices, it goes back "
     "towards "
     "what it set out from",
     "the flow could not start: the surface around the hole has too few vertices to tell its curvature",
-    "the flow would have folded the patch or cut the surface: the initial patch was kept",
-    "the mean curvature would have jumped across the seam: the initial patch was kept",
-    "the patch of mmcvf was out of proportion: its area is 3.8 times that of the initial patch, and it reaches 1.2 "
-    "diameters "
-    "beyond it",
-    "the patch of mmcvf_split was out of proportion: its area is 3.8 times that of the initial patch, and it reaches "
-    "1e+02 "
-    "diameters beyond it",
-    "the patch of mmcvf_mixed_order was out of proportion: its area is inf times that of the initial patch, and it "
-    "reaches "
-    "nan diameters beyond it",
-    "the patch of robust_fairing was out of proportion: its area is 4 times that of the initial patch, and it reaches "
-    "1 "
-    "diameters beyond it",
-    "the patch of linear_fairing was out of proportion: its area is 4 times that of the initial patch, and it reaches "
-    "1 "
-    "diameters beyond it",
-    "the patch is out of proportion: its area is 2.6 times that of the initial patch",
-    "the patch is out of proportion: its area is 4 times that of the initial patch, and it reaches 1 diameters beyond "
-    "it; "
-    "stopped early: no further step lowers the energy without folding the patch",
+    "flow: crosses the surface or itself in 3 places: the initial patch was kept",
+    "split flow: crosses the surface or itself in 1 place",
+    "split flow: 3 edges are folded by more than 150°",
+    "robust fairing: 1 edge is folded by more than 150°",
+    "tangent fairing: 2 edges have more than two faces",
+    "minimal surface: 1 edge has more than two faces",
+    "split flow: a crease of 90° along 12 edges of the seam, where the initial patch had 18°",
+    "minimal surface over a cut: a dome 0.42 diameters high over a flat loop",
+    "flow: a bubble of 3.8 times the area of the initial patch, reaching 1.2 diameters beyond it",
+    "flow: a bubble of 3.8 times the area of the initial patch",
+    "split flow: mean curvature jumps at the seam by 250 / diameter, before the flow by 3.4",
     "too small to hold a free vertex: closed by triangles between its own vertices",
     "the scan around the hole has no relief to continue",
     "the patch has as much relief as the scan without any added, rms 0.0123 (0.0131 around the hole)",
     "with relief the patch would fold or cut the surface: it stays smooth",
     "bent past loose crumbs of surface in the hole; --repair removes such crumbs",
     "relief continued at random, rms 0.0123 (0.0131 around the hole)",
-    "the patch of the flow itself was out of proportion; with bending energy mixed in it is not",
+    "the patch of the flow itself had a fault; with bending energy mixed in it has none",
     "the flow itself did not converge; with bending energy mixed in it did",
     "a crease of 40 degrees is left at a seam: the patch turns too sharply there for edges of this length; finer "
     "meshes would "

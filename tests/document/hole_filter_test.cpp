@@ -30,7 +30,7 @@ TEST_F(HoleFilterTest, ShowsTheGroupThatIsAskedFor) {
   EXPECT_EQ(shown(), (Loops{boundary, square, diamond}));
   EXPECT_FALSE(filter.narrowed());
   document.add_failures({{diamond, "no room"}});
-  const int id = add_patch(document, {square}, state_at(PatchStatus::doubtful));
+  const int id = add_patch(document, {square}, state_at(PatchStatus::stalled));
   EXPECT_EQ(shown(HoleGroup::left_out), Loops{boundary});
   EXPECT_EQ(shown(HoleGroup::to_do), Loops{diamond});
   EXPECT_EQ(shown(HoleGroup::filled), Loops{square});

@@ -26,7 +26,7 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   const BoundaryLoop& loop = scan.loops[square];
   auto state = std::make_shared<PatchState>();
   state->patch = make_patch(*scan.model, {loop}, {*fill_loop(*scan.model, loop, {}, {}).patch});
-  state->status = PatchStatus::doubtful;
+  state->status = PatchStatus::faired;
   state->message = "a message with an umlaut: \xc3\xa4";
   RunRecipe run;
   run.flow = FlowKind::wf;

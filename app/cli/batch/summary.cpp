@@ -46,6 +46,12 @@ std::string with_loops(const std::string& message, const std::vector<int>& loops
   return text + ": " + message;
 }
 
+/// Of a loop's entry, in full or brief.
+std::string grade_of(const nlohmann::json& loop) {
+  return loop.contains("verdict") ? loop["verdict"].at("grade").get<std::string>()
+                                  : loop.at("grade").get<std::string>();
+}
+
 /// @throws nlohmann::json::exception where it is no report of fill.
 ScanFigures figures_of(const nlohmann::json& report) {
   ScanFigures figures;
@@ -58,17 +64,21 @@ ScanFigures figures_of(const nlohmann::json& report) {
     const std::string status = loop.at("status").get<std::string>(), message = loop.at("message").get<std::string>();
     ++figures.loops;
     const bool is_open = status == "failed" || status == "skipped";
+    bool bad = false;
     if (is_open) {
       ++(status == "failed" ? figures.failed : figures.left);
     } else {
       ++figures.filled;
-      figures.doubtful += status == "doubtful";
+      bad = grade_of(loop) == "bad";
+      figures.bad += bad;
       figures.new_vertices += loop.at("free_vertices").get<long>();
       take_larger(figures.angle_rms, loop.at("seam_after").at("g1_rms_deg"));
       take_larger(figures.angle_max, loop.at("seam_after").at("g1_max_deg"));
     }
-    if (!is_open && status != "doubtful") continue;
-    const std::string words = status + (message.empty() ? "" : ", " + message);
+    if (!is_open && !bad) continue;
+    const std::string why =
+        bad && loop.contains("verdict") ? loop["verdict"].at("sentence").get<std::string>() : message;
+    const std::string words = (bad ? "bad" : status) + (why.empty() ? "" : ", " + why);
     auto known = std::find_if(said.begin(), said.end(), [&](const auto& one) { return one.first == words; });
     if (known == said.end()) known = said.insert(said.end(), {words, {}});
     known->second.push_back(loop.at("number").get<int>());
@@ -101,7 +111,7 @@ std::string SummaryRow::remark() const {
   if (!end->why.empty()) parts.push_back(end->why);
   if (end->state == ScanEnd::State::waiting) parts.emplace_back("the batch was stopped before this scan was done");
   if (end->has_mesh() && !figures) parts.emplace_back("the report cannot be read");
-  if (figures && end->code != exit_done && figures->failed == 0 && figures->doubtful == 0)
+  if (figures && end->code != exit_done && figures->failed == 0 && figures->bad == 0)
     parts.emplace_back(figures->filled > 0 ? "not everything was finished" : "nothing was filled");
   if (figures && !figures->remarks.empty()) parts.push_back(figures->remarks);
   if (!end->picture_fault.empty()) parts.push_back("no picture: " + end->picture_fault);
@@ -142,7 +152,7 @@ SummaryCounts counts_of(const std::vector<SummaryRow>& rows) {
 
 std::string summary_csv(const std::vector<SummaryRow>& rows) {
   std::string csv =
-      "scan,input,status,exit_code,this_run,vertices,faces,loops,filled,doubtful,failed,left,new_vertices,seam_angle_"
+      "scan,input,status,exit_code,this_run,vertices,faces,loops,filled,bad,failed,left,new_vertices,seam_angle_"
       "rms_deg,"
       "seam_angle_max_deg,seconds,fill_seconds,peak_memory_mb,mesh,report,picture,remark\n";
   for (const SummaryRow& row : rows) {
@@ -153,7 +163,7 @@ std::string summary_csv(const std::vector<SummaryRow>& rows) {
     if (row.figures) {
       const ScanFigures& f = *row.figures;
       for (const long count : {static_cast<long>(f.vertices), static_cast<long>(f.faces), static_cast<long>(f.loops),
-                               static_cast<long>(f.filled), static_cast<long>(f.doubtful), static_cast<long>(f.failed),
+                               static_cast<long>(f.filled), static_cast<long>(f.bad), static_cast<long>(f.failed),
                                static_cast<long>(f.left), f.new_vertices})
         fields.push_back(std::to_string(count));
       fields.insert(fields.end(), {number(f.angle_rms), number(f.angle_max), number("%.3f", row.end->seconds),

@@ -15,14 +15,14 @@ namespace loopmend {
 struct ScanFigures {
   std::size_t vertices = 0, faces = 0;  ///< of the input
   int loops = 0, filled = 0;
-  int doubtful = 0;  ///< of those filled
+  int bad = 0;  ///< of those filled
   int failed = 0;
   int left = 0;  ///< as asked, no holes, or not finished
   long new_vertices = 0;
   std::optional<double> angle_rms, angle_max;  ///< largest at a seam, degrees
   double seconds = 0;                          ///< of the work, without the start of the process
   double memory = 0;                           ///< at most, MB
-  std::string remarks;                         ///< what is said of loops that are open or doubtful, each once
+  std::string remarks;                         ///< what is said of loops that are open or bad, each once
 };
 
 struct SummaryRow {
@@ -38,7 +38,7 @@ struct SummaryRow {
 
 struct SummaryCounts {
   int filled = 0;  ///< everything as asked
-  int look = 0;    ///< a loop failed or is doubtful, or none is a hole
+  int look = 0;    ///< a loop failed or has a bad patch, or none is a hole
   int error = 0, waiting = 0;
   int as_before = 0;  ///< of the first two, those that an earlier run filled
 };

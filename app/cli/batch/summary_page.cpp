@@ -71,8 +71,8 @@ std::string row_html(const fs::path& folder, const SummaryRow& row, std::size_t 
   if (row.figures) {
     const ScanFigures& f = *row.figures;
     for (const long count :
-         {static_cast<long>(f.faces), static_cast<long>(f.loops), static_cast<long>(f.filled),
-          static_cast<long>(f.doubtful), static_cast<long>(f.failed), static_cast<long>(f.left), f.new_vertices})
+         {static_cast<long>(f.faces), static_cast<long>(f.loops), static_cast<long>(f.filled), static_cast<long>(f.bad),
+          static_cast<long>(f.failed), static_cast<long>(f.left), f.new_vertices})
       html += cell(count);
     html +=
         cell("%.1f", f.angle_rms) + cell("%.1f", f.angle_max) + cell("%.1f", row.end->seconds) + cell("%.0f", f.memory);
@@ -125,7 +125,7 @@ std::string summary_page(const fs::path& folder, const std::vector<SummaryRow>& 
       "<h2>All "
       "scans</h2>\n<table>\n<thead><tr><th>#</th><th>scan</th><th>status</th><th>faces</th><th>loops</th><th>filled</"
       "th>"
-      "<th>doubtful</th><th>failed</th><th>left</th><th>new vertices</th><th>seam angle rms, &deg;</th>"
+      "<th>bad</th><th>failed</th><th>left</th><th>new vertices</th><th>seam angle rms, &deg;</th>"
       "<th>seam angle max, &deg;</th><th>seconds</th><th>memory, MB</th><th>remark</th><th>before and "
       "after</th></tr></thead>\n"
       "<tbody>\n";

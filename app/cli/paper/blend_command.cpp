@@ -98,7 +98,7 @@ int run_blend(const BlendCommand& command) {
     print_reason(out, result.outcome.reason);
     print_losses(out, command.output, losses);
   }
-  return result.outcome.status == PatchStatus::doubtful ? exit_loops_failed : exit_done;
+  return worst(result.outcome.verdicts) == Grade::bad ? exit_loops_failed : exit_done;
 }
 
 }  // namespace loopmend

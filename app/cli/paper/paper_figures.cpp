@@ -112,7 +112,9 @@ FigureRun run_recovery(TriangleSoup input, const TableRow& paper, double (*dista
                            number_text("%.3g", before) + " &rarr; " + number_text("%.3g", after));
   run.numbers.emplace_back("jump of H &times; diameter", number_text("%.3g", worst_jump_times_diameter(evolved.patch)));
   const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
-  run.verdict = good && after < 1e-3 ? Verdict::reproduced : after < 1e-2 ? Verdict::partly : Verdict::not_reproduced;
+  run.verdict = good && after < 1e-3 ? Reproduction::reproduced
+                : after < 1e-2       ? Reproduction::partly
+                                     : Reproduction::not_reproduced;
   run.why = "The semi-implicit scheme, started from the minimal-surface filling, ends " + number_text("%.2g", after) +
             " of the radius from the exact surface (the filling: " + number_text("%.2g", before) + ").";
   return run;
@@ -170,7 +172,9 @@ FigureRun run_blend(const std::vector<TubeShape>& tubes, const TableRow& paper) 
                            number_text("%.3g", before) + " &rarr; " + number_text("%.3g", after));
   run.claim = "The meshes are blended smoothly at their boundaries by one fair surface.";
   const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
-  run.verdict = good ? Verdict::reproduced : evolved.validity.is_clean() ? Verdict::partly : Verdict::not_reproduced;
+  run.verdict = good                          ? Reproduction::reproduced
+                : evolved.validity.is_clean() ? Reproduction::partly
+                                              : Reproduction::not_reproduced;
   run.why =
       "The blend is one manifold without folds or self-intersections. The flow does not start from the minimal "
       "surface, "
@@ -208,7 +212,9 @@ FigureRun run_fig53() {
   run.numbers.emplace_back("jump of H &times; diameter",
                            number_text("%.3g", before) + " &rarr; " + number_text("%.3g", after));
   const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged;
-  run.verdict = good && after < 0.15 * before ? Verdict::reproduced : good ? Verdict::partly : Verdict::not_reproduced;
+  run.verdict = good && after < 0.15 * before ? Reproduction::reproduced
+                : good                        ? Reproduction::partly
+                                              : Reproduction::not_reproduced;
   run.why = "The jump of H falls to " + number_text("%.2g", after / before) +
             " of the initial patch's. The head is our own, since the paper's is not published; its table says 10 "
             "steps, the caption "
@@ -230,7 +236,7 @@ FigureRun run_fig54() {
   double worst = 0;
   for (const Vec3& p : result.surface.points) worst = std::max(worst, std::abs(p.norm() - 1));
   run.numbers.emplace_back("largest distance to the sphere through the vertices, radius 1", number_text("%.3g", worst));
-  run.verdict = result.outcome.validity.is_clean() && worst < 1e-3 ? Verdict::reproduced : Verdict::partly;
+  run.verdict = result.outcome.validity.is_clean() && worst < 1e-3 ? Reproduction::reproduced : Reproduction::partly;
   run.why =
       "Each pentagon as three triangles, each of these as 64; 1134 free vertices. The answer is the sphere. The "
       "semi-implicit scheme fails from flat faces, so the steady state is found by Gauss-Newton on the same energy, "
@@ -292,7 +298,8 @@ FigureRun run_fig55() {
     run.numbers.emplace_back(upper_name(flow) + ": jump of H for 24, 48, 96 vertices around", row);
   const auto falls = [&](FlowKind flow) { return jumps[flow][2] < 0.7 * jumps[flow][1]; };
   const bool own = falls(FlowKind::mmcvf), others = falls(FlowKind::sdf) || falls(FlowKind::wf);
-  run.verdict = own && !others && most_continuous_is_mmcvf(*run.comparison) ? Verdict::reproduced : Verdict::partly;
+  run.verdict =
+      own && !others && most_continuous_is_mmcvf(*run.comparison) ? Reproduction::reproduced : Reproduction::partly;
   run.why =
       "When the edges are halved and halved again, the jump at the seams falls by half for MMCVF: it comes from the "
       "triangles. For SDF and WF it stays or grows: it belongs to the surface. With 96 vertices around, by wide "
@@ -329,7 +336,7 @@ FigureRun run_fig56() {
   describe(scheme, run);
   for (const ComparedFlow& flow : run.comparison->runs)
     run.numbers.emplace_back(upper_name(flow.outcome.flow) + ": jump of H", jumps_text(flow));
-  run.verdict = most_continuous_is_mmcvf(*run.comparison) ? Verdict::reproduced : Verdict::not_reproduced;
+  run.verdict = most_continuous_is_mmcvf(*run.comparison) ? Reproduction::reproduced : Reproduction::not_reproduced;
   run.why =
       "Printed, e(u,v) = exp[&minus;81/16 (u&minus;&frac12;)&sup2; + (v&minus;&frac12;)&sup2;] grows without bound and "
       "g &gt; 1.5 would free some 3100 vertices. We close the bracket around both squares; then max g = 1.013 and the "
@@ -358,7 +365,7 @@ FigureRun run_table51() {
     all = all && evolved.validity.is_clean() && evolved.status == PatchStatus::converged && off < 1e-3;
     if (sigma == 1e4) run.after = pasted(run.before, evolved.patch);
   }
-  run.verdict = all ? Verdict::reproduced : Verdict::partly;
+  run.verdict = all ? Reproduction::reproduced : Reproduction::partly;
   run.why =
       "A step of size &sigma; shrinks the slowest mode of the patch to 1/(1+&sigma;); a trial that raises the energy "
       "or "
@@ -385,11 +392,11 @@ std::string number_text(const char* pattern, double value) {
   return buffer;
 }
 
-const char* to_string(Verdict verdict) {
+const char* to_string(Reproduction verdict) {
   switch (verdict) {
-    case Verdict::reproduced: return "reproduced";
-    case Verdict::partly: return "partly reproduced";
-    case Verdict::not_reproduced: return "not reproduced";
+    case Reproduction::reproduced: return "reproduced";
+    case Reproduction::partly: return "partly reproduced";
+    case Reproduction::not_reproduced: return "not reproduced";
   }
   return "";
 }

@@ -13,8 +13,8 @@
 
 namespace loopmend {
 
-enum class Verdict { reproduced, partly, not_reproduced };
-const char* to_string(Verdict verdict);
+enum class Reproduction { reproduced, partly, not_reproduced };
+const char* to_string(Reproduction verdict);
 /// @param pattern  one conversion for a double, as of printf.
 std::string number_text(const char* pattern, double value);
 
@@ -28,7 +28,7 @@ struct TableRow {
 struct FigureRun {
   std::string id, title;  ///< "fig5.1a", "A cylinder from which parts are missing"
   std::string claim;      ///< the paper's, in a sentence
-  Verdict verdict = Verdict::not_reproduced;
+  Reproduction verdict = Reproduction::not_reproduced;
   std::string why;  ///< the figures that decide, and what was assumed
   SurfaceModel before, initial, after;
   std::string initial_caption = "Initial surface";

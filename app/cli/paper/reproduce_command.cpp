@@ -86,7 +86,9 @@ const std::string profile_note =
 
 std::string figure_html(const Entry& entry) {
   const FigureRun& run = entry.run;
-  const char* mark = run.verdict == Verdict::reproduced ? "yes" : run.verdict == Verdict::partly ? "partly" : "no";
+  const char* mark = run.verdict == Reproduction::reproduced ? "yes"
+                     : run.verdict == Reproduction::partly   ? "partly"
+                                                             : "no";
   std::string html = "<h2 id='" + run.id + "'>" + run.id + ": " + run.title + "</h2>\n<p>The paper: <q>" + run.claim +
                      "</q></p>\n<p><b class='" + mark + "'>" + to_string(run.verdict) + "</b>. " + run.why +
                      "</p>\n<img src='" + run.id + ".png' alt='" + run.title + ": input, start, result'>\n";

@@ -38,7 +38,6 @@ int severity(PatchStatus status) {
     case PatchStatus::faired: return 1;
     case PatchStatus::step_limit:
     case PatchStatus::stalled: return 2;
-    case PatchStatus::doubtful: return 3;
     case PatchStatus::filled: return 4;
     default: return 5;
   }

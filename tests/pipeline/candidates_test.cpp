@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/strategy.h"
+#include "pipeline/candidates.h"
 #include "core/random.h"
 #include "filling/fairing.h"
 #include "mesh/mesh_arrays.h"

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program reports, as a value: a code and its arguments. Text is made at the edge, in English here and in other
+// languages by the window.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+/// Beside each code its arguments, in order. Lengths are in diameters of the loop, angles in degrees.
+enum class NoticeCode {
+  crosses_surface,      ///< number of places
+  nonmanifold_edges,    ///< number of edges
+  folded_edges,         ///< number of edges
+  torn_seam,            ///< bend of the seam edges, number of these, their bend before
+  dome_over_flat_loop,  ///< height
+  bubble,               ///< area in areas of the initial patch, reach beyond it
+  curvature_torn,       ///< jump of H × diameter, the same before
+  initial_patch_kept,   ///< none
+  crease,               ///< bend of the seam edges, number of these
+  high_over_loop,       ///< height, height of a ball through the seam
+};
+
+struct Notice {
+  NoticeCode code = NoticeCode::crease;
+  std::vector<double> arguments;
+
+  bool operator==(const Notice&) const = default;
+};
+
+/// The word of reports: "crease".
+const char* to_string(NoticeCode code);
+
+/// A sentence without capital and full stop: "a crease of 50° along 12 edges of the seam".
+std::string english(const Notice& notice);
+
+}  // namespace loopmend

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/candidates.h"
+
+#include "pipeline/initial_patch.h"
+#include "pipeline/multi_start.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace loopmend {
+
+namespace {
+
+/// One problem with all that decides which candidates there are.
+struct Situation {
+  AttemptContext context;
+  EvolutionOptions options;            ///< as asked for
+  std::optional<SplitEstimate> split;  ///< where the options leave the treatment of the boundary to be judged
+  std::optional<CleanNeighborhood>
+      clean_neighborhood;              ///< where single vertices stand off a neighborhood that is smooth without them
+  std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
+  std::vector<LoopEnd> ends;           ///< of each loop; empty where the loops bound no holes
+
+  const Patch& initial() const { return context.problem.initial; }
+  bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
+  /// What a fairing of a rough neighborhood starts from.
+  const Patch& start() const { return triangulation ? *triangulation : initial(); }
+  bool is_cut() const {
+    return is_judged(options) && !ends.empty() &&
+           std::none_of(ends.begin(), ends.end(), [](LoopEnd end) { return end == LoopEnd::runs_on; });
+  }
+};
+
+/// The initial patch of the same loops before it was relaxed. Empty if there is none.
+std::optional<Patch> triangulation_of(const PatchProblem& problem, const CancelToken& cancel) {
+  const Patch& initial = problem.initial;
+  std::vector<BoundaryLoop> closed;  // a joint patch leaves out those that have none
+  for (const BoundaryLoop& loop : problem.loops)
+    if (std::find(initial.loop_numbers.begin(), initial.loop_numbers.end(), loop.number) != initial.loop_numbers.end())
+      closed.push_back(loop);
+  if (closed.empty()) return std::nullopt;
+  std::optional<Patch> patch =
+      make_initial_patch(problem.scan.model, closed, {initial.grading.density, InitialShape::triangulated}, cancel)
+          .patch;
+  return patch && patch->loop_numbers == initial.loop_numbers && patch->free_count > 0 ? patch : std::nullopt;
+}
+
+std::vector<LoopEnd> ends_of(const PatchProblem& problem) {
+  std::vector<LoopEnd> ends;
+  for (int number : problem.initial.loop_numbers)
+    for (const BoundaryLoop& loop : problem.loops)
+      if (loop.number == number) ends.push_back(loop_end(problem.scan.model, loop));
+  return ends.size() == problem.initial.loops.size() ? ends : std::vector<LoopEnd>();
+}
+
+Judge judge_for(const PatchProblem& problem, const EvolutionOptions& options, std::vector<LoopEnd> ends) {
+  const bool position = options.flow == FlowKind::mcf ||
+                        (options.flow == FlowKind::mmcvf && options.continuity == SeamContinuity::position);
+  return {problem.initial, std::move(ends), position ? Judge::Creases::asked_for : Judge::Creases::unwanted};
+}
+
+PatchResult judged_initial(const PatchProblem& problem, const EvolutionOptions& options, const Judge& judge) {
+  PatchResult result;
+  result.status = PatchStatus::filled;
+  result.flow = options.flow;
+  result.patch = problem.initial;
+  result.validity = validate(problem.scan, problem.initial);
+  result.seams = result.seams_before = judge.initial_seams();
+  result.verdicts = judge(result.patch, result.validity, result.seams);
+  return result;
+}
+
+bool position(const Situation& s, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  options.continuity = SeamContinuity::position;
+  return run_once(s.context, s.initial(), options, result);
+}
+
+bool flow(const Situation& s, PatchResult& result) {
+  const auto is_sound = [](const PatchResult& run) {
+    return run.status != PatchStatus::filled && worst(run.verdicts) != Grade::bad;
+  };
+  result = best_of_starts(
+      s.initial(), s.options, s.context.cancel,
+      [&](const Patch& start, const EvolutionOptions& from) {
+        PatchResult run;
+        run.patch = s.initial();
+        run.status = run_once(s.context, start, from, run) ? run.status : PatchStatus::filled;
+        return run;
+      },
+      [&](const PatchResult& run) { return rating_of(run, is_sound(run)); });
+  return result.status != PatchStatus::filled;
+}
+
+bool split(const Situation& s, PatchResult& result) { return run_once(s.context, s.start(), s.options, result); }
+
+bool robust(const Situation& s, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  options.boundary = BoundaryTrust::robust;
+  options.continuity = SeamContinuity::curvature;
+  return run_once(s.context, s.start(), options, result);
+}
+
+bool tangent(const Situation& s, PatchResult& result) {
+  EvolutionOptions options = s.options;
+  options.continuity = SeamContinuity::tangent;
+  return run_once(s.context, s.initial(), options, result);
+}
+
+bool is_exact(const Situation& s) { return !s.is_rough(); }
+bool is_rough(const Situation& s) { return s.is_rough(); }
+bool is_cut(const Situation& s) { return s.is_cut(); }
+/// The flow for which there is anything else to fall back on.
+bool can_fall_back(const Situation& s) {
+  return s.options.flow == FlowKind::mmcvf && s.options.mode == EvolutionMode::steady && !s.options.bending;
+}
+bool of_lower_order(const Situation& s) { return can_fall_back(s) && s.options.continuity != SeamContinuity::position; }
+bool of_curvature(const Situation& s) { return can_fall_back(s) && s.options.continuity == SeamContinuity::curvature; }
+
+struct Candidate {
+  const char* name;
+  bool (*applies)(const Situation&);
+  bool (*run)(const Situation&, PatchResult&);  ///< true if there is a patch
+};
+
+const Candidate candidates[] = {
+    {"minimal surface over a cut", is_cut, position},
+    {"flow", is_exact, flow},
+    {"split flow", is_rough, split},
+    {"robust fairing", of_curvature, robust},
+    {"tangent fairing", of_curvature, tangent},
+    {"minimal surface", of_lower_order, position},
+};
+
+constexpr const char* flat_reason =
+    "the surface ends at this loop, which is flat, so that it was closed flat; --boundary exact runs the flow itself";
+constexpr const char* curved_reason =
+    "the surface ends at this loop, so that it was closed by a minimal surface; --boundary exact runs the flow itself";
+
+/// Whether the candidate is kept without looking at others. Where a person has chosen the treatment of the boundary, only what
+/// folds or crosses is passed over.
+bool is_kept(const Situation& s, const PatchResult& result) {
+  if (is_judged(s.options)) return worst(result.verdicts) != Grade::bad;
+  const std::array<int, 3> found = faults(result.verdicts);
+  return found[0] == 0 && found[1] == 0;
+}
+
+/// "split flow: 3 edges are folded by more than 150°".
+std::string fault_of(const char* name, const PatchResult& result) {
+  for (const Verdict& verdict : result.verdicts)
+    if (verdict.grade == Grade::bad) return std::string(name) + ": " + verdict.sentence();
+  return std::string(name) + ": " + result.message;
+}
+
+std::string reason_of_cut(const Situation& s) {
+  return std::find(s.ends.begin(), s.ends.end(), LoopEnd::curved) == s.ends.end() ? flat_reason : curved_reason;
+}
+
+PatchResult best_candidate(const Situation& s) {
+  PatchResult best;
+  std::vector<std::string> tried;
+  std::string why_not_the_first;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.applies(s)) continue;
+    PatchResult result;
+    result.patch = s.initial();
+    tried.emplace_back(candidate.name);
+    const bool made = candidate.run(s, result);
+    if (s.context.cancel.cancelled()) {
+      result.status = PatchStatus::cancelled;
+      result.attempts = std::move(tried);
+      return result;
+    }
+    const bool kept = made && is_kept(s, result);
+    if (!kept && tried.size() == 1) why_not_the_first = fault_of(candidate.name, result);
+    if (!made) continue;
+    result.made_by = candidate.name;
+    if (candidate.applies == is_cut) result.reason = reason_of_cut(s);
+    if (tried.size() > 1) result.reason = why_not_the_first;
+    if (kept || best.made_by.empty() || faults(result.verdicts) < faults(best.verdicts)) best = std::move(result);
+    if (kept) break;
+  }
+  if (best.made_by.empty() || !is_kept(s, best)) {
+    PatchResult initial = judged_initial(s.context.problem, s.options, s.context.judge);
+    if (best.made_by.empty() || faults(initial.verdicts) < faults(best.verdicts)) {
+      initial.message = why_not_the_first + ": the initial patch was kept";
+      for (Verdict& verdict : initial.verdicts) {
+        verdict.grade = std::max(verdict.grade, Grade::look);
+        verdict.findings.push_back({NoticeCode::initial_patch_kept, {}});
+      }
+      best = std::move(initial);
+    }
+  }
+  best.attempts = std::move(tried);
+  return best;
+}
+
+}  // namespace
+
+PatchResult initial_result(const PatchProblem& problem, FlowKind flow) {
+  EvolutionOptions options;
+  options.flow = flow;
+  return judged_initial(problem, options, judge_for(problem, options, ends_of(problem)));
+}
+
+void judge_again(const PatchProblem& problem, const EvolutionOptions& options, PatchResult& result) {
+  result.verdicts = judge_for(problem, options, ends_of(problem))(result.patch, result.validity, result.seams);
+}
+
+PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& options, const Evolution::OnStep& on_step,
+                        const CancelToken& cancel) {
+  if (problem.initial.free_count == 0) {
+    PatchResult result = initial_result(problem, options.flow);
+    result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    return result;
+  }
+  const std::vector<LoopEnd> ends = ends_of(problem);
+  const Judge judge = judge_for(problem, options, ends);
+  Situation situation{
+      {problem, nullptr, judge, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt, ends};
+  if (is_judged(options)) {
+    if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {
+      const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);
+      if (without.is_exact(SplitEstimate::exact_construction)) {
+        situation.split = without;
+        situation.clean_neighborhood = std::move(clean_neighborhood);
+        situation.context.clean_neighborhood = &*situation.clean_neighborhood;
+      }
+    }
+    if (!situation.split) situation.split = options.split ? options.split : estimate_split(problem.initial, cancel);
+    situation.options.split = situation.split;
+    if (!problem.loops.empty()) situation.options.literal_relief = SplitEstimate::exact_hole;
+  }
+  if (situation.is_rough() && !situation.is_cut()) situation.triangulation = triangulation_of(problem, cancel);
+  PatchResult result = best_candidate(situation);
+  result.flow = options.flow;
+  result.seams_before = judge.initial_seams();
+  if (cancel.cancelled()) result.status = PatchStatus::cancelled;
+  return result;
+}
+
+}  // namespace loopmend

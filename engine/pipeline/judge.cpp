@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/judge.h"
+
+#include "core/quantile.h"
+#include "mesh/quality.h"
+#include "pipeline/validate.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double fold_deg = 150;
+/// A seam edge is torn where the patch bends it by so much, and by so much more than the initial patch.
+constexpr double torn_deg = 60, torn_more_deg = 30;
+constexpr double torn_share = 0.05;  ///< of the loop's edges, at least two
+/// A crease that a person sees: so much, and so much more than 19 of 20 edges of the scan around the loop.
+constexpr double crease_deg = 35, crease_more_deg = 15;
+constexpr double crease_share = 0.08;  ///< of the loop's edges, at least two
+/// Of H, times the loop's diameter: 2 is the jump between a plane and a sphere over the loop.
+constexpr double torn_jump = 20, torn_jump_ratio = 8;
+constexpr double flat_height = 0.05;  ///< of a cap over a flat loop, beyond the loop itself
+/// Heights beyond these, and beyond what a ball through the seam would reach.
+constexpr double notable_height = 0.25, notable_ratio = 2;
+
+double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
+/// All bends of a patch, by place.
+struct Bends {
+  std::map<std::pair<int, int>, double> seam;  ///< degrees, by edge
+  std::vector<int> folds;                      ///< triangles beside a fold, one of each
+  double usual = 0;                            ///< what 19 of 20 edges of the scan around stay below, degrees
+
+  explicit Bends(const Patch& patch) {
+    std::vector<double> around;
+    for (const Bend& bend : bends(patch.positions, patch.triangles, static_cast<int>(patch.triangles.size()))) {
+      const double angle = degrees(bend.cosine);
+      if (bend.face >= patch.patch_triangles) {
+        around.push_back(angle);
+        continue;
+      }
+      if (bend.other >= patch.patch_triangles) seam[{bend.low, bend.high}] = angle;
+      if (angle > fold_deg) folds.push_back(bend.face);
+    }
+    usual = quantile(std::move(around), 0.95);
+  }
+
+  double at(int a, int b) const {
+    const auto found = seam.find(std::minmax(a, b));
+    return found == seam.end() ? 0 : found->second;
+  }
+  std::vector<double> along(const std::vector<int>& loop) const {
+    std::vector<double> result;
+    for (std::size_t k = 0; k < loop.size(); ++k) result.push_back(at(loop[k], loop[(k + 1) % loop.size()]));
+    return result;
+  }
+};
+
+struct Run {
+  int edges = 0;
+  double mean = 0;
+
+  void add(double angle) {
+    mean += (angle - mean) / (edges + 1);
+    ++edges;
+  }
+  bool counts(double share, std::size_t loop_edges) const {
+    return edges >= std::max(2.0, share * static_cast<double>(loop_edges));
+  }
+};
+
+/// tan(α/2)/2 diameters, α the angle at which the scan runs on over the loop's plane.
+double ball_height(const Patch& patch, const std::vector<int>& loop, const LoopPlace& place) {
+  std::map<std::pair<int, int>, int> apex;  // of the scan's triangle at a seam edge
+  std::vector<char> on_loop(patch.vertex_count(), 0);
+  for (int v : loop) on_loop[v] = 1;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = patch.triangles[f][k], b = patch.triangles[f][(k + 1) % 3];
+      if (on_loop[a] && on_loop[b]) apex[std::minmax(a, b)] = patch.triangles[f][(k + 2) % 3];
+    }
+  double along = 0, inward = 0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const int a = loop[k], b = loop[(k + 1) % loop.size()];
+    const auto found = apex.find(std::minmax(a, b));
+    if (found == apex.end()) continue;
+    const Vec3 edge = patch.positions[b] - patch.positions[a], unit = edge.normalized();
+    const Vec3 middle = (patch.positions[a] + patch.positions[b]) / 2;
+    Vec3 onward = middle - patch.positions[found->second];
+    onward = (onward - unit.dot(onward) * unit).normalized() * edge.norm();
+    Vec3 to_center = place.center - middle;
+    to_center = (to_center - place.axis.dot(to_center) * place.axis).normalized();
+    along += onward.dot(place.axis);
+    inward += onward.dot(to_center);
+  }
+  const double angle = std::atan2(std::abs(along), inward);
+  return std::tan(std::min(angle, 0.9 * std::numbers::pi) / 2) / 2;
+}
+
+LoopPlace place_of(const Patch& patch, const std::vector<int>& loop) {
+  LoopPlace place;
+  const auto count = static_cast<double>(loop.size());
+  for (int v : loop) place.center += patch.positions[v] / count;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    place.axis +=
+        (patch.positions[loop[k]] - place.center).cross(patch.positions[loop[(k + 1) % loop.size()]] - place.center);
+  place.axis = place.axis.norm() > 0 ? Vec3(place.axis.normalized()) : Vec3::Zero();
+  for (int v : loop) {
+    place.own_height = std::max(place.own_height, std::abs(place.axis.dot(patch.positions[v] - place.center)));
+    for (int w : loop) place.diameter = std::max(place.diameter, (patch.positions[v] - patch.positions[w]).norm());
+  }
+  if (!(place.diameter > 0)) return place;
+  place.own_height /= place.diameter;
+  place.ball_height = ball_height(patch, loop, place);
+  return place;
+}
+
+void add(Verdict& verdict, Grade grade, Notice finding) {
+  verdict.grade = std::max(verdict.grade, grade);
+  verdict.findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+const char* to_string(Grade grade) {
+  switch (grade) {
+    case Grade::good: return "good";
+    case Grade::look: return "look";
+    case Grade::bad: return "bad";
+  }
+  return "";
+}
+
+Grade worst(const std::vector<Verdict>& verdicts) {
+  Grade grade = Grade::good;
+  for (const Verdict& verdict : verdicts) grade = std::max(grade, verdict.grade);
+  return grade;
+}
+
+std::array<int, 3> faults(const std::vector<Verdict>& verdicts) {
+  std::array<int, 3> sum{};
+  for (const Verdict& verdict : verdicts) {
+    sum[0] += verdict.crossings;
+    sum[1] += verdict.folds;
+    sum[2] += verdict.grade == Grade::bad;
+  }
+  return sum;
+}
+
+Judge::Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases)
+    : initial_(initial),
+      ends_(std::move(ends)),
+      creases_(creases),
+      initial_seams_(seam_reports(initial)) {
+  const Bends bends(initial);
+  for (const auto& loop : initial.loops) {
+    initial_bends_.push_back(bends.along(loop));
+    places_.push_back(place_of(initial, loop));
+  }
+}
+
+std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& validity,
+                                       const std::vector<SeamReport>& seams) const {
+  std::vector<Verdict> verdicts(patch.loops.size());
+  const Bends bends(patch);
+  const std::vector<int> loop_of = loop_of_triangles(patch);
+  for (int f : bends.folds) ++verdicts[loop_of[f]].folds;
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    for (int v : patch.triangles[f]) {
+      const LoopPlace& place = places_[loop_of[f]];
+      if (v >= patch.free_count || !(place.diameter > 0)) continue;
+      const double height =
+          std::abs(place.axis.dot(patch.positions[v] - place.center)) / place.diameter - place.own_height;
+      verdicts[loop_of[f]].height = std::max(verdicts[loop_of[f]].height, height);
+    }
+  const std::vector<Proportion> proportions = proportions_of(patch, initial_);
+  for (std::size_t l = 0; l < patch.loops.size(); ++l) {
+    Verdict& verdict = verdicts[l];
+    if (l < validity.intersections_of_loop.size()) verdict.crossings = validity.intersections_of_loop[l];
+    if (verdict.crossings > 0)
+      add(verdict, Grade::bad, {NoticeCode::crosses_surface, {static_cast<double>(verdict.crossings)}});
+    if (verdict.folds > 0) add(verdict, Grade::bad, {NoticeCode::folded_edges, {static_cast<double>(verdict.folds)}});
+    if (l < proportions.size()) verdict.proportion = proportions[l];
+    if (is_out_of_proportion(verdict.proportion))
+      add(verdict, Grade::bad, {NoticeCode::bubble, {verdict.proportion.area, verdict.proportion.depth}});
+    judge_height(l, verdict);
+    judge_seam(l, bends.along(patch.loops[l]), bends.usual, verdict);
+    judge_curvature(l, seams, verdict);
+    std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
+                     [](const Notice& a, const Notice& b) { return a.code < b.code; });
+  }
+  return verdicts;
+}
+
+void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double usual, Verdict& verdict) const {
+  const std::vector<double>& before = initial_bends_[l];
+  Run torn, was, crease;
+  for (std::size_t k = 0; k < bends.size(); ++k) {
+    verdict.crease_deg = std::max(verdict.crease_deg, bends[k]);
+    if (k < before.size() && bends[k] > torn_deg && bends[k] > before[k] + torn_more_deg) {
+      torn.add(bends[k]);
+      was.add(before[k]);
+    }
+    if (bends[k] > std::max(crease_deg, usual + crease_more_deg)) crease.add(bends[k]);
+  }
+  const bool creases_are_right = creases_ == Creases::asked_for || ends_at(l);
+  if (torn.counts(torn_share, bends.size()))
+    add(verdict, Grade::bad, {NoticeCode::torn_seam, {torn.mean, static_cast<double>(torn.edges), was.mean}});
+  else if (!creases_are_right && crease.counts(crease_share, bends.size()))
+    add(verdict, Grade::look, {NoticeCode::crease, {crease.mean, static_cast<double>(crease.edges)}});
+}
+
+void Judge::judge_curvature(std::size_t l, const std::vector<SeamReport>& seams, Verdict& verdict) const {
+  if (l >= seams.size() || l >= initial_seams_.size() || ends_at(l)) return;
+  const double now = seams[l].h_jump_rms_times_diameter, before = initial_seams_[l].h_jump_rms_times_diameter;
+  if (now > std::max(torn_jump, torn_jump_ratio * before))
+    add(verdict, Grade::bad, {NoticeCode::curvature_torn, {now, before}});
+}
+
+void Judge::judge_height(std::size_t l, Verdict& verdict) const {
+  if (l >= ends_.size()) return;
+  if (ends_[l] == LoopEnd::flat && verdict.height > flat_height)
+    add(verdict, Grade::bad, {NoticeCode::dome_over_flat_loop, {verdict.height}});
+  else if (verdict.height > notable_height && verdict.height > notable_ratio * places_[l].ball_height)
+    add(verdict, Grade::look, {NoticeCode::high_over_loop, {verdict.height, places_[l].ball_height}});
+}
+
+}  // namespace loopmend

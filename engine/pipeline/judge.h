@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person sees of a patch: sound or not, and what to look at. How the solver ended is no part of it.
+#pragma once
+
+#include "analysis/seam_report.h"
+#include "core/notice.h"
+#include "mesh/patch.h"
+#include "mesh/validity.h"
+#include "pipeline/flat_cut.h"
+#include "pipeline/proportion.h"
+
+#include <array>
+#include <vector>
+
+namespace loopmend {
+
+enum class Grade {
+  good,
+  look,  ///< sound; a person should look at one thing
+  bad,   ///< has a hard fault: folds, crosses, tears its seam, or is a bubble
+};
+
+/// The word of reports.
+const char* to_string(Grade grade);
+
+/// The part of a patch that one loop bounds.
+struct Verdict {
+  Grade grade = Grade::good;
+  std::vector<Notice> findings;  ///< the most serious first; empty where it is good
+  double crease_deg = 0;         ///< largest bend of a seam edge
+  double height = 0;             ///< over the loop's best plane, beyond the loop itself, in loop diameters
+  int crossings = 0;             ///< places where it intersects the surface or itself
+  int folds = 0;                 ///< edges bent by more than 150°
+  Proportion proportion;         ///< to the initial patch
+
+  /// "a crease of 50° along 12 edges of the seam"; empty where it is good.
+  std::string sentence() const { return findings.empty() ? std::string() : english(findings.front()); }
+};
+
+/// Where a loop lies. Patch frame.
+struct LoopPlace {
+  Vec3 center = Vec3::Zero(), axis = Vec3::Zero();
+  double diameter = 0;
+  double own_height = 0;   ///< of the loop over its best plane, in diameters
+  double ball_height = 0;  ///< of a ball through the loop that leaves the scan without a crease, in diameters
+};
+
+/// Judges patches of the same loops.
+class Judge {
+ public:
+  enum class Creases { unwanted, asked_for };
+
+  /// @param initial  patch of the loops before any flow; must outlive the judge.
+  /// @param ends     of each loop of the patch; empty where the loops bound no holes: heights are not judged then.
+  /// @param creases  `asked_for`: position alone was asked for at the seam.
+  Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases);
+
+  /// @param validity  of the patch against scan and itself, with intersections per loop.
+  /// @param seams     of the patch, one for each loop.
+  /// @returns one verdict for each loop of the patch.
+  std::vector<Verdict> operator()(const Patch& patch, const Validity& validity,
+                                  const std::vector<SeamReport>& seams) const;
+  /// Of the initial patch, one for each loop.
+  const std::vector<SeamReport>& initial_seams() const { return initial_seams_; }
+
+ private:
+  void judge_seam(std::size_t loop, const std::vector<double>& bends, double usual, Verdict& verdict) const;
+  void judge_curvature(std::size_t loop, const std::vector<SeamReport>& seams, Verdict& verdict) const;
+  void judge_height(std::size_t loop, Verdict& verdict) const;
+  bool ends_at(std::size_t loop) const { return loop < ends_.size() && ends_[loop] != LoopEnd::runs_on; }
+
+  const Patch& initial_;
+  std::vector<LoopEnd> ends_;
+  Creases creases_;
+  std::vector<LoopPlace> places_;
+  std::vector<std::vector<double>> initial_bends_;  ///< degrees, per loop and edge
+  std::vector<SeamReport> initial_seams_;
+};
+
+/// The worst of them; good where there are none.
+Grade worst(const std::vector<Verdict>& verdicts);
+
+/// How serious the hard faults are: crossings, folds, then others. Less is better; all zero where no verdict is bad.
+std::array<int, 3> faults(const std::vector<Verdict>& verdicts);
+
+}  // namespace loopmend

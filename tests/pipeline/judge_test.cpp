@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/judge.h"
+
+#include "pipeline/fill_holes.h"
+#include "samples/analytic_surfaces.h"
+#include "support/patches.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+/// A sphere without its cap above z = 0.8, and what a judge says of patches over it.
+struct OpenSphere {
+  SurfaceModel model = test::open_sphere(4, 0.8);
+  Patch initial = test::start_of(model);
+  ScanIndex scan{model};
+  Judge judge{initial, {LoopEnd::runs_on}, Judge::Creases::unwanted};
+
+  /// The initial patch with each free vertex where `place` puts it, mesh units.
+  template <class Place>
+  Verdict of(const Place& place) const {
+    Patch patch = initial;
+    for (int i = 0; i < patch.free_count; ++i)
+      patch.positions[i] = patch.to_frame(place(patch.to_mesh(patch.positions[i])));
+    return judge(patch, validate(scan, patch), seam_reports(patch)).at(0);
+  }
+};
+
+TEST(Judge, CallsTheSphereGoodAndThePlaneACrease) {
+  const OpenSphere open;
+  const Verdict sphere = open.of([](const Vec3& p) { return p.normalized(); });
+  EXPECT_EQ(sphere.grade, Grade::good) << sphere.sentence();
+  EXPECT_LT(sphere.crease_deg, 10);
+  EXPECT_NEAR(sphere.height, 0.2 / 1.2, 0.02);  // of the cap over its circle of radius 0.6
+  EXPECT_EQ(sphere.sentence(), "");
+  const Verdict plane = open.of([](const Vec3& p) { return Vec3(p.x(), p.y(), 0.8); });
+  EXPECT_EQ(plane.grade, Grade::look);
+  ASSERT_EQ(plane.findings.size(), 1u);
+  EXPECT_EQ(plane.findings[0].code, NoticeCode::crease);
+  EXPECT_NEAR(plane.findings[0].arguments.at(0), 37, 8);  // acos 0.8
+  EXPECT_EQ(plane.findings[0].arguments.at(1), static_cast<double>(open.initial.loops[0].size()));
+}
+
+TEST(Judge, FindsAFold) {
+  const OpenSphere open;
+  int moved = 0;
+  const Verdict folded = open.of([&](const Vec3& p) {
+    const Vec3 on = p.normalized();
+    return moved++ == 0 ? Vec3(on.x() + 0.5, on.y(), on.z()) : on;
+  });
+  EXPECT_EQ(folded.grade, Grade::bad);
+  EXPECT_GT(folded.folds, 0);
+  EXPECT_GT(faults({folded})[1], 0);
+}
+
+TEST(Judge, FindsABumpThatNoBallExplains) {
+  const OpenSphere open;
+  const Verdict bump = open.of([](const Vec3& p) {
+    const Vec3 on = p.normalized();
+    const double r = std::hypot(on.x(), on.y()) / 0.6;
+    return Vec3(on.x(), on.y(), on.z() + 0.5 * std::exp(-6 * r * r));
+  });
+  EXPECT_NE(bump.grade, Grade::good);
+  EXPECT_NEAR(bump.height, 0.7 / 1.2, 0.03);
+}
+
+TEST(Judge, ADomeOverAFlatLoopIsBad) {
+  const OpenSphere open;
+  const Judge flat{open.initial, {LoopEnd::flat}, Judge::Creases::unwanted};
+  Patch dome = open.initial;
+  for (int i = 0; i < dome.free_count; ++i)
+    dome.positions[i] = dome.to_frame(dome.to_mesh(dome.positions[i]).normalized());
+  const Verdict verdict = flat(dome, validate(open.scan, dome), seam_reports(dome)).at(0);
+  EXPECT_EQ(verdict.grade, Grade::bad);
+  EXPECT_EQ(verdict.findings.at(0).code, NoticeCode::dome_over_flat_loop);
+  const Verdict initial = flat(open.initial, validate(open.scan, open.initial), seam_reports(open.initial)).at(0);
+  EXPECT_EQ(initial.grade, Grade::good) << initial.sentence();  // its crease is what was cut
+}
+
+}  // namespace
+}  // namespace loopmend
