@@ -2911,6 +2911,14 @@
             <source>its area is %1 times that of the initial patch</source>
             <translation>seine Fläche ist das %1-Fache der des ersten Flickens</translation>
         </message>
+        <message>
+            <source>%1 edge of its patch would have more than two faces</source>
+            <translation>%1 Kante seines Flickens hätte mehr als zwei Dreiecke</translation>
+        </message>
+        <message>
+            <source>%1 edges of its patch would have more than two faces</source>
+            <translation>%1 Kanten seines Flickens hätten mehr als zwei Dreiecke</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>
