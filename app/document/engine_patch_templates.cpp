@@ -74,6 +74,8 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("%1 boundary edge intersects the surface, so that no valid patch exists")},
       {QT_TR_NOOP("%1 boundary edges intersect the surface, so that no valid patch exists")},
       {QT_TR_NOOP("Trim crossing triangles in the menu Patch may help"), "remove what crosses (--trim-crossing)"},
+      {QT_TR_NOOP("%1 edge of its patch would have more than two faces")},
+      {QT_TR_NOOP("%1 edges of its patch would have more than two faces")},
       {QT_TR_NOOP("its patch would cut that of loop %1")},
       {QT_TR_NOOP("Blend in the tab Tools joins the two by one surface"),
        "'loopmend blend --loops %1' joins the two by one surface"},

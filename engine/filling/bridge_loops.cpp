@@ -10,6 +10,7 @@
 #include "mesh/self_intersections.h"
 #include "mesh/validity.h"
 #include "operators/operator_set.h"
+#include "remeshing/double_edges.h"
 #include "remeshing/patch_remesh.h"
 
 #include <algorithm>
@@ -68,6 +69,8 @@ Patch empty_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   return make_patch(model, loops, initial_patches);
 }
 
+int defect_count(const Validity& quality) { return quality.folds + quality.intersections; }
+
 Patch with_triangles(const Patch& empty, const Triangles& own) {
   Patch patch = empty;
   patch.triangles.insert(patch.triangles.begin(), own.begin(), own.end());
@@ -75,16 +78,27 @@ Patch with_triangles(const Patch& empty, const Triangles& own) {
   return patch;
 }
 
-int defect_count(const Validity& quality) { return quality.folds + quality.intersections; }
+/// Edges of the neighborhood between boundary vertices, which a bridge must not have too.
+std::set<std::pair<int, int>> edges_between(int boundary, const Patch& empty) {
+  std::set<std::pair<int, int>> edges;
+  for (const Triangle& t : empty.triangles)
+    for (int k = 0; k < 3; ++k)
+      if (const int a = t[k], b = t[(k + 1) % 3]; a < boundary && b < boundary) edges.insert(std::minmax(a, b));
+  for (const auto& loop : empty.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) edges.erase(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+  return edges;
+}
 
-/// The patch over a bridge with vertices of its own, given in mesh units.
-Patch with_sweep(const Patch& empty, const SweptBridge& swept) {
+/// The patch over a bridge, whose own vertices are given in mesh units. Edges that the surface has are split.
+Patch with_bridge(const Patch& empty, const SweptBridge& bridge) {
   int boundary = 0;
   for (const auto& loop : empty.loops) boundary += static_cast<int>(loop.size());
   Points points(empty.positions.begin(), empty.positions.begin() + boundary);
-  for (std::size_t i = boundary; i < swept.points.size(); ++i) points.push_back(empty.to_frame(swept.points[i]));
-  return with_interior(empty,
-                       ConstrainedRemesher(points, swept.triangles, boundary, {}, [](const Vec3&) { return 1.0; }));
+  for (std::size_t i = boundary; i < bridge.points.size(); ++i) points.push_back(empty.to_frame(bridge.points[i]));
+  Triangles triangles = bridge.triangles;
+  split_beside(edges_between(boundary, empty), points, triangles);
+  if (static_cast<int>(points.size()) == boundary) return with_triangles(empty, triangles);
+  return with_interior(empty, ConstrainedRemesher(points, triangles, boundary, {}, [](const Vec3&) { return 1.0; }));
 }
 
 double mean_boundary_edge(const std::vector<BridgeEnd>& ends) {
@@ -106,13 +120,14 @@ std::vector<FirstBridge> first_bridges(const Patch& empty, const std::vector<Bri
   std::vector<FirstBridge> bridges;
   const auto add = [&](const Triangles& triangles) {
     if (triangles.empty()) return;
-    Patch patch = with_triangles(empty, triangles);
     // No edge may run the same way in two triangles, in the strip or beside it.
+    if (DirectedEdges(triangles, static_cast<int>(triangles.size())).any_twice()) return;
+    Patch patch = with_bridge(empty, {{}, triangles});
     if (!DirectedEdges(patch.triangles, static_cast<int>(patch.triangles.size())).any_twice())
       bridges.push_back({std::move(patch), FirstBridge::Shape::angular});
   };
   if (ends.size() == 2)
-    bridges.push_back({with_sweep(empty, bridge_by_sweep(ends[0], ends[1], mean_boundary_edge(ends) / density)),
+    bridges.push_back({with_bridge(empty, bridge_by_sweep(ends[0], ends[1], mean_boundary_edge(ends) / density)),
                        FirstBridge::Shape::smooth});
   add(bridge_by_hull(ends));
   if (ends.size() == 2) add(bridge_by_strip(ends[0].points, ends[1].points));

@@ -34,7 +34,8 @@ struct FillContext {
   int n = 0;
   Points points;             ///< the loop, then the rings around it
   std::vector<int> vertex;   ///< n: for each place the first with the same vertex
-  std::vector<char> shared;  ///< n: whether another boundary, or this one again, passes the vertex
+  std::vector<char> shared;  ///< n: whether another boundary, or this one again, passes the vertex's position
+  Chords taken;              ///< that a patch must not have as edges: the surface has them
   Triangles neighborhood;    ///< over `points`, by the first places
   std::vector<double> size;  ///< n: mean length of the edges of the neighborhood at each loop vertex
   BoundaryNormals boundary_normals;
@@ -68,6 +69,11 @@ void measure_neighborhood(FillContext& context) {
     context.size.push_back(sum[context.vertex[i]] / std::max(1.0, count[context.vertex[i]]));
 }
 
+void find_taken_chords(const BoundaryLoop& loop, FillContext& context) {
+  context.taken = present_chords(context.neighborhood, context.vertex);
+  context.taken.insert(loop.joined.begin(), loop.joined.end());
+}
+
 FillContext make_context(const SurfaceModel& model, const BoundaryLoop& loop) {
   FillContext context;
   LoopPatch empty;
@@ -80,7 +86,8 @@ FillContext make_context(const SurfaceModel& model, const BoundaryLoop& loop) {
   for (int i = 0; i < context.n; ++i) {
     if (place[visited[i]] < 0) place[visited[i]] = i;
     context.vertex.push_back(place[visited[i]]);
-    context.shared.push_back(fan_count(model.mesh, TriMesh::VertexHandle(loop.vertices[i])) > 1);
+    const bool several_fans = fan_count(model.mesh, TriMesh::VertexHandle(loop.vertices[i])) > 1;
+    context.shared.push_back(several_fans || (!loop.shared.empty() && loop.shared[i]));
     context.points.push_back(context.frame.positions[visited[i]]);
   }
   context.points.insert(context.points.end(), context.frame.positions.begin() + distinct,
@@ -88,7 +95,7 @@ FillContext make_context(const SurfaceModel& model, const BoundaryLoop& loop) {
   context.neighborhood = context.frame.triangles;
   for (Triangle& t : context.neighborhood)
     for (int& v : t) v = v < distinct ? place[v] : v - distinct + context.n;
-
+  find_taken_chords(loop, context);
   measure_neighborhood(context);
   return context;
 }
@@ -115,6 +122,7 @@ FillContext make_wide_context(const SurfaceModel& model, const TriangleIndex& in
     context.neighborhood.push_back(t);
   }
   context.cuts = FillContext::Cuts::may_not;
+  find_taken_chords(loop, context);
   context.size.clear();
   context.boundary_normals.clear();
   measure_neighborhood(context);
@@ -160,55 +168,54 @@ Validity assess(const FillContext& context, const Candidate& c) {
   return quality;
 }
 
-/// Chords between vertices that boundaries share get a vertex in their middle: a patch across the other gap might have the
-/// same chord, and the surface has room for one.
-void split_shared_chords(const FillContext& context, Candidate& c) {
-  const auto is_chord = [&](int a, int b) {
-    const int apart = std::abs(a - b);
-    return a < context.n && b < context.n && apart != 1 && apart != context.n - 1 && context.shared[a] &&
-           context.shared[b];
-  };
-  std::map<std::pair<int, int>, int> middle;
-  for (std::size_t f = 0; f < c.triangles.size();) {
-    const Triangle t = c.triangles[f];
-    int k = 0;
-    while (k < 3 && !is_chord(t[k], t[(k + 1) % 3])) ++k;
-    if (k == 3) {
-      ++f;
-      continue;
-    }
-    const int a = t[k], b = t[(k + 1) % 3], apex = t[(k + 2) % 3];
-    const auto [entry, added] = middle.emplace(std::minmax(a, b), static_cast<int>(c.points.size()));
-    if (added) c.points.push_back((c.points[a] + c.points[b]) / 2);
-    c.triangles[f] = {a, entry->second, apex};
-    c.triangles.push_back({entry->second, b, apex});
-  }
+/// Whether the surface has the edge, or a patch across another gap might have it: it has room for one.
+bool must_be_split(const FillContext& context, int a, int b) {
+  const int apart = std::abs(a - b);
+  if (a >= context.n || b >= context.n || apart == 1 || apart == context.n - 1) return false;
+  return (context.shared[a] && context.shared[b]) || context.taken.contains(std::minmax(a, b));
 }
 
-/// The triangulations to try, best first; stops at the first that is neither folded nor cut.
-std::vector<Candidate> first_triangulations(const FillContext& context, const CancelToken& cancel) {
-  std::vector<TriangulationMethod> methods;
-  if (context.n <= longest_for_cubic_first)
-    methods = {TriangulationMethod::cubic, TriangulationMethod::delaunay, TriangulationMethod::planar};
-  else if (context.n <= longest_for_cubic)
-    methods = {TriangulationMethod::delaunay_only, TriangulationMethod::cubic, TriangulationMethod::planar};
-  else if (context.n <= longest_for_all_methods)
-    methods = {TriangulationMethod::delaunay_only, TriangulationMethod::planar};
-  else
-    methods = {TriangulationMethod::planar, TriangulationMethod::delaunay_only};
+void split_taken_chords(const FillContext& context, Candidate& c) {
+  Chords chords;
+  for (const Triangle& t : c.triangles)
+    for (int k = 0; k < 3; ++k)
+      if (must_be_split(context, t[k], t[(k + 1) % 3])) chords.insert(std::minmax(t[k], t[(k + 1) % 3]));
+  split_beside(chords, c.points, c.triangles);
+}
+
+std::vector<TriangulationMethod> methods_for(int edges) {
+  if (edges <= longest_for_cubic_first)
+    return {TriangulationMethod::cubic, TriangulationMethod::delaunay, TriangulationMethod::planar};
+  if (edges <= longest_for_cubic)
+    return {TriangulationMethod::delaunay_only, TriangulationMethod::cubic, TriangulationMethod::planar};
+  if (edges <= longest_for_all_methods) return {TriangulationMethod::delaunay_only, TriangulationMethod::planar};
+  return {TriangulationMethod::planar, TriangulationMethod::delaunay_only};
+}
+
+/// As candidates, in the order of the methods; stops at the first that is neither folded nor cut.
+std::vector<Candidate> triangulations_without(const Chords& avoided, const FillContext& context,
+                                              const CancelToken& cancel) {
   std::vector<Candidate> candidates;
-  for (TriangulationMethod method : methods) {
+  for (TriangulationMethod method : methods_for(context.n)) {
     if (cancel.cancelled()) break;
     Candidate c;
-    c.triangles = triangulate_loop(context.points, context.neighborhood, context.vertex, method);
+    c.triangles = triangulate_loop(context.points, context.neighborhood, context.vertex, avoided, method);
     if (c.triangles.empty()) continue;
     c.points.assign(context.points.begin(), context.points.begin() + context.n);
-    split_shared_chords(context, c);
+    split_taken_chords(context, c);
     split_double_edges(context.n, c.points, c.triangles);
     c.quality = assess(context, c);
     candidates.push_back(std::move(c));
     if (!candidates.back().wants_another(context.n)) break;
   }
+  return candidates;
+}
+
+/// The triangulations to try, best first. Where each has a chord that the surface has as an edge, that chord is split.
+std::vector<Candidate> first_triangulations(const FillContext& context, const CancelToken& cancel) {
+  std::vector<Candidate> candidates = triangulations_without(context.taken, context, cancel);
+  if (candidates.empty() && !context.taken.empty())
+    candidates = triangulations_without(present_chords({}, context.vertex), context, cancel);
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.defect_count() < b.defect_count(); });
   return candidates;
@@ -461,10 +468,10 @@ LoopPatchOutcome fill_loop_uncut(const SurfaceModel& model, const TriangleIndex&
   check(options);
   FillContext context = make_wide_context(model, index, loop);
   Candidate best;
-  best.triangles = triangulate_loop_uncut(context.points, context.neighborhood, context.vertex, cancel);
+  best.triangles = triangulate_loop_uncut(context.points, context.neighborhood, context.vertex, context.taken, cancel);
   if (best.triangles.empty()) return {};
   best.points.assign(context.points.begin(), context.points.begin() + context.n);
-  split_shared_chords(context, best);
+  split_taken_chords(context, best);
   split_double_edges(context.n, best.points, best.triangles);
   best.quality = assess(context, best);
   if (best.quality.intersections > 0) return {};

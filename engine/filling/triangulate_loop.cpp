@@ -20,26 +20,16 @@ namespace loopmend {
 namespace {
 
 /// What the loop looks like from inside. It begins with the loop's second vertex. Empty where an edge is no boundary edge.
-OpenLoop seen_from_inside(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop) {
+OpenLoop seen_from_inside(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
+                          const Chords& avoided) {
   const int n = static_cast<int>(loop.size());
   const auto vertex = [&](int place) { return loop[(place + 1) % n]; };
-  std::map<int, std::vector<int>> places;
   std::map<std::pair<int, int>, int> edge_place;
-  for (int i = 0; i < n; ++i) {
-    places[vertex(i)].push_back(i);
-    edge_place[{vertex(i), vertex(i + 1)}] = i;
-  }
+  for (int i = 0; i < n; ++i) edge_place[{vertex(i), vertex(i + 1)}] = i;
   OpenLoop open;
   for (int i = 0; i < n; ++i) open.points.push_back(points[vertex(i)]);
   open.across = open.points;
   std::vector<char> has_face(n, 0);
-  const auto forbid = [&](int a, int b) {
-    const auto at_a = places.find(a), at_b = places.find(b);
-    if (at_a == places.end() || at_b == places.end()) return;
-    for (int i : at_a->second)
-      for (int k : at_b->second)
-        if (std::abs(k - i) > 1 && std::abs(k - i) != n - 1) open.present.insert(std::minmax(i, k));
-  };
   for (const Triangle& t : neighborhood)
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
@@ -47,9 +37,8 @@ OpenLoop seen_from_inside(const Points& points, const Triangles& neighborhood, c
         has_face[edge->second] = 1;
         open.across[edge->second] = points[t[(k + 2) % 3]];
       }
-      forbid(a, b);
     }
-  for (const auto& [v, at] : places) forbid(v, v);
+  for (const auto& [i, k] : avoided) open.present.insert(std::minmax((i + n - 1) % n, (k + n - 1) % n));
   if (std::count(has_face.begin(), has_face.end(), 0) > 0) return {};
   return open;
 }
@@ -182,7 +171,7 @@ Triangles over_the_loop(Triangles triangles, int n) {
   return triangles;
 }
 
-bool has_chord(const Triangles& triangles, const std::set<std::pair<int, int>>& chords) {
+bool has_chord(const Triangles& triangles, const Chords& chords) {
   return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     for (int k = 0; k < 3; ++k)
       if (chords.contains(std::minmax(t[k], t[(k + 1) % 3]))) return true;
@@ -192,9 +181,27 @@ bool has_chord(const Triangles& triangles, const std::set<std::pair<int, int>>& 
 
 }  // namespace
 
+Chords present_chords(const Triangles& neighborhood, const std::vector<int>& loop) {
+  const int n = static_cast<int>(loop.size());
+  std::map<int, std::vector<int>> places;
+  for (int i = 0; i < n; ++i) places[loop[i]].push_back(i);
+  Chords chords;
+  const auto add = [&](int a, int b) {
+    const auto at_a = places.find(a), at_b = places.find(b);
+    if (at_a == places.end() || at_b == places.end()) return;
+    for (int i : at_a->second)
+      for (int k : at_b->second)
+        if (std::abs(k - i) > 1 && std::abs(k - i) != n - 1) chords.insert(std::minmax(i, k));
+  };
+  for (const Triangle& t : neighborhood)
+    for (int k = 0; k < 3; ++k) add(t[k], t[(k + 1) % 3]);
+  for (const auto& [v, at] : places) add(v, v);
+  return chords;
+}
+
 Triangles triangulate_loop(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
-                           TriangulationMethod method) {
-  const OpenLoop open = seen_from_inside(points, neighborhood, loop);
+                           const Chords& avoided, TriangulationMethod method) {
+  const OpenLoop open = seen_from_inside(points, neighborhood, loop, avoided);
   Triangles triangles;
   if (open.points.empty()) return triangles;
   if (method == TriangulationMethod::planar) triangles = planar_triangulation(open);
@@ -205,10 +212,10 @@ Triangles triangulate_loop(const Points& points, const Triangles& neighborhood, 
 }
 
 Triangles triangulate_loop_uncut(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
-                                 const CancelToken& cancel) {
+                                 const Chords& avoided, const CancelToken& cancel) {
   const int n = static_cast<int>(loop.size());
   if (n > longest_uncut) return {};
-  const OpenLoop open = seen_from_inside(points, neighborhood, loop);
+  const OpenLoop open = seen_from_inside(points, neighborhood, loop, avoided);
   if (open.points.empty()) return {};
   const Triangles candidates = n <= longest_for_all_triangles ? all_triangles(n) : delaunay_triangles(open.points);
   const Triangles allowed = uncut_among(candidates, open, points, neighborhood, cancel);

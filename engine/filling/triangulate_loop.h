@@ -5,6 +5,8 @@
 #include "core/cancel.h"
 #include "core/types.h"
 
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -17,19 +19,27 @@ enum class TriangulationMethod {
   planar,         ///< constrained Delaunay in the loop's plane, where its projection is simple
 };
 
+/// Pairs (i, k), i < k, of places of a loop that are not next to each other.
+using Chords = std::set<std::pair<int, int>>;
+
+/// Chords that edges of the neighborhood join, and those between two places of one vertex.
+/// @param neighborhood, loop  as triangulate_loop() has them
+Chords present_chords(const Triangles& neighborhood, const std::vector<int>& loop);
+
 /// @param points       the loop's neighbourhood, #P
-/// @param neighborhood triangles of the mesh around the loop, over `points`; chords that are edges of these are avoided
+/// @param neighborhood triangles of the mesh around the loop, over `points`
 /// @param loop         n ≥ 3 indices into `points`, in the order of the boundary halfedges; one that the loop passes twice is
 /// there twice
+/// @param avoided      chords that no triangle may have
 /// @returns n − 2 triangles over places 0..n−1 of the loop, oriented like the neighborhood; empty when there is no such
 /// triangulation.
 Triangles triangulate_loop(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
-                           TriangulationMethod method);
+                           const Chords& avoided, TriangulationMethod method);
 
 /// The least folded of those triangulations whose triangles cut neither the neighborhood nor one another.
 /// @param neighborhood  all triangles that a triangulation might cut
 /// @returns as triangulate_loop(); empty as well where none was found, when cancelled, for loops of more than 200 edges, and among very many triangles.
 Triangles triangulate_loop_uncut(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
-                                 const CancelToken& cancel);
+                                 const Chords& avoided, const CancelToken& cancel);
 
 }  // namespace loopmend

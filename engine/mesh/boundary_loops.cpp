@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary_loops.h"
 
+#include "mesh/loop_chords.h"
 #include "mesh/loop_facing.h"
 #include "mesh/pieces.h"
 #include "mesh/point_diameter.h"
@@ -227,6 +228,7 @@ std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {
   for (BoundaryLoop& loop : loops) loop.kind = kind_of(model, loop, edges);
   for (int k : covered_triangles(model, loops))
     if (loops[k].kind == LoopKind::hole) loops[k].kind = LoopKind::crack;
+  find_taken_chords(model, loops);
   std::sort(loops.begin(), loops.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
     if (a.perimeter != b.perimeter) return a.perimeter > b.perimeter;
     return a.vertices.front() < b.vertices.front();

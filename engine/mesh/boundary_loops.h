@@ -5,6 +5,7 @@
 #include "mesh/surface_model.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -36,6 +37,11 @@ struct BoundaryLoop {
   double onward = 0;   ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
   int coincident = 0;  ///< edges that lie exactly on another boundary edge, of this loop or another
   LoopKind kind = LoopKind::hole;
+  /// Chords (i, k), i < k, over indices into `vertices`: the surface has an edge between these positions, on whatever part of
+  /// it, so that a patch with that edge would make one of more than two faces. Ascending.
+  std::vector<std::pair<int, int>> joined{};
+  /// Per vertex whether another loop that can be filled, or this one again, passes its position. Empty: none does.
+  std::vector<char> shared{};
 
   int edges() const { return static_cast<int>(vertices.size()); }
 };

@@ -6,6 +6,10 @@
 
 namespace loopmend {
 
+std::string nonmanifold_message(int edges) {
+  return std::to_string(edges) + (edges == 1 ? " edge" : " edges") + " of its patch would have more than two faces";
+}
+
 Validity patch_validity(const Patch& patch) {
   Validity validity;
   validity.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);

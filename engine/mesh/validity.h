@@ -4,28 +4,35 @@
 
 #include "mesh/patch.h"
 
+#include <string>
 #include <vector>
 
 namespace loopmend {
 
 struct Validity {
-  int folds = 0;             ///< edges inside the patch or on its loops with a dihedral angle over 90 degrees
-  int intersections = 0;     ///< triangles that cut each other, at least one of them the patch's; who counts tells how
+  int folds = 0;          ///< edges inside the patch or on its loops with a dihedral angle over 90 degrees
+  int intersections = 0;  ///< triangles that cut each other, at least one of them the patch's; who counts tells how
+  /// Edges inside the patch that would have more than two faces, of patch and surface together, and that the surface does not
+  /// have; who counts tells how. A patch that has any is not pasted.
+  int nonmanifold_edges = 0;
   double min_angle_deg = 0;  ///< smallest angle of a triangle of the patch
   /// Per loop of the patch, of its part; empty where nobody asked.
   std::vector<int> intersections_of_loop;
   /// The patch's triangles beside a fold or in an intersection, ascending; empty where nobody asked.
   std::vector<int> spoiled;
 
-  bool is_clean() const { return folds == 0 && intersections == 0; }
+  bool is_clean() const { return folds == 0 && intersections == 0 && nonmanifold_edges == 0; }
 };
 
-/// True if a has no more folds and no more intersections than b.
+/// True if a has no more folds, intersections and edges with more than two faces than b.
 inline bool no_worse(const Validity& a, const Validity& b) {
-  return a.folds <= b.folds && a.intersections <= b.intersections;
+  return a.folds <= b.folds && a.intersections <= b.intersections && a.nonmanifold_edges <= b.nonmanifold_edges;
 }
 
-/// Of the patch and the rings around it alone: pairs of triangles.
+/// Of a patch that is not pasted since so many of its edges would have more than two faces. Without a full stop.
+std::string nonmanifold_message(int edges);
+
+/// Of the patch and the rings around it alone: pairs of triangles; edges with more than two faces are not counted.
 Validity patch_validity(const Patch& patch);
 
 }  // namespace loopmend

@@ -57,8 +57,10 @@ void tell_of_creases(const EvolutionOptions& options, PatchResult& result) {
 PatchResult refused(const Validity& validity) {
   PatchResult result;
   result.validity = validity;
-  result.message = "every patch that was found would cut the surface or itself, in " +
-                   std::to_string(validity.intersections) + " places: the loops cannot be joined as they lie";
+  result.message = nonmanifold_message(validity.nonmanifold_edges);
+  if (validity.intersections > 0)
+    result.message = "every patch that was found would cut the surface or itself, in " +
+                     std::to_string(validity.intersections) + " places: the loops cannot be joined as they lie";
   return result;
 }
 
@@ -72,7 +74,7 @@ PatchResult solve_bridge(const ScanIndex& scan, const Bridge& bridge, const std:
   PatchResult result = flows ? flow_between(problem, *options, on_step, cancel)
                              : initial_result(problem, options ? options->flow : FlowKind::mmcvf);
   if (cancel.cancelled()) return result;
-  if (result.validity.intersections > 0) return refused(result.validity);
+  if (result.validity.intersections > 0 || result.validity.nonmanifold_edges > 0) return refused(result.validity);
   result.seams_before = seam_reports(bridge.membrane);
   result.seams = seam_reports(result.patch);
   if (options) tell_of_creases(*options, result);

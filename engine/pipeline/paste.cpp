@@ -3,7 +3,9 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "mesh/chord_faces.h"
 #include "mesh/self_intersections.h"
+#include "mesh/validity.h"
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/initial_patch.h"
 
@@ -51,8 +53,10 @@ int first_loop(const Patch& patch) {
 }
 
 /// @returns why the patch was left out; empty where it was pasted.
-std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPart>& pasted) {
+std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPart>& pasted, ChordFaces& chords) {
   const PatchGeometry geometry = patch_geometry(patch);
+  if (const int edges = chords.count_crowded(model, geometry); edges > 0)
+    return nonmanifold_message(edges) + ": left open";
   PastedPart part(model, geometry, first_loop(patch));
   const auto cut =
       std::find_if(pasted.begin(), pasted.end(), [&](const PastedPart& other) { return part.intersects(other); });
@@ -66,6 +70,7 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPar
   } catch (const InvalidArgument& error) {
     return error.what();
   }
+  chords.add_patch(model, geometry);
   pasted.push_back(std::move(part));  // has room
   return "";
 }
@@ -86,10 +91,13 @@ std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<co
     points += static_cast<std::size_t>(patch->free_count);
     triangles += static_cast<std::size_t>(patch->patch_triangles);
   }
+  ChordFaces chords;
+  for (const Patch* patch : patches) chords.add_chords(model, patch_geometry(*patch));
+  chords.add_faces(model);
   reserve_patches(model, points, triangles);
   for (std::size_t k : order) {
     try {
-      faults[k] = paste(model, *patches[k], pasted);
+      faults[k] = paste(model, *patches[k], pasted, chords);
     } catch (const std::bad_alloc&) {  // as it says already
     }
   }

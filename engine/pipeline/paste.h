@@ -13,7 +13,8 @@
 namespace loopmend {
 
 /// Pastes the patches in the order of their smallest loop numbers, whatever order they come in. Patches that were solved
-/// without knowing of each other are tested against each other first: one that would intersect an earlier one is left out.
+/// without knowing of each other are tested against each other first: one that would intersect an earlier one is left out, and one
+/// that would make an edge with more than two faces of surface and patches together (mesh/chord_faces.h).
 /// @returns one entry for each patch: why it was left out; empty where it was pasted.
 /// A patch for which there is no memory left is left out, too. @throws std::bad_alloc, with the model unchanged;
 /// std::logic_error if a point or triangle of the model was changed, which would be a fault of this program.

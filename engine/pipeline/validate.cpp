@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/validate.h"
 
+#include "mesh/chord_faces.h"
 #include "mesh/quality.h"
 
 #include <Eigen/Geometry>
@@ -65,6 +66,22 @@ std::vector<std::pair<int, int>> cuts_of(const ScanIndex& scan, const Patch& pat
   return cuts(scan, patch_geometry(patch), [](int, int) {});
 }
 
+int new_nonmanifold_edges(const ScanIndex& scan, const Patch& patch) {
+  const TriangleSoup& soup = scan.model.soup;
+  const PatchGeometry geometry = patch_geometry(patch);
+  std::vector<int> at_boundary;
+  ChordFaces chords;
+  chords.add_chords(scan.model, geometry);
+  for (const Vec3& end : chords.ends()) {
+    const std::vector<int> near = scan.index.near(end, end);
+    at_boundary.insert(at_boundary.end(), near.begin(), near.end());
+  }
+  std::sort(at_boundary.begin(), at_boundary.end());
+  at_boundary.erase(std::unique(at_boundary.begin(), at_boundary.end()), at_boundary.end());
+  for (int f : at_boundary) chords.add_face(soup.points, soup.triangles[f]);
+  return chords.count_crowded(scan.model, geometry);
+}
+
 std::vector<int> loop_of_triangles(const Patch& patch) {
   std::vector<int> part(patch.patch_triangles);
   std::iota(part.begin(), part.end(), 0);
@@ -104,6 +121,7 @@ Validity validate(const ScanIndex& scan, const Patch& patch) {
   const auto folds = folded_pairs(patch.positions, patch.triangles, patch.patch_triangles);
   validity.folds = static_cast<int>(folds.size());
   validity.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
+  validity.nonmanifold_edges = new_nonmanifold_edges(scan, patch);
   validity.intersections_of_loop.assign(patch.loops.size(), 0);
   const std::vector<int> loop = loop_of_triangles(patch), count = intersections_of(scan, patch_geometry(patch));
   std::vector<char> spoiled(patch.triangles.size(), 0);

@@ -21,6 +21,10 @@ struct ScanIndex {
   TriangleIndex index;
 };
 
+/// Edges between two triangles of the patch, their ends on its boundary, that would have more than two faces of patch and scan
+/// together where the scan has two at most. Ends in the same position are one, so that each part of the scan counts.
+int new_nonmanifold_edges(const ScanIndex& scan, const Patch& patch);
+
 /// For each triangle of the patch, how many others of patch and model it intersects, summed; everything that Validity tells.
 Validity validate(const ScanIndex& scan, const Patch& patch);
 

@@ -39,7 +39,37 @@ std::vector<int> first_in_place(int places, const Points& points) {
   return vertex;
 }
 
+constexpr double off_the_edge = 0.25;
+
 }  // namespace
+
+void split_beside(const std::set<Edge>& edges, Points& points, Triangles& triangles) {
+  if (edges.empty()) return;
+  std::map<Edge, Points> apexes;
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k)
+      if (const Edge edge = std::minmax(t[k], t[(k + 1) % 3]); edges.contains(edge))
+        apexes[edge].push_back(points[t[(k + 2) % 3]]);
+  std::map<Edge, int> middle;
+  for (const auto& [edge, at] : apexes) {
+    middle.emplace(edge, static_cast<int>(points.size()));
+    Vec3 beyond = Vec3::Zero();
+    for (const Vec3& p : at) beyond += p / static_cast<double>(at.size());
+    points.push_back((1 - off_the_edge) / 2 * (points[edge.first] + points[edge.second]) + off_the_edge * beyond);
+  }
+  for (std::size_t f = 0; f < triangles.size();) {
+    const Triangle t = triangles[f];
+    int k = 0;
+    while (k < 3 && !edges.contains(std::minmax(t[k], t[(k + 1) % 3]))) ++k;
+    if (k == 3) {
+      ++f;
+      continue;
+    }
+    const int a = t[k], b = t[(k + 1) % 3], apex = t[(k + 2) % 3], between = middle.at(std::minmax(a, b));
+    triangles[f] = {a, between, apex};
+    triangles.push_back({between, b, apex});
+  }
+}
 
 void split_double_edges(int places, Points& points, Triangles& triangles) {
   const std::vector<int> vertex = first_in_place(places, points);

@@ -2939,6 +2939,14 @@
             <source>with bending energy mixed in it has none</source>
             <translation>mit beigemischter Biegeenergie hat er keinen</translation>
         </message>
+        <message>
+            <source>%1 edge of its patch would have more than two faces</source>
+            <translation>%1 Kante seines Flickens hätte mehr als zwei Dreiecke</translation>
+        </message>
+        <message>
+            <source>%1 edges of its patch would have more than two faces</source>
+            <translation>%1 Kanten seines Flickens hätten mehr als zwei Dreiecke</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>

@@ -61,6 +61,8 @@ inline constexpr const char* engine_messages[] = {
     "crosses (--trim-crossing)",
     "4 boundary edges intersect the surface, so that no valid patch exists: left open; remove what "
     "crosses (--trim-crossing)",
+    "1 edge of its patch would have more than two faces: left open",
+    "2 edges of its patch would have more than two faces: left open",
     "its patch would cut that of loop 3: left open; 'loopmend blend --loops 3,5' joins the two by one surface",
     "the surface outside the patches was changed: nothing is handed on",
     // evolution/evolution.cpp and its steps; jobs/steady_run.cpp

@@ -42,5 +42,24 @@ TEST(SplitDoubleEdges, LeavesOrdinaryPatchesAlone) {
   EXPECT_EQ(points.size(), 4u);
 }
 
+TEST(SplitBeside, PutsAVertexBesideEachEdge) {
+  Points points{{0, 0, 0}, {1, -1, 0}, {2, 0, 0}, {1, 1, 0.8}, {3, 2, 0}};
+  Triangles triangles{{0, 1, 2}, {0, 2, 3}, {3, 2, 4}};
+  split_beside({{0, 2}, {2, 3}}, points, triangles);
+  ASSERT_EQ(points.size(), 7u);
+  EXPECT_TRUE(points[5].isApprox(Vec3(1, 0, 0.1)));
+  EXPECT_TRUE(points[6].isApprox(Vec3(1.5, 0.625, 0.3)));
+  EXPECT_EQ(triangles.size(), 7u);
+  std::map<std::pair<int, int>, int> edges;
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  for (const auto& [edge, count] : edges) EXPECT_EQ(count, 1);  // oriented as before
+  EXPECT_FALSE(edges.contains({0, 2}) || edges.contains({2, 0}) || edges.contains({2, 3}) || edges.contains({3, 2}));
+  const auto open = std::count_if(edges.begin(), edges.end(), [&](const auto& edge) {
+    return !edges.contains({edge.first.second, edge.first.first});
+  });
+  EXPECT_EQ(open, 5);
+}
+
 }  // namespace
 }  // namespace loopmend

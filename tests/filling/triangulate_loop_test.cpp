@@ -72,7 +72,7 @@ TEST(TriangulateLoop, OverDelaunayTrianglesFindsWhatCgalFinds) {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Boundary boundary = window(10 + 7 * static_cast<int>(seed), 0.02, seed);
     const Triangles found =
-        triangulate_loop(boundary.points, boundary.collar, boundary.loop, TriangulationMethod::delaunay_only);
+        triangulate_loop(boundary.points, boundary.collar, boundary.loop, {}, TriangulationMethod::delaunay_only);
     ASSERT_EQ(found.size(), boundary.loop.size() - 2) << "seed " << seed;
     EXPECT_EQ(sorted(found), sorted(triangulation_by_cgal(boundary))) << "seed " << seed;
   }
@@ -88,7 +88,7 @@ TEST(TriangulateLoop, IsTheSameWhereverMemoryLies) {
       std::set<Triangles> found;
       std::vector<std::unique_ptr<char[]>> blocks;
       for (int run = 0; run < 20; ++run) {
-        found.insert(triangulate_loop(boundary.points, boundary.collar, boundary.loop, method));
+        found.insert(triangulate_loop(boundary.points, boundary.collar, boundary.loop, {}, method));
         for (int k = 0; k < 20; ++k) blocks.push_back(std::make_unique<char[]>(random() % 5000));
         std::shuffle(blocks.begin(), blocks.end(), random);
         blocks.resize(blocks.size() / 2);
@@ -102,7 +102,7 @@ TEST(TriangulateLoop, FlatLoopsHaveTheirDelaunayTriangulation) {
   Boundary boundary = window(30, 0.02, 3);
   for (Vec3& p : boundary.points) p.z() = 0;
   const Triangles found =
-      triangulate_loop(boundary.points, boundary.collar, boundary.loop, TriangulationMethod::delaunay_only);
+      triangulate_loop(boundary.points, boundary.collar, boundary.loop, {}, TriangulationMethod::delaunay_only);
   ASSERT_EQ(found.size(), 28u);
   EXPECT_EQ(sorted(found), sorted(triangulation_by_cgal(boundary)));
 }

@@ -93,7 +93,7 @@ TEST(UncutPatch, IsNotMadeWhereSomethingRunsThroughTheBoundary) {
   Triangles neighborhood = model.soup.triangles;
   std::vector<int> places;
   for (int v : loop.vertices) places.push_back(model.soup_vertex[v]);
-  EXPECT_EQ(triangulate_loop_uncut(points, neighborhood, places, {}).size(), 2U);
+  EXPECT_EQ(triangulate_loop_uncut(points, neighborhood, places, {}, {}).size(), 2U);
   // A triangle about the middle of an edge of the loop.
   const Vec3 middle = (points[places[0]] + points[places[1]]) / 2;
   const Vec3 along = (points[places[1]] - points[places[0]]).normalized();
@@ -101,7 +101,7 @@ TEST(UncutPatch, IsNotMadeWhereSomethingRunsThroughTheBoundary) {
   const int first = static_cast<int>(points.size());
   for (const Vec3& d : {Vec3(side + up), Vec3(-side + up), Vec3(-up)}) points.push_back(middle + 0.2 * d);
   neighborhood.push_back({first, first + 1, first + 2});
-  EXPECT_TRUE(triangulate_loop_uncut(points, neighborhood, places, {}).empty());
+  EXPECT_TRUE(triangulate_loop_uncut(points, neighborhood, places, {}, {}).empty());
 }
 
 }  // namespace
