@@ -44,6 +44,7 @@ struct InfoCommand {
   std::filesystem::path input;
   std::string json;  ///< file or "-"; empty: a table for people
   CoincidentVertices coincident = CoincidentVertices::keep;
+  FloatText float_text = FloatText::nearest_float;
   Detail detail = Detail::summary;
   Check check = Check::no;
 };
@@ -52,6 +53,7 @@ struct FillCommand {
   std::filesystem::path input;
   std::filesystem::path output;
   CoincidentVertices coincident = CoincidentVertices::keep;
+  FloatText float_text = FloatText::nearest_float;
   std::string loops = "all";               ///< "all" or numbers, "1,3"
   std::optional<std::string> at_vertices;  ///< 0-based input vertices, "17,230": the loops through them
   std::optional<int> max_edges;

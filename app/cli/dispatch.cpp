@@ -53,6 +53,13 @@ void add_weld(CLI::App& command, CoincidentVertices& coincident) {
       "Join vertices at exactly the same place first, such as along the seams of a texture");
 }
 
+/// --double, for the commands whose output has the coordinates of the input.
+void add_double(CLI::App& command, FloatText& float_text) {
+  command.add_flag_callback(
+      "--double", [&float_text] { float_text = FloatText::all_digits; },
+      "Keep all digits of a text PLY that declares single precision; without it, as every reader of floats gets them");
+}
+
 void add_verbose(CLI::App& command, Detail& detail) {
   command.add_flag_callback(
       "--verbose", [&detail] { detail = Detail::all; },
@@ -68,6 +75,7 @@ void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
   info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   add_weld(*info, command.coincident);
+  add_double(*info, command.float_text);
   info->add_option("--json", command.json, "Write JSON to FILE, or to standard output for -")->type_name("FILE|-");
   add_check(*info, command.check,
             "Tell whether the surface could be printed: open, non-manifold and reversed edges, intersections");
@@ -89,6 +97,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   add_weld(*fill, command.coincident);
+  add_double(*fill, command.float_text);
   add_check(*fill, command.check, "Tell whether what was written could be printed, as 'info --check' does");
   fill->add_flag_callback(
       "--patches-only", [&command] { command.content = FillCommand::Content::patches; },

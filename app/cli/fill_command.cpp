@@ -305,7 +305,7 @@ int run_fill(const FillCommand& command) {
       .writes(NamedFile::Kind::mesh, "-o", command.output)
       .writes_report("--report", command.report)
       .check();
-  ImportedMesh opened = read_mesh(command.input, command.coincident);
+  ImportedMesh opened = read_mesh(command.input, command.coincident, command.float_text);
   SoupRecord as_read = record_of(opened.soup);
   SurfaceModel model = model_of(command.input, std::move(opened.soup),
                                 needs_whole_view(command) ? View::whole : View::filling, std::move(opened.survey));

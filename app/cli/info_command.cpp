@@ -98,7 +98,7 @@ void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
 
 int run_info(const InfoCommand& command) {
   CommandFiles().reads("the input", command.input).writes_report("--json", command.json).check();
-  const OpenedModel opened = open_model(command.input, command.coincident, View::loops);
+  const OpenedModel opened = open_model(command.input, command.coincident, View::loops, command.float_text);
   const SurfaceModel& model = opened.model;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   std::optional<Watertightness> verdict;

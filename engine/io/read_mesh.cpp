@@ -45,9 +45,9 @@ const char* format_name(MeshFormat format) {
   return "";
 }
 
-PolygonSoup parse(const FileContent& file, MeshFormat format) {
+PolygonSoup parse(const FileContent& file, MeshFormat format, FloatText float_text) {
   switch (format) {
-    case MeshFormat::ply: return parse_ply(file);
+    case MeshFormat::ply: return parse_ply(file, float_text);
     case MeshFormat::stl_ascii: return parse_stl_ascii(file);
     case MeshFormat::stl_binary: return parse_stl_binary(file);
     case MeshFormat::obj: return parse_obj(file);
@@ -243,13 +243,13 @@ std::size_t join_touching(TriangleSoup& soup, const VertexSurvey& survey, ScanAt
   return joined;
 }
 
-ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coincident) {
+ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coincident, FloatText float_text) {
   PolygonSoup polygons;
   MeshFormat format{};
   {
     const FileContent file = load_file(path);  // its memory is given back before the mesh is built
     format = detect_format(file);
-    polygons = parse(file, format);
+    polygons = parse(file, format, float_text);
   }
   require_faces(path, polygons);
   ImportedMesh mesh;
@@ -289,9 +289,9 @@ bool is_mesh_name(const std::filesystem::path& path) {
                      [&](const char* one) { return equals_ignoring_case(extension, one); });
 }
 
-ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident) {
+ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident, FloatText float_text) {
   try {
-    return import(path, coincident);
+    return import(path, coincident, float_text);
   } catch (const std::bad_alloc&) {
     throw ReadError(path, "the mesh is too large for the memory of this computer", "",
                     "Close other programs, or reduce it.");

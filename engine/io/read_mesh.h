@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/not_kept.h"
+#include "io/single_precision.h"
 #include "mesh/triangle_soup.h"
 #include "mesh/vertex_survey.h"
 
@@ -52,6 +53,7 @@ bool is_mesh_name(const std::filesystem::path& path);
 /// @throws ReadError for anything that is not wholly a mesh with at least one face: a missing file, a directory, no
 ///         permission, an unknown format, a syntax error, a count that does not match, a non-finite coordinate, an
 ///         index out of range. Never returns a part of a file.
-ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep);
+ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep,
+                       FloatText float_text = FloatText::nearest_float);
 
 }  // namespace loopmend

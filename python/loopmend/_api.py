@@ -216,17 +216,19 @@ def curvatures(vertices: ArrayLike, faces: ArrayLike) -> Curvatures:
     return Curvatures(**_core.curvatures(*_arrays(vertices, faces)))
 
 
-def read(path: Path, *, weld: bool = False) -> Mesh:
+def read(path: Path, *, weld: bool = False, all_digits: bool = False) -> Mesh:
     """Reads a mesh: PLY, STL, OBJ, OFF, glTF or 3MF, also compressed with gzip. All of a file, or an error.
 
     Parameters:
         path: of the file.
         weld: joins vertices at exactly the same place, such as along the seams of a texture. STL is always welded.
+        all_digits: keeps all digits of a text PLY that declares single precision (``float``); without it, coordinates are
+            the nearest single-precision numbers, as every other reader gets them.
 
     Raises:
         ReadError: the file is missing, no mesh, malformed or damaged.
     """
-    return Mesh(**_core.read(os.fspath(path), weld))
+    return Mesh(**_core.read(os.fspath(path), weld, all_digits))
 
 
 def write(path: Path, vertices: ArrayLike, faces: ArrayLike, *, colors: Optional[ArrayLike] = None,

@@ -149,11 +149,12 @@ py::dict curvatures(const py::array& vertices, const py::array& faces) {
                   "normals"_a = points_array(std::move(normals)));
 }
 
-py::dict read(const std::filesystem::path& path, bool weld) {
+py::dict read(const std::filesystem::path& path, bool weld, bool all_digits) {
   ImportedMesh mesh;
   run_interruptibly(
       [&](const CancelToken&, const PostEvent&) {
-        mesh = read_mesh(path, weld ? CoincidentVertices::weld : CoincidentVertices::keep);
+        mesh = read_mesh(path, weld ? CoincidentVertices::weld : CoincidentVertices::keep,
+                         all_digits ? FloatText::all_digits : FloatText::nearest_float);
       },
       py::none());
   const ImportReport& report = mesh.report;
@@ -227,7 +228,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("check", &check_mesh, "vertices"_a, "faces"_a);
   m.def("boundary_loops", &boundary_loops, "vertices"_a, "faces"_a);
   m.def("curvatures", &curvatures, "vertices"_a, "faces"_a);
-  m.def("read", &read, "path"_a, "weld"_a);
+  m.def("read", &read, "path"_a, "weld"_a, "all_digits"_a);
   m.def("write", &write, "path"_a, "vertices"_a, "faces"_a, "colors"_a, "ascii"_a);
   m.def("sample", &sample);
   define_problems(m);
