@@ -9,6 +9,7 @@
 #include "pipeline/fill_holes.h"
 #include "progress_line.h"
 #include "repair/repair_surface.h"
+#include "repair/stitch_boundaries.h"
 
 #include <filesystem>
 #include <optional>
@@ -61,6 +62,7 @@ struct FillCommand {
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
   enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
+  StitchTolerance stitch_tolerance{};                 ///< how near they must be
   std::set<Defect> repair;                            ///< what is mended first; empty: nothing
   std::vector<std::pair<int, int>> bridges;           ///< input vertices between which a strip is laid first
   int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100

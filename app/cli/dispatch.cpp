@@ -9,6 +9,7 @@
 #include "number_range.h"
 #include "outputs.h"
 #include "paper/paper_commands.h"
+#include "stitch_words.h"
 
 #include "core/memory.h"
 #include "core/threads.h"
@@ -86,8 +87,9 @@ void add_info(CLI::App& app, InfoCommand& command) {
 /// Options whose types need a word-to-value table or a lambda.
 struct FillWords {
   FlowWords flow;
-  bool include_outer_rim = false, stitch = false, trim_crossing = false, repair = false, cut_intersections = false,
-       cut_handles = false, keep_partial = false;
+  bool include_outer_rim = false, trim_crossing = false, repair = false, cut_intersections = false, cut_handles = false,
+       keep_partial = false;
+  std::string stitch;                ///< "0.5" or "5%"; empty: no stitching
   std::vector<std::string> bridges;  ///< "A,B"
   std::string islands = "join", texture = "grain", materials = "copy";
 };
@@ -116,7 +118,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
                    "Pieces of surface within a hole: join them to its patch, or cover them with it")
       ->check(CLI::IsMember({"join", "cover"}))
       ->capture_default_str();
-  fill->add_flag("--stitch", words.stitch, "Zip boundaries that lie within a tenth of their edges of each other first");
+  fill->add_option("--stitch", words.stitch,
+                   "Zip boundaries that lie within L of each other first (mesh units), or within P percent of their "
+                   "edges; 10% where nothing follows")
+      ->type_name("[L|P%]");
   fill->add_flag(
       "--repair", words.repair,
       "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, remove "
@@ -198,7 +203,10 @@ void take_words(const FillWords& words, FillCommand& command) {
   command.fill.threads = threads;
   command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
   if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
-  if (words.stitch) command.stitch = FillCommand::Stitch::yes;
+  if (!words.stitch.empty()) {
+    command.stitch = FillCommand::Stitch::yes;
+    command.stitch_tolerance = stitch_tolerance_of(words.stitch);
+  }
   if (words.trim_crossing) command.trim_pierced = FillCommand::TrimPierced::yes;
   if (words.repair || words.cut_intersections || words.cut_handles) command.repair = harmless_repairs;
   if (words.cut_intersections) command.repair.insert(Defect::intersections);
@@ -215,6 +223,7 @@ void check_fill_options(const std::vector<std::string>& options) {
   add_fill(app, fill, words);
   std::vector<std::string> all{"fill", "IN", "-o", "OUT"};
   all.insert(all.end(), options.begin(), options.end());
+  all = with_stitch_tolerances(std::move(all));
   std::reverse(all.begin(), all.end());  // as parse() takes them
   try {
     app.parse(all);
@@ -223,6 +232,7 @@ void check_fill_options(const std::vector<std::string>& options) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string("options of fill, behind -- or in a manifest: ") + error.what());
   }
+  if (!words.stitch.empty()) stitch_tolerance_of(words.stitch);
   if (!words.flow.report.empty()) throw UsageError("--report is not for batch: every scan has a report of its own");
   if (words.keep_partial)
     throw UsageError("--keep-partial is not for batch: the next run fills again what was stopped");
@@ -323,7 +333,9 @@ int run(int argc, char** argv) {
   add_batch(app, batch);
   const int own_words = words_before_those_of_fill(argc, argv);
   try {
-    app.parse(own_words, argv);
+    std::vector<std::string> all = with_stitch_tolerances({argv + 1, argv + own_words});
+    std::reverse(all.begin(), all.end());  // as parse() takes them
+    app.parse(std::move(all));
   } catch (const CLI::Success& asked) {
     return app.exit(asked);  // --help, --version
   } catch (const CLI::ParseError& error) {

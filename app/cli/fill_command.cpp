@@ -74,13 +74,14 @@ struct Outcome {
   int doubtful = 0;         ///< of those filled
   int left = 0;             ///< as asked
   int unfinished = 0;       ///< when the command was stopped, or its time was over
+  int wide_cracks = 0;      ///< left for --stitch
   int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
   bool holes_left = false;  ///< some loop that could be filled was left as asked
 
   /// Nothing was done, and nobody asked for that.
   bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
   int exit_code() const {
-    return failed > 0 || doubtful > 0 || unfinished > 0 || in_vain() ? exit_loops_failed : exit_done;
+    return failed + doubtful + unfinished + wide_cracks > 0 || in_vain() ? exit_loops_failed : exit_done;
   }
 };
 
@@ -95,7 +96,8 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
       ++outcome.unfinished;
       continue;
     }
-    const bool no_hole = choices[k].left == LoopChoice::Left::no_hole;
+    outcome.wide_cracks += choices[k].left == LoopChoice::Left::wide_crack;
+    const bool no_hole = choices[k].left != LoopChoice::Left::as_asked;
     ++(no_hole ? outcome.no_hole : outcome.left);
     outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_outer_rim);
   }
@@ -156,11 +158,13 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
 
 /// What would help where no loop is a hole.
 void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<BoundaryLoop>& loops,
-                const FillCommand& command) {
+                const FillCommand& command, int wide_cracks) {
   const auto count = [&](auto is) { return std::count_if(loops.begin(), loops.end(), is); };
   const auto cut = count([](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
   const auto split = count([](const BoundaryLoop& loop) { return loop.kind != LoopKind::cut && loop.coincident > 0; });
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
+  if (wide_cracks > 0)
+    std::fprintf(out, " %d are gaps between sides that belong together: fill again with --stitch.", wide_cracks);
   if (split > 0 && command.stitch == FillCommand::Stitch::no)
     std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
   if (cut > 0 && command.repair.empty())
@@ -271,6 +275,9 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
   if (command.coincident == CoincidentVertices::weld)
     std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
                  counted(import.vertices_welded, "vertex was", "vertices were").c_str());
+  if (import.near_vertices_joined > 0)
+    std::fprintf(out, "%s joined to others up to %.2g away along cracks no wider than rounding.\n",
+                 counted(import.near_vertices_joined, "vertex was", "vertices were").c_str(), import.largest_join);
   if (import.vertices_joined > 0)
     std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
                  counted(import.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
@@ -363,7 +370,7 @@ int run_fill(const FillCommand& command) {
     print_beside(out, written);
     print_import_losses(out, opened.report);
     print_coincident(out, opened.report, scan.loops);
-    if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command);
+    if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command, outcome.wide_cracks);
   }
   if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;
   return outcome.exit_code();

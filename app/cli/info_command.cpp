@@ -25,6 +25,9 @@ void print_count(std::size_t count, const char* one, const char* many) {
 void print_import(const ImportReport& import, const ModelRepairs& repairs) {
   print_count(import.polygons_triangulated, "polygon was triangulated", "polygons were triangulated");
   print_count(import.vertices_welded, "vertex was welded", "vertices were welded");
+  if (import.near_vertices_joined > 0)
+    std::printf("  %s joined to others up to %.2g away along cracks no wider than rounding\n",
+                counted(import.near_vertices_joined, "vertex was", "vertices were").c_str(), import.largest_join);
   print_count(import.vertices_joined, "boundary vertex touches another in the same place; its faces name that one now",
               "boundary vertices touch others in the same place; their faces name these now");
   print_count(import.unreferenced_vertices, "vertex belongs to no face; it is kept",

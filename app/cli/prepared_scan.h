@@ -31,6 +31,7 @@ struct PreparedScan {
   Preparation done;
   std::vector<BoundaryLoop> loops;
   std::vector<LoopChoice> choices;       ///< one for each loop
+  NearBoundaries near;                   ///< where --stitch would join something; only where it was not asked for
   std::vector<BadBoundaryFace> trimmed;  ///< faces of the mesh as it was before --trim-boundary
   std::vector<BoundaryLoop> to_trim;     ///< the loops that are filled, and those that trimming left no hole
 

@@ -70,7 +70,7 @@ def fill(
     steps: Optional[int] = None,
     sigma: float = 10.0,
     solver: str = "auto",
-    stitch: bool = False,
+    stitch: Union[bool, float, str] = False,
     repair: bool = False,
     cut_intersections: bool = False,
     cut_handles: bool = False,
@@ -112,8 +112,9 @@ def fill(
         steps: at most so many, 1 or more; None: 60.
         sigma: size of a step in the mode "steps", no unit; 1e-6 to 1e8.
         solver: of the steps: "auto", "direct" or "gmres".
-        stitch: joins boundaries that lie within a tenth of their edges of each other first.
-        repair: makes an oriented manifold of the mesh first.
+        stitch: joins boundaries that lie within a tenth of their edges of each other first; within a length, as in
+            ``stitch=0.5``; or within a part of the edges, as in ``stitch="5%"``.
+        repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
             the extent of their piece of surface, for their holes to be filled.

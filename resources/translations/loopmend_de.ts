@@ -2911,6 +2911,10 @@
             <source>its area is %1 times that of the initial patch</source>
             <translation>seine Fläche ist das %1-Fache der des ersten Flickens</translation>
         </message>
+        <message>
+            <source>the tolerance of stitching must be a length, not %1</source>
+            <translation>die Toleranz beim Vernähen muss eine Länge sein, nicht %1</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>
@@ -6821,6 +6825,13 @@
             <translation>
                 <numerusform>%Ln Kante, an der sie sich selbst berührt</numerusform>
                 <numerusform>%Ln Kanten, an denen sie sich selbst berührt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 vertices joined along cracks no wider than rounding</source>
+            <translation>
+                <numerusform>%1 Ecke an einem Riss von der Breite der Rundung verbunden</numerusform>
+                <numerusform>%1 Ecken an Rissen von der Breite der Rundung verbunden</numerusform>
             </translation>
         </message>
     </context>

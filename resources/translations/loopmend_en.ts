@@ -379,5 +379,12 @@
                 <numerusform>%Ln edges along which it touches itself</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%1 vertices joined along cracks no wider than rounding</source>
+            <translation>
+                <numerusform>%1 vertex joined along cracks no wider than rounding</numerusform>
+                <numerusform>%1 vertices joined along cracks no wider than rounding</numerusform>
+            </translation>
+        </message>
     </context>
 </TS>
