@@ -116,6 +116,8 @@ std::string words_of(const RepairCounts& counts) {
   add(counts.separated_edges, "edge separated", "edges separated");
   add(counts.separated_vertices, "vertex separated", "vertices separated");
   add(counts.turned_faces, "face turned", "faces turned");
+  if (counts.turned_shells > 0)
+    words += " (" + counted(counts.turned_shells, "body", "bodies or cavities") + " inside out)";
   add(counts.cut_handles, "tiny handle cut open", "tiny handles cut open");
   if (counts.cut_handles > 0) words += " (" + counted(counts.handle_faces, "face", "faces") + ")";
   add(counts.removed_pieces, "crumb removed", "crumbs removed");
@@ -152,6 +154,7 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
         {"duplicate_faces", done.repaired->duplicate_faces}, {"intersecting_faces", done.repaired->intersecting_faces},
         {"cut_handles", done.repaired->cut_handles},         {"handle_faces", done.repaired->handle_faces},
         {"removed_pieces", done.repaired->removed_pieces},   {"removed_faces", done.repaired->removed_faces}};
+  if (done.repaired) json["repaired"]["turned_shells"] = done.repaired->turned_shells;
   if (done.bridges > 0) json["bridges"] = done.bridges;
   return json;
 }
