@@ -41,7 +41,7 @@ struct WrittenScan {
 
 /// Makes the soup what is to be written. Makes its new rows (continue_attributes), paints its patches where the scan has a
 /// texture and the output is of the same format (OBJ with materials, PLY with corner texture coordinates, glTF with
-/// pictures), and adds all files to the transaction.
+/// pictures) or glTF, into which the pictures of PLY and OBJ go, and adds all files to the transaction.
 /// @throws WriteError, InvalidArgument as write_mesh; WriteError where a material file would replace another one.
 WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,
                        const WriteScanOptions& options, const CancelToken& cancel = {});

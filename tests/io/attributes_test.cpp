@@ -59,7 +59,9 @@ TEST_F(AttributesTest, PlyHasThePrecisionThatItDeclares) {
     return read(text_ply(type, x), "a.ply").soup.attributes->coordinates;
   };
   EXPECT_EQ(coordinates("float", "0.5"), ScalarType::float32);
-  EXPECT_EQ(coordinates("float", "0.1"), ScalarType::float64) << "the text has more digits than a float";
+  EXPECT_EQ(coordinates("float", "0.1"), ScalarType::float32);
+  EXPECT_EQ(coordinates("float", "0.123456789012"), ScalarType::float32);
+  EXPECT_EQ(coordinates("float", "1e39"), ScalarType::float64) << "no float at all";
   EXPECT_EQ(coordinates("double", "0.5"), ScalarType::float64);
   EXPECT_EQ(coordinates("int", "5"), ScalarType::float64) << "patches have no whole coordinates";
 }
@@ -247,7 +249,7 @@ TEST_F(AttributesTest, OtherFormatsHoldWhatTheyCan) {
   EXPECT_EQ(lost(ply, "a.obj"),
             "vertex properties \"quality\" (4), vertex properties \"exact\" (4), vertex properties \"label\" (4), "
             "vertex properties \"id\" (4), vertex properties \"weights\" (4), face colours (2), face properties "
-            "\"patch\" (2), elements \"edge\" (2)");
+            "\"patch\" (2), pictures (1), comments (1), elements \"edge\" (2)");
   write_mesh(folder_ / "a.ply", obj.soup, Encoding::ascii);
   EXPECT_NE(read_bytes(folder_ / "a.ply").find("3 0 1 2 6 0 0 1 0 0.1 0.7\n"), std::string::npos)
       << read_bytes(folder_ / "a.ply");
