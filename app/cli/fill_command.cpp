@@ -247,8 +247,8 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["prepared"] = preparation_json(scan.done);
   json["trimmed_faces"] = faces_json(scan.trimmed);
   json["bad_rim_faces"] = faces_json(bad);
-  if (!bad.empty() && command.trim_rounds == 0)
-    json["suggestion"] = counted(bad.size(), "bad triangle", "bad triangles") +
+  if (!scan.trimmable.empty() && command.trim_rounds == 0)
+    json["suggestion"] = counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
                          " at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
   const std::size_t in_full = command.detail == Detail::all ? results.size() : most_loops_in_report;
@@ -273,8 +273,7 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
 }
 
 /// What was done to the scan before it was filled.
-void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const PreparedScan& scan,
-                   const std::vector<BadBoundaryFace>& bad) {
+void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const PreparedScan& scan) {
   if (command.coincident == CoincidentVertices::weld)
     std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
                  counted(import.vertices_welded, "vertex was", "vertices were").c_str());
@@ -288,15 +287,18 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
   if (const std::size_t turned = scan.turned_faces(); turned > 0)
     std::fprintf(out, "%s turned round to agree with the neighbours.\n",
                  counted(turned, "face was", "faces were").c_str());
+  if (scan.spared_pieces > 0)
+    std::fprintf(out, "%s not trimmed: more than a fifth of the triangles would have gone.\n",
+                 counted(scan.spared_pieces, "piece of surface was", "pieces of surface were").c_str());
   if (!scan.trimmed.empty() && command.trim_rounds == 0)
     std::fprintf(out, "%s removed where a boundary ran through the surface.\n",
                  counted(scan.trimmed.size(), "triangle was", "triangles were").c_str());
   else if (!scan.trimmed.empty())
     std::fprintf(out, "%s removed at the boundaries.\n",
                  counted(scan.trimmed.size(), "bad triangle was", "bad triangles were").c_str());
-  else if (!bad.empty())
+  else if (!scan.trimmable.empty())
     std::fprintf(out, "%s at the boundaries; --trim-boundary 3 would remove what is bad.\n",
-                 counted(bad.size(), "bad triangle", "bad triangles").c_str());
+                 counted(scan.trimmable.size(), "bad triangle", "bad triangles").c_str());
 }
 
 /// The first reason, where there is one.
@@ -362,7 +364,7 @@ int run_fill(const FillCommand& command) {
   commit_with_report(outputs, command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
-    print_changes(out, command, opened.report, scan, bad);
+    print_changes(out, command, opened.report, scan);
     if (scan.loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n",
                    path_text(command.output).c_str());

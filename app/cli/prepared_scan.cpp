@@ -3,6 +3,7 @@
 
 #include "open_model.h"
 
+#include "neighborhood/trim_boundary.h"
 #include "pipeline/filling_view.h"
 #include "pipeline/hand_bridge.h"
 #include "pipeline/paste.h"
@@ -85,6 +86,7 @@ void trim(PreparedScan& scan, const FillCommand& command) {
                                                  : trim_pierced(scan.model, chosen);
   scan.trimmed = std::move(trimmed.removed);
   scan.to_trim = trimmed.loops;
+  scan.spared_pieces = trimmed.spared;
   if (scan.trimmed.empty()) return;
   TriangleSoup given = as_read(std::move(scan.model));
   std::vector<char> gone(given.triangles.size(), 0);
@@ -159,6 +161,7 @@ PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillComm
   leave_wide_cracks(scan, command);
   scan.to_trim = scan.chosen();
   if (trims(command)) trim(scan, command);
+  scan.trimmable = few_of_their_pieces(scan.model, bad_boundary_faces(scan.model, scan.to_trim));
   return scan;
 }
 
