@@ -59,6 +59,7 @@ struct FillCommand {
   std::optional<std::string> at_vertices;  ///< 0-based input vertices, "17,230": the loops through them
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
+  int all_but_largest = 0;             ///< how many of the largest loops are left
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
   enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first

@@ -113,6 +113,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--max-edges", command.max_edges, "Leave loops with more edges")->check(between(1e-300, 1e300));
   fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
       ->check(between(1e-300, 1e300));
+  fill->add_option("--all-but-largest", command.all_but_largest,
+                   "Leave the N largest loops, those of outer rims among them")
+      ->check(between(0, 2147483647))
+      ->type_name("N");
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   fill->add_option("--islands", words.islands,
                    "Pieces of surface within a hole: join them to its patch, or cover them with it")
@@ -157,6 +161,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
           "Material files and pictures of OBJ: copied beside an output in another folder, or named where they are")
       ->check(CLI::IsMember({"copy", "reference"}))
       ->capture_default_str();
+  fill->add_flag_callback(
+      "--mark", [&command] { command.write.new_faces = NewFaces::labelled; },
+      "Label the new triangles: face property patch of PLY, group loopmend_patch of OBJ, object of glTF and 3MF");
   add_flow_options(*fill, words.flow, DensityOption::offer, ReliefOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/path_text.h"
+#include "export/mark_new_faces.h"
 #include "export/table_of_pictures.h"
 #include "io/file_content.h"
 #include "io/gzip.h"
@@ -396,6 +397,8 @@ WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& 
     if (const auto texture = texture_of(path, *soup.attributes, files))
       write_texture(*texture, soup, options, written, cancel);
   }
+  if (options.new_faces == NewFaces::labelled && !mark_new_faces(path, soup))
+    written.remarks.push_back("STL and OFF have no label for new triangles: they are not told from others.");
   // The rows of what is new stay valid: all of it comes along, in its order, or none.
   if (!options.written.empty()) soup = select_triangles(soup, options.written).soup;
   write_mesh(outputs, path, soup, options.encoding);

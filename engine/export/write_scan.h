@@ -22,12 +22,16 @@ enum class MaterialFiles {
   reference  ///< named where they are
 };
 
+/// Whether triangles that the scan did not have are labelled (export/mark_new_faces.h).
+enum class NewFaces { like_others, labelled };
+
 struct WriteScanOptions {
   std::filesystem::path
       input;  ///< the scan's own file: material files are looked for in its folder; empty: there is none
   Encoding encoding = Encoding::binary;
   std::optional<TextureFill> texture = TextureFill::grain;  ///< nothing: patches are not painted
   MaterialFiles materials = MaterialFiles::copy;
+  NewFaces new_faces = NewFaces::like_others;
   /// For each triangle whether it is written; those of all patches, or of none. Empty: all are written.
   std::vector<char> written{};
 };

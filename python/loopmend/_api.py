@@ -58,6 +58,7 @@ def fill(
     at_vertices: Union[None, int, Sequence[int]] = None,
     max_edges: Optional[int] = None,
     max_diameter: Optional[float] = None,
+    all_but_largest: int = 0,
     include_outer_rim: bool = False,
     islands: str = "join",
     flow: str = "mmcvf",
@@ -97,6 +98,7 @@ def fill(
         at_vertices: vertex numbers; the loops through them are filled, beside those that `loops` names.
         max_edges: leaves loops with more edges, 1 or more.
         max_diameter: leaves wider loops; a length greater than 0.
+        all_but_largest: leaves so many of the largest loops, those of outer rims among them.
         include_outer_rim: fills the outer rims of open sheets as well.
         islands: "join" joins pieces of surface within a hole to its patch, "cover" covers them with it.
         flow: what makes the patch smooth: "mmcvf" (minimal variation of mean curvature), "wf" (Willmore flow), "sdf"
@@ -150,6 +152,7 @@ def fill(
     options = {
         **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed), "loops": _numbers(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
+        "all_but_largest": all_but_largest,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
         "cut_intersections": cut_intersections, "cut_handles": cut_handles, "bridges": [(int(a), int(b)) for a, b in bridges],
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,

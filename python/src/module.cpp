@@ -70,6 +70,7 @@ FillCommand fill_command(const py::dict& options) {
     command.at_vertices = listed(*at);
   command.max_edges = limit<int>(options, "max_edges");
   command.max_diameter = limit<double>(options, "max_diameter");
+  command.all_but_largest = whole_number(options, "all_but_largest", std::numeric_limits<int>::max());
   command.max_seconds = limit<double>(options, "max_time");
   command.max_memory_mb = limit<double>(options, "max_memory");
   if (option<bool>(options, "include_outer_rim")) command.outer_rim = FillCommand::OuterRim::include;
