@@ -9,6 +9,7 @@
 #include "pipeline/fill_holes.h"
 #include "progress_line.h"
 #include "repair/repair_surface.h"
+#include "repair/stitch_boundaries.h"
 
 #include <filesystem>
 #include <optional>
@@ -44,6 +45,7 @@ struct InfoCommand {
   std::filesystem::path input;
   std::string json;  ///< file or "-"; empty: a table for people
   CoincidentVertices coincident = CoincidentVertices::keep;
+  FloatText float_text = FloatText::nearest_float;
   Detail detail = Detail::summary;
   Check check = Check::no;
 };
@@ -52,13 +54,16 @@ struct FillCommand {
   std::filesystem::path input;
   std::filesystem::path output;
   CoincidentVertices coincident = CoincidentVertices::keep;
+  FloatText float_text = FloatText::nearest_float;
   std::string loops = "all";               ///< "all" or numbers, "1,3"
   std::optional<std::string> at_vertices;  ///< 0-based input vertices, "17,230": the loops through them
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
+  int all_but_largest = 0;             ///< how many of the largest loops are left
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
   enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
+  StitchTolerance stitch_tolerance{};                 ///< how near they must be
   std::set<Defect> repair;                            ///< what is mended first; empty: nothing
   std::vector<std::pair<int, int>> bridges;           ///< input vertices between which a strip is laid first
   int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100

@@ -9,6 +9,7 @@
 #include "number_range.h"
 #include "outputs.h"
 #include "paper/paper_commands.h"
+#include "stitch_words.h"
 
 #include "core/memory.h"
 #include "core/threads.h"
@@ -53,6 +54,13 @@ void add_weld(CLI::App& command, CoincidentVertices& coincident) {
       "Join vertices at exactly the same place first, such as along the seams of a texture");
 }
 
+/// --double, for the commands whose output has the coordinates of the input.
+void add_double(CLI::App& command, FloatText& float_text) {
+  command.add_flag_callback(
+      "--double", [&float_text] { float_text = FloatText::all_digits; },
+      "Keep all digits of a text PLY that declares single precision; without it, as every reader of floats gets them");
+}
+
 void add_verbose(CLI::App& command, Detail& detail) {
   command.add_flag_callback(
       "--verbose", [&detail] { detail = Detail::all; },
@@ -68,6 +76,7 @@ void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
   info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   add_weld(*info, command.coincident);
+  add_double(*info, command.float_text);
   info->add_option("--json", command.json, "Write JSON to FILE, or to standard output for -")->type_name("FILE|-");
   add_check(*info, command.check,
             "Tell whether the surface could be printed: open, non-manifold and reversed edges, intersections");
@@ -78,8 +87,9 @@ void add_info(CLI::App& app, InfoCommand& command) {
 /// Options whose types need a word-to-value table or a lambda.
 struct FillWords {
   FlowWords flow;
-  bool include_outer_rim = false, stitch = false, trim_crossing = false, repair = false, cut_intersections = false,
-       cut_handles = false, keep_partial = false;
+  bool include_outer_rim = false, trim_crossing = false, repair = false, cut_intersections = false, cut_handles = false,
+       keep_partial = false;
+  std::string stitch;                ///< "0.5" or "5%"; empty: no stitching
   std::vector<std::string> bridges;  ///< "A,B"
   std::string islands = "join", texture = "grain", materials = "copy";
 };
@@ -89,6 +99,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   add_weld(*fill, command.coincident);
+  add_double(*fill, command.float_text);
   add_check(*fill, command.check, "Tell whether what was written could be printed, as 'info --check' does");
   fill->add_flag_callback(
       "--patches-only", [&command] { command.content = FillCommand::Content::patches; },
@@ -102,15 +113,23 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_option("--max-edges", command.max_edges, "Leave loops with more edges")->check(between(1e-300, 1e300));
   fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
       ->check(between(1e-300, 1e300));
+  fill->add_option("--all-but-largest", command.all_but_largest,
+                   "Leave the N largest loops, those of outer rims among them")
+      ->check(between(0, 2147483647))
+      ->type_name("N");
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   fill->add_option("--islands", words.islands,
                    "Pieces of surface within a hole: join them to its patch, or cover them with it")
       ->check(CLI::IsMember({"join", "cover"}))
       ->capture_default_str();
-  fill->add_flag("--stitch", words.stitch, "Zip boundaries that lie within a tenth of their edges of each other first");
+  fill->add_option("--stitch", words.stitch,
+                   "Zip boundaries that lie within L of each other first (mesh units), or within P percent of their "
+                   "edges; 10% where nothing follows")
+      ->type_name("[L|P%]");
   fill->add_flag(
       "--repair", words.repair,
-      "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, remove "
+      "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, bodies "
+      "that are inside out among them, remove "
       "degenerate and duplicate faces and crumbs");
   fill->add_flag("--cut-intersections", words.cut_intersections,
                  "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled");
@@ -142,6 +161,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
           "Material files and pictures of OBJ: copied beside an output in another folder, or named where they are")
       ->check(CLI::IsMember({"copy", "reference"}))
       ->capture_default_str();
+  fill->add_flag_callback(
+      "--mark", [&command] { command.write.new_faces = NewFaces::labelled; },
+      "Label the new triangles: face property patch of PLY, group loopmend_patch of OBJ, object of glTF and 3MF");
   add_flow_options(*fill, words.flow, DensityOption::offer, ReliefOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))
@@ -189,7 +211,10 @@ void take_words(const FillWords& words, FillCommand& command) {
   command.fill.threads = threads;
   command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
   if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
-  if (words.stitch) command.stitch = FillCommand::Stitch::yes;
+  if (!words.stitch.empty()) {
+    command.stitch = FillCommand::Stitch::yes;
+    command.stitch_tolerance = stitch_tolerance_of(words.stitch);
+  }
   if (words.trim_crossing) command.trim_pierced = FillCommand::TrimPierced::yes;
   if (words.repair || words.cut_intersections || words.cut_handles) command.repair = harmless_repairs;
   if (words.cut_intersections) command.repair.insert(Defect::intersections);
@@ -206,6 +231,7 @@ void check_fill_options(const std::vector<std::string>& options) {
   add_fill(app, fill, words);
   std::vector<std::string> all{"fill", "IN", "-o", "OUT"};
   all.insert(all.end(), options.begin(), options.end());
+  all = with_stitch_tolerances(std::move(all));
   std::reverse(all.begin(), all.end());  // as parse() takes them
   try {
     app.parse(all);
@@ -214,6 +240,7 @@ void check_fill_options(const std::vector<std::string>& options) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string("options of fill, behind -- or in a manifest: ") + error.what());
   }
+  if (!words.stitch.empty()) stitch_tolerance_of(words.stitch);
   if (!words.flow.report.empty()) throw UsageError("--report is not for batch: every scan has a report of its own");
   if (words.keep_partial)
     throw UsageError("--keep-partial is not for batch: the next run fills again what was stopped");
@@ -314,7 +341,9 @@ int run(int argc, char** argv) {
   add_batch(app, batch);
   const int own_words = words_before_those_of_fill(argc, argv);
   try {
-    app.parse(own_words, argv);
+    std::vector<std::string> all = with_stitch_tolerances({argv + 1, argv + own_words});
+    std::reverse(all.begin(), all.end());  // as parse() takes them
+    app.parse(std::move(all));
   } catch (const CLI::Success& asked) {
     return app.exit(asked);  // --help, --version
   } catch (const CLI::ParseError& error) {

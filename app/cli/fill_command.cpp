@@ -79,12 +79,15 @@ struct Outcome {
   int look = 0, bad = 0;    ///< verdicts of those filled
   int left = 0;             ///< as asked
   int unfinished = 0;       ///< when the command was stopped, or its time was over
+  int wide_cracks = 0;      ///< left for --stitch
   int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
   bool holes_left = false;  ///< some loop that could be filled was left as asked
 
   /// Nothing was done, and nobody asked for that.
   bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
-  int exit_code() const { return failed > 0 || bad > 0 || unfinished > 0 || in_vain() ? exit_loops_failed : exit_done; }
+  int exit_code() const {
+    return failed + bad + unfinished + wide_cracks > 0 || in_vain() ? exit_loops_failed : exit_done;
+  }
 };
 
 Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<LoopChoice>& choices) {
@@ -99,7 +102,8 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
       ++outcome.unfinished;
       continue;
     }
-    const bool no_hole = choices[k].left == LoopChoice::Left::no_hole;
+    outcome.wide_cracks += choices[k].left == LoopChoice::Left::wide_crack;
+    const bool no_hole = choices[k].left != LoopChoice::Left::as_asked;
     ++(no_hole ? outcome.no_hole : outcome.left);
     outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_outer_rim);
   }
@@ -118,6 +122,8 @@ std::string words_of(const RepairCounts& counts) {
   add(counts.separated_edges, "edge separated", "edges separated");
   add(counts.separated_vertices, "vertex separated", "vertices separated");
   add(counts.turned_faces, "face turned", "faces turned");
+  if (counts.turned_shells > 0)
+    words += " (" + counted(counts.turned_shells, "body", "bodies or cavities") + " inside out)";
   add(counts.cut_handles, "tiny handle cut open", "tiny handles cut open");
   if (counts.cut_handles > 0) words += " (" + counted(counts.handle_faces, "face", "faces") + ")";
   add(counts.removed_pieces, "crumb removed", "crumbs removed");
@@ -154,17 +160,20 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
         {"duplicate_faces", done.repaired->duplicate_faces}, {"intersecting_faces", done.repaired->intersecting_faces},
         {"cut_handles", done.repaired->cut_handles},         {"handle_faces", done.repaired->handle_faces},
         {"removed_pieces", done.repaired->removed_pieces},   {"removed_faces", done.repaired->removed_faces}};
+  if (done.repaired) json["repaired"]["turned_shells"] = done.repaired->turned_shells;
   if (done.bridges > 0) json["bridges"] = done.bridges;
   return json;
 }
 
 /// What would help where no loop is a hole.
 void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<BoundaryLoop>& loops,
-                const FillCommand& command) {
+                const FillCommand& command, int wide_cracks) {
   const auto count = [&](auto is) { return std::count_if(loops.begin(), loops.end(), is); };
   const auto cut = count([](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
   const auto split = count([](const BoundaryLoop& loop) { return loop.kind != LoopKind::cut && loop.coincident > 0; });
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
+  if (wide_cracks > 0)
+    std::fprintf(out, " %d are gaps between sides that belong together: fill again with --stitch.", wide_cracks);
   if (split > 0 && command.stitch == FillCommand::Stitch::no)
     std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
   if (cut > 0 && command.repair.empty())
@@ -249,8 +258,8 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["prepared"] = preparation_json(scan.done);
   json["trimmed_faces"] = faces_json(scan.trimmed);
   json["bad_rim_faces"] = faces_json(bad);
-  if (!bad.empty() && command.trim_rounds == 0)
-    json["suggestion"] = counted(bad.size(), "bad triangle", "bad triangles") +
+  if (!scan.trimmable.empty() && command.trim_rounds == 0)
+    json["suggestion"] = counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
                          " at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
   const std::size_t in_full = command.detail == Detail::all ? results.size() : most_loops_in_report;
@@ -275,11 +284,13 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
 }
 
 /// What was done to the scan before it was filled.
-void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const PreparedScan& scan,
-                   const std::vector<BadBoundaryFace>& bad) {
+void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const PreparedScan& scan) {
   if (command.coincident == CoincidentVertices::weld)
     std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
                  counted(import.vertices_welded, "vertex was", "vertices were").c_str());
+  if (import.near_vertices_joined > 0)
+    std::fprintf(out, "%s joined to others up to %.2g away along cracks no wider than rounding.\n",
+                 counted(import.near_vertices_joined, "vertex was", "vertices were").c_str(), import.largest_join);
   if (import.vertices_joined > 0)
     std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
                  counted(import.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
@@ -287,15 +298,18 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
   if (const std::size_t turned = scan.turned_faces(); turned > 0)
     std::fprintf(out, "%s turned round to agree with the neighbours.\n",
                  counted(turned, "face was", "faces were").c_str());
+  if (scan.spared_pieces > 0)
+    std::fprintf(out, "%s not trimmed: more than a fifth of the triangles would have gone.\n",
+                 counted(scan.spared_pieces, "piece of surface was", "pieces of surface were").c_str());
   if (!scan.trimmed.empty() && command.trim_rounds == 0)
     std::fprintf(out, "%s removed where a boundary ran through the surface.\n",
                  counted(scan.trimmed.size(), "triangle was", "triangles were").c_str());
   else if (!scan.trimmed.empty())
     std::fprintf(out, "%s removed at the boundaries.\n",
                  counted(scan.trimmed.size(), "bad triangle was", "bad triangles were").c_str());
-  else if (!bad.empty())
+  else if (!scan.trimmable.empty())
     std::fprintf(out, "%s at the boundaries; --trim-boundary 3 would remove what is bad.\n",
-                 counted(bad.size(), "bad triangle", "bad triangles").c_str());
+                 counted(scan.trimmable.size(), "bad triangle", "bad triangles").c_str());
 }
 
 /// The first reason, where there is one.
@@ -314,7 +328,7 @@ int run_fill(const FillCommand& command) {
       .writes(NamedFile::Kind::mesh, "-o", command.output)
       .writes_report("--report", command.report)
       .check();
-  ImportedMesh opened = read_mesh(command.input, command.coincident);
+  ImportedMesh opened = read_mesh(command.input, command.coincident, command.float_text);
   SoupRecord as_read = record_of(opened.soup);
   SurfaceModel model = model_of(command.input, std::move(opened.soup),
                                 needs_whole_view(command) ? View::whole : View::filling, std::move(opened.survey));
@@ -361,7 +375,7 @@ int run_fill(const FillCommand& command) {
   commit_with_report(outputs, command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;
-    print_changes(out, command, opened.report, scan, bad);
+    print_changes(out, command, opened.report, scan);
     if (scan.loops.empty())
       std::fprintf(out, "The surface is closed: there is nothing to fill. %s was written.\n",
                    path_text(command.output).c_str());
@@ -372,7 +386,7 @@ int run_fill(const FillCommand& command) {
     print_beside(out, written);
     print_import_losses(out, opened.report);
     print_coincident(out, opened.report, scan.loops);
-    if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command);
+    if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command, outcome.wide_cracks);
   }
   if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;
   return outcome.exit_code();

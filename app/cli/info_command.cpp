@@ -7,6 +7,9 @@
 #include "report.h"
 #include "verdict.h"
 
+#include "repair/inverted_shells.h"
+#include "repair/stitch_boundaries.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -25,6 +28,9 @@ void print_count(std::size_t count, const char* one, const char* many) {
 void print_import(const ImportReport& import, const ModelRepairs& repairs) {
   print_count(import.polygons_triangulated, "polygon was triangulated", "polygons were triangulated");
   print_count(import.vertices_welded, "vertex was welded", "vertices were welded");
+  if (import.near_vertices_joined > 0)
+    std::printf("  %s joined to others up to %.2g away along cracks no wider than rounding\n",
+                counted(import.near_vertices_joined, "vertex was", "vertices were").c_str(), import.largest_join);
   print_count(import.vertices_joined, "boundary vertex touches another in the same place; its faces name that one now",
               "boundary vertices touch others in the same place; their faces name these now");
   print_count(import.unreferenced_vertices, "vertex belongs to no face; it is kept",
@@ -59,6 +65,31 @@ void print_not_kept(const OpenedModel& opened) {
   // That of coordinates of the mesh's own size is no news; a scan far from the origin is.
   if (rounding > 1e-6 * box.diagonal().norm())
     std::printf("  binary STL would move vertices by up to %.3g\n", rounding);
+}
+
+/// What stands against a fill before any hole is looked at, and what cures it.
+struct Findings {
+  NearBoundaries near;
+  InvertedShells inverted;
+};
+
+Findings findings_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  return {loops.empty() ? NearBoundaries() : near_boundaries(model), find_inverted_shells(model, loops)};
+}
+
+void print_findings(const Findings& found) {
+  print_count(found.inverted.closed, "body or cavity is inside out; fill --repair turns it",
+              "bodies or cavities are inside out; fill --repair turns them");
+  print_count(found.inverted.open, "open body is inside out: its faces look inward",
+              "open bodies are inside out: their faces look inward");
+  std::string near;
+  if (found.near.vertices > 0)
+    near = counted(found.near.vertices, "boundary vertex lies", "boundary vertices lie") +
+           " within a tenth of the edges there of another";
+  if (found.near.faces > 0)
+    near += (near.empty() ? "" : ", ") + counted(found.near.faces, "face has a boundary vertex of others on an edge",
+                                                 "faces have boundary vertices of others on an edge");
+  if (!near.empty()) std::printf("  %s: fill --stitch joins them\n", near.c_str());
 }
 
 /// Of the file as it is: faces that disagree count.
@@ -98,15 +129,18 @@ void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
 
 int run_info(const InfoCommand& command) {
   CommandFiles().reads("the input", command.input).writes_report("--json", command.json).check();
-  const OpenedModel opened = open_model(command.input, command.coincident, View::loops);
+  const OpenedModel opened = open_model(command.input, command.coincident, View::loops, command.float_text);
   const SurfaceModel& model = opened.model;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  const Findings found = findings_of(model, loops);
   std::optional<Watertightness> verdict;
   if (command.check == Check::printable) verdict = verdict_before_turning(model);
   if (!command.json.empty()) {
     nlohmann::ordered_json json;
     json["schema_version"] = report_schema_version;
     json["input"] = input_json(command.input, opened.import, model.repairs);
+    json["near_boundaries"] = {{"vertices", found.near.vertices}, {"faces", found.near.faces}};
+    json["inside_out"] = {{"closed", found.inverted.closed}, {"open", found.inverted.open}};
     json["loops"] = nlohmann::ordered_json::array();
     for (const BoundaryLoop& loop : loops) {
       json["loops"].push_back(loop_json(loop));
@@ -121,6 +155,7 @@ int run_info(const InfoCommand& command) {
   std::printf("%s: %s, %zu vertices, %zu faces\n", path_text(command.input).c_str(), opened.import.format.c_str(),
               opened.import.vertices, opened.import.faces);
   print_import(opened.import, model.repairs);
+  print_findings(found);
   print_not_kept(opened);
   if (verdict) print_verdict(stdout, *verdict);
   if (loops.empty()) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace loopmend {
 
@@ -101,6 +102,20 @@ std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command
 
 }  // namespace
 
+namespace {
+
+/// The first so many of the loops, which begin with the largest, that are holes or outer rims are left.
+void leave_largest(const std::vector<BoundaryLoop>& loops, int count, std::vector<LoopChoice>& choices) {
+  for (std::size_t k = 0; k < loops.size() && count > 0; ++k) {
+    if (loops[k].kind != LoopKind::hole && loops[k].kind != LoopKind::outer_rim) continue;
+    --count;
+    if (!std::exchange(choices[k].fill, false)) continue;
+    choices[k].why_not = "is one of the largest loops (--all-but-largest)";
+  }
+}
+
+}  // namespace
+
 LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command) {
   LoopChoice choice;
   choice.why_not = why_no_hole(loop, command.outer_rim);
@@ -125,6 +140,7 @@ std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vecto
     choice.fill = choice.why_not.empty();
     choice.is_outer_rim = loops[k].kind == LoopKind::outer_rim;
   }
+  leave_largest(loops, command.all_but_largest, choices);
   return choices;
 }
 

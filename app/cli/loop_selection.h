@@ -10,7 +10,11 @@
 namespace loopmend {
 
 struct LoopChoice {
-  enum class Left { as_asked, no_hole };  ///< no_hole: nobody asked for it, but there is nothing that could be filled
+  enum class Left {
+    as_asked,
+    no_hole,    ///< nobody asked for it, but there is nothing that could be filled
+    wide_crack  ///< the same, where --stitch would join the sides: not done
+  };
   bool fill = false;
   std::string why_not;  ///< in words, where fill is false
   Left left = Left::as_asked;

@@ -22,8 +22,9 @@ SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View
   }
 }
 
-OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident, View view) {
-  ImportedMesh imported = read_mesh(path, coincident);
+OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident, View view,
+                       FloatText float_text) {
+  ImportedMesh imported = read_mesh(path, coincident, float_text);
   SurfaceModel model = model_of(path, std::move(imported.soup), view, std::move(imported.survey));
   return {std::move(model), std::move(imported.report)};
 }

@@ -28,6 +28,6 @@ SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View
 
 /// @throws ReadError, also where the file is sound but holds no usable face.
 OpenedModel open_model(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep,
-                       View view = View::whole);
+                       View view = View::whole, FloatText float_text = FloatText::nearest_float);
 
 }  // namespace loopmend

@@ -3,12 +3,14 @@
 
 #include "open_model.h"
 
+#include "neighborhood/trim_boundary.h"
 #include "pipeline/filling_view.h"
 #include "pipeline/hand_bridge.h"
 #include "pipeline/paste.h"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -42,7 +44,7 @@ void prepare(PreparedScan& scan, const FillCommand& command, const CancelToken& 
     scan.model = command.input.empty() ? make_surface_model(std::move(soup)) : model_of(command.input, std::move(soup));
   };
   if (command.stitch == FillCommand::Stitch::yes) {
-    scan.done.stitched = stitch_boundaries(scan.model);
+    scan.done.stitched = stitch_boundaries(scan.model, command.stitch_tolerance);
     replace(std::move(scan.done.stitched->soup));
   }
   if (!command.repair.empty()) {
@@ -84,6 +86,7 @@ void trim(PreparedScan& scan, const FillCommand& command) {
                                                  : trim_pierced(scan.model, chosen);
   scan.trimmed = std::move(trimmed.removed);
   scan.to_trim = trimmed.loops;
+  scan.spared_pieces = trimmed.spared;
   if (scan.trimmed.empty()) return;
   TriangleSoup given = as_read(std::move(scan.model));
   std::vector<char> gone(given.triangles.size(), 0);
@@ -101,6 +104,32 @@ void trim(PreparedScan& scan, const FillCommand& command) {
   scan.model = std::move(trimmed.model);
   scan.loops = find_boundary_loops(scan.model);
   scan.choices = choices_after_trim(scan.loops, chosen, trimmed.loops, command);
+}
+
+/// How near the sides of a hole must be for it to be a crack. In the shared scans no hole comes near to that; a slit in a dummy's
+/// head, which is filled, has 0.03. Those of an outer rim may be as far apart as stitching joins them: nothing is filled there.
+constexpr double crack_in_edges = 0.01;
+
+/// Loops that nobody named, more than half of whose edges --stitch would close, are no holes: a patch between sides that nearly
+/// touch would cross them.
+void leave_wide_cracks(PreparedScan& scan, const FillCommand& command) {
+  const bool named = command.loops != "all" || command.at_vertices;
+  if (scan.loops.empty() || command.stitch == FillCommand::Stitch::yes) return;
+  scan.near = near_boundaries(scan.model);
+  if (scan.near.closing.empty() || named) return;
+  const NearBoundaries nearest = near_boundaries(scan.model, {crack_in_edges, std::nullopt});
+  for (std::size_t k = 0; k < scan.loops.size(); ++k) {
+    const BoundaryLoop& loop = scan.loops[k];
+    LoopChoice& choice = scan.choices[k];
+    const bool is_rim = loop.kind == LoopKind::outer_rim;
+    if (choice.left != LoopChoice::Left::as_asked || (!choice.fill && !is_rim)) continue;
+    const int closing = closing_edges(scan.model, loop, is_rim ? scan.near : nearest);
+    if (2 * closing <= loop.edges()) continue;
+    choice.fill = false;
+    choice.left = LoopChoice::Left::wide_crack;
+    choice.why_not = "crack: " + std::to_string(closing) + " of its " + std::to_string(loop.edges()) +
+                     " edges lie beside another within a tenth of their length (--stitch joins them)";
+  }
 }
 
 }  // namespace
@@ -129,8 +158,10 @@ PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillComm
     scan.loops = find_boundary_loops(scan.model);
     scan.choices = choose_loops(scan.model, scan.loops, command);
   }
+  leave_wide_cracks(scan, command);
   scan.to_trim = scan.chosen();
   if (trims(command)) trim(scan, command);
+  scan.trimmable = few_of_their_pieces(scan.model, bad_boundary_faces(scan.model, scan.to_trim));
   return scan;
 }
 
@@ -152,6 +183,13 @@ std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillCommand& comma
     const auto done = filled.find(scan.loops[k].number);
     results.push_back(done != filled.end() ? std::move(done->second)
                                            : open_hole(scan.loops[k], PatchStatus::skipped, choice.why_not));
+    const int closing =
+        results[k].status == PatchStatus::failed ? closing_edges(scan.model, scan.loops[k], scan.near) : 0;
+    if (closing > 0)
+      results[k].message =
+          std::to_string(closing) +
+          " of its edges lie beside another within a tenth of their length: --stitch joins them. Without it, " +
+          results[k].message;
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
       results[k].message = "not finished in the time that --max-time allows: left open";
   }

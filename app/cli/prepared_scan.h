@@ -31,8 +31,12 @@ struct PreparedScan {
   Preparation done;
   std::vector<BoundaryLoop> loops;
   std::vector<LoopChoice> choices;       ///< one for each loop
+  NearBoundaries near;                   ///< where --stitch would join something; only where it was not asked for
   std::vector<BadBoundaryFace> trimmed;  ///< faces of the mesh as it was before --trim-boundary
-  std::vector<BoundaryLoop> to_trim;     ///< the loops that are filled, and those that trimming left no hole
+  std::vector<BadBoundaryFace>
+      trimmable;                      ///< bad triangles at the loops that are filled, where trimming can be proposed
+  std::size_t spared_pieces = 0;      ///< of which --trim-boundary would have taken too much
+  std::vector<BoundaryLoop> to_trim;  ///< the loops that are filled, and those that trimming left no hole
 
   std::vector<BoundaryLoop> chosen() const;
   /// Faces turned to agree with their neighbours: in the mesh as it was read, and in what was made of it.

@@ -36,6 +36,8 @@ Json input_json(const std::filesystem::path& path, const ImportReport& import, c
             {"polygons_triangulated", import.polygons_triangulated},
             {"vertices_welded", import.vertices_welded},
             {"vertices_joined", import.vertices_joined},
+            {"near_vertices_joined", import.near_vertices_joined},
+            {"largest_join", import.largest_join},
             {"unreferenced_vertices", import.unreferenced_vertices},
             {"coincident_vertices", import.coincident_vertices},
             {"degenerate_faces", import.degenerate_faces},

@@ -86,6 +86,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("between 0 and 100 rings of a boundary can be trimmed, not %1")},
       {QT_TR_NOOP("trimming the boundary would leave no triangle")},
       {QT_TR_NOOP("the tolerance of stitching must lie between 0 and 0.4, not %1")},
+      {QT_TR_NOOP("the tolerance of stitching must be a length, not %1")},
       // Flows
       {QT_TR_NOOP("the scan around the hole does not tell shape from relief")},
       {QT_TR_NOOP("the scan around the hole is noisy")},

@@ -294,6 +294,8 @@ QString import_summary(const OpenedScan& scan) {
   note(mended.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "cut along %1 non-manifold edges"));
   note(mended.non_manifold_vertices, QT_TRANSLATE_N_NOOP("loopmend::labels", "split at %1 non-manifold vertices"));
   note(in.vertices_joined, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 touching boundary vertices joined"));
+  note(in.near_vertices_joined,
+       QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 vertices joined along cracks no wider than rounding"));
   note(in.unreferenced_vertices, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 vertices that no face uses"));
   note(in.missing_colors, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 vertices without a colour, made white"));
   if (!in.oddities.empty()) notes << not_kept(in.oddities);

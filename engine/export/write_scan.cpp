@@ -3,6 +3,8 @@
 
 #include "core/error.h"
 #include "core/path_text.h"
+#include "export/mark_new_faces.h"
+#include "export/table_of_pictures.h"
 #include "io/file_content.h"
 #include "io/gzip.h"
 #include "io/material_library.h"
@@ -336,6 +338,11 @@ class GltfTexture : public Texture {
   TextureFiles named_;
 };
 
+bool is_gltf_name(const fs::path& path) {
+  const std::string extension = path_text(without_gzip_name(path).extension());
+  return equals_ignoring_case(extension, ".glb") || equals_ignoring_case(extension, ".gltf");
+}
+
 /// Of a scan of the same format as the output; null: it has none.
 std::unique_ptr<Texture> texture_of(const fs::path& path, const ScanAttributes& scan, SideFiles& files) {
   const auto is_written_as = [&](const char* format, const char* extension) {
@@ -343,8 +350,7 @@ std::unique_ptr<Texture> texture_of(const fs::path& path, const ScanAttributes& 
   };
   if (is_written_as("OBJ", ".obj") && !scan.material_libraries.empty())
     return std::make_unique<ObjTexture>(scan, files);
-  if ((is_written_as("glTF", ".glb") || is_written_as("glTF", ".gltf")) && scan.materials &&
-      !scan.materials->pictures.empty())
+  if (scan.format == "glTF" && is_gltf_name(path) && scan.materials && !scan.materials->pictures.empty())
     return std::make_unique<GltfTexture>(scan, files);
   if (is_written_as("PLY", ".ply") && scan.texture.count() > 0) return std::make_unique<PlyTexture>(scan, files);
   return nullptr;
@@ -382,12 +388,17 @@ void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions&
 WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,
                        const WriteScanOptions& options, const CancelToken& cancel) {
   WrittenScan written;
+  if (soup.attributes && is_gltf_name(path))
+    if (auto with_table = with_table_of_pictures(*soup.attributes, written.remarks))
+      soup.attributes = std::move(with_table);
   continue_attributes(soup);
   if (soup.attributes) {
     SideFiles files(outputs, path, soup.attributes->file, options.materials, written);
     if (const auto texture = texture_of(path, *soup.attributes, files))
       write_texture(*texture, soup, options, written, cancel);
   }
+  if (options.new_faces == NewFaces::labelled && !mark_new_faces(path, soup))
+    written.remarks.push_back("STL and OFF have no label for new triangles: they are not told from others.");
   // The rows of what is new stay valid: all of it comes along, in its order, or none.
   if (!options.written.empty()) soup = select_triangles(soup, options.written).soup;
   write_mesh(outputs, path, soup, options.encoding);

@@ -22,12 +22,16 @@ enum class MaterialFiles {
   reference  ///< named where they are
 };
 
+/// Whether triangles that the scan did not have are labelled (export/mark_new_faces.h).
+enum class NewFaces { like_others, labelled };
+
 struct WriteScanOptions {
   std::filesystem::path
       input;  ///< the scan's own file: material files are looked for in its folder; empty: there is none
   Encoding encoding = Encoding::binary;
   std::optional<TextureFill> texture = TextureFill::grain;  ///< nothing: patches are not painted
   MaterialFiles materials = MaterialFiles::copy;
+  NewFaces new_faces = NewFaces::like_others;
   /// For each triangle whether it is written; those of all patches, or of none. Empty: all are written.
   std::vector<char> written{};
 };
@@ -41,7 +45,7 @@ struct WrittenScan {
 
 /// Makes the soup what is to be written. Makes its new rows (continue_attributes), paints its patches where the scan has a
 /// texture and the output is of the same format (OBJ with materials, PLY with corner texture coordinates, glTF with
-/// pictures), and adds all files to the transaction.
+/// pictures) or glTF, into which the pictures of PLY and OBJ go, and adds all files to the transaction.
 /// @throws WriteError, InvalidArgument as write_mesh; WriteError where a material file would replace another one.
 WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& path, TriangleSoup& soup,
                        const WriteScanOptions& options, const CancelToken& cancel = {});

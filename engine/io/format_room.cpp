@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a soup a format has no room for.
 #include "io/format_writers.h"
+#include "io/texture_files.h"
 #include "mesh/material_table.h"
 
 #include <algorithm>
@@ -139,6 +140,25 @@ std::size_t count_names(const FaceNames& names) {
   }));
 }
 
+/// What a PLY header says: names of pictures, which export/write_scan.h brings into glTF, and remarks of people and programs.
+void add_remarks(std::vector<NotKept>& list, const Room& room, const ScanAttributes& scan) {
+  if (room.is(Format::ply)) return;
+  std::size_t pictures = 0, comments = 0;
+  for (const std::string& remark : scan.remarks)
+    if (!TextureFiles::name_in(remark).empty())
+      ++pictures;
+    else if (remark != remark_of_loopmend)
+      ++comments;
+  if (!room.is_gltf()) count_not_kept(list, "pictures", pictures);
+  count_not_kept(list, "comments", comments);
+}
+
+/// Programs write their names there; some write the colour of the part.
+void add_header(std::vector<NotKept>& list, const Room& room, const ScanAttributes& scan) {
+  const bool kept = room.is(Format::stl) && room.encoding == Encoding::binary;
+  if (!kept && scan.header.find("COLOR=") != std::string::npos) count_not_kept(list, "colour of the part");
+}
+
 void add_attributes(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup) {
   const ScanAttributes& scan = attributes_of(soup);
   add_columns(list, room, soup, false);
@@ -153,6 +173,8 @@ void add_attributes(std::vector<NotKept>& list, const Room& room, const Triangle
       count_not_kept(list, words_for_names(names.keyword), count);
   }
   add_table(list, room, soup);
+  add_remarks(list, room, scan);
+  add_header(list, room, scan);
   if (!obj) count_not_kept(list, "material libraries", scan.material_libraries.size());
   if (!(ply && keeps_elements(soup)))
     for (const OtherElement& element : scan.elements)

@@ -89,6 +89,9 @@ int name_of(const FaceNames& names, const AttributeRow& row);
 /// The place of the column that becomes the two bytes behind each facet of STL.
 std::optional<std::size_t> find_stl_attribute(const ScanAttributes& scan);
 
+/// The first remark of a PLY file that we write.
+inline constexpr std::string_view remark_of_loopmend = "comment Loopmend";
+
 void write_ply(Output& out, const TriangleSoup& soup, Encoding encoding);
 void write_stl(Output& out, const TriangleSoup& soup, Encoding encoding);
 void write_obj(Output& out, const TriangleSoup& soup);

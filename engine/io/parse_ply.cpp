@@ -63,12 +63,12 @@ AttributeColumn column_for(const PlyProperty& property) {
   return {property.name, property.type, property.is_list ? std::optional(property.count_type) : std::nullopt};
 }
 
-/// Reading makes doubles. Where the file says float, and no coordinate of its text has more digits, it may be written so.
-bool are_floats(const PlyElement& vertices, const Points& points) {
-  for (const PlyProperty& property : vertices.properties)
-    if (const int role = vertex_role(property); role >= 0 && role < 3 && property.type != PlyType::float32)
-      return false;
-  return holds_as_floats(points);
+/// Whether the coordinates may be written as single precision: the file says so of all of them.
+bool are_floats(const PlyElement& vertices) {
+  return std::none_of(vertices.properties.begin(), vertices.properties.end(), [](const PlyProperty& property) {
+    const int role = vertex_role(property);
+    return role >= 0 && role < 3 && property.type != PlyType::float32;
+  });
 }
 
 /// Where the corners stand in a face's row.
@@ -103,9 +103,10 @@ T loaded(const char* from) {
 template <class Rows>
 class PlyBody {
  public:
-  PlyBody(const FileContent& file, const PlyHeader& header)
+  PlyBody(const FileContent& file, const PlyHeader& header, FloatText float_text)
       : errors_(file),
         header_(header),
+        float_text_(float_text),
         rows_(file, header),
         vertices_(header.find("vertex")),
         file_bytes_(file.bytes.size()) {}
@@ -153,7 +154,7 @@ class PlyBody {
       columns.back().reserve(believable(element));
     }
     if (columns.empty() && read_plain_points(element, plan)) {
-      if (are_floats(element, soup_.points)) soup_.attributes.coordinates = PlyType::float32;
+      take_precision(element);
       return;
     }
     soup_.points.reserve(element.count);
@@ -163,7 +164,21 @@ class PlyBody {
       read_vertex(element, plan, column_of, v);
       rows_.end_row();
     }
-    if (are_floats(element, soup_.points)) soup_.attributes.coordinates = PlyType::float32;
+    take_precision(element);
+  }
+
+  /// Coordinates that the file declares as floats are floats, also those of text, unless all its digits are asked for.
+  void take_precision(const PlyElement& element) {
+    bool floats = are_floats(element);
+    if (floats && float_text_ == FloatText::all_digits) {
+      floats = holds_as_floats(soup_.points);
+    } else if (floats && Rows::is_text) {
+      const FloatRounding rounding = round_to_floats(soup_.points);
+      floats = rounding.in_range;
+      const std::string what = "vertices of more digits than the single precision that the file declares, ";
+      count_not_kept(soup_.oddities, what + (floats ? "rounded to it (--double keeps them)" : "kept"), rounding.longer);
+    }
+    if (floats) soup_.attributes.coordinates = PlyType::float32;
   }
 
   /// Coordinates alone, by blocks, straight from the bytes. @returns false, and reads nothing, where something is out of the
@@ -465,6 +480,7 @@ class PlyBody {
 
   ParseErrors errors_;
   const PlyHeader& header_;
+  FloatText float_text_;
   Rows rows_;
   const PlyElement* vertices_;
   std::uint64_t file_bytes_;
@@ -474,10 +490,10 @@ class PlyBody {
 
 }  // namespace
 
-PolygonSoup parse_ply(const FileContent& file) {
+PolygonSoup parse_ply(const FileContent& file, FloatText float_text) {
   const PlyHeader header = parse_ply_header(file);
-  if (header.encoding == PlyEncoding::ascii) return PlyBody<PlyTextRows>(file, header).read();
-  return PlyBody<PlyBinaryRows>(file, header).read();
+  if (header.encoding == PlyEncoding::ascii) return PlyBody<PlyTextRows>(file, header, float_text).read();
+  return PlyBody<PlyBinaryRows>(file, header, float_text).read();
 }
 
 }  // namespace loopmend

@@ -5,6 +5,7 @@
 #include "core/types.h"
 #include "io/file_content.h"
 #include "io/not_kept.h"
+#include "io/single_precision.h"
 #include "mesh/scan_attributes.h"
 
 #include <cmath>
@@ -72,7 +73,7 @@ inline unsigned char color_channel(double value, double scale) {
 }
 
 /// Each reads one whole file. @throws ReadError naming the place; a part of a file never comes back.
-PolygonSoup parse_ply(const FileContent& file);
+PolygonSoup parse_ply(const FileContent& file, FloatText float_text = FloatText::nearest_float);
 PolygonSoup parse_stl_ascii(const FileContent& file);
 PolygonSoup parse_stl_binary(const FileContent& file);
 PolygonSoup parse_obj(const FileContent& file);

@@ -10,6 +10,7 @@
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
 #include "mesh/join_touching_fans.h"
+#include "mesh/rounding_cracks.h"
 #include "mesh/scan_attributes.h"
 #include "mesh/triangulate_polygon.h"
 #include "mesh/vertex_survey.h"
@@ -32,6 +33,9 @@ namespace loopmend {
 
 namespace {
 
+/// STL has no topology of its own: its faces share a vertex where their corners lie in one place, up to rounding.
+bool is_stl(MeshFormat format) { return format == MeshFormat::stl_ascii || format == MeshFormat::stl_binary; }
+
 const char* format_name(MeshFormat format) {
   switch (format) {
     case MeshFormat::ply: return "PLY";
@@ -45,9 +49,9 @@ const char* format_name(MeshFormat format) {
   return "";
 }
 
-PolygonSoup parse(const FileContent& file, MeshFormat format) {
+PolygonSoup parse(const FileContent& file, MeshFormat format, FloatText float_text) {
   switch (format) {
-    case MeshFormat::ply: return parse_ply(file);
+    case MeshFormat::ply: return parse_ply(file, float_text);
     case MeshFormat::stl_ascii: return parse_stl_ascii(file);
     case MeshFormat::stl_binary: return parse_stl_binary(file);
     case MeshFormat::obj: return parse_obj(file);
@@ -198,37 +202,41 @@ ImportReport make_report(MeshFormat format, const PolygonSoup& polygons, const I
   return report;
 }
 
-/// Later points at the place of an earlier one go; the faces take the earlier one, here and in the attributes.
-/// @returns how many went.
-std::size_t weld(TriangleSoup& soup, ScanAttributes& attributes) {
-  FirstPoint first = first_point_table(soup.points);
-  std::vector<int> place_of(soup.points.size());
-  std::size_t kept = 0;
+/// Points for which another is named go; the faces take that one, here and in the attributes.
+/// @param first  per point: itself, or the earlier one that takes its place. @returns how many went.
+std::size_t merge(TriangleSoup& soup, ScanAttributes& attributes, const std::vector<int>& first) {
+  std::vector<int> place_of(soup.points.size()), rows;
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
-    const auto earlier = static_cast<std::size_t>(first.find_or_add(static_cast<int>(v)));
-    place_of[v] = earlier == v ? static_cast<int>(kept++) : place_of[earlier];
+    const auto earlier = static_cast<std::size_t>(first[v]);
+    if (earlier == v) rows.push_back(static_cast<int>(v));
+    place_of[v] = earlier == v ? static_cast<int>(rows.size()) - 1 : place_of[earlier];
   }
-  TriangleSoup welded;
-  welded.points.resize(kept);
-  if (!soup.colors.empty()) welded.colors.resize(kept);
-  for (std::size_t v = soup.points.size(); v-- > 0;) {  // backwards: the first of several stays
-    const auto place = static_cast<std::size_t>(place_of[v]);
-    welded.points[place] = soup.points[v];
-    if (!soup.colors.empty()) welded.colors[place] = soup.colors[v];
+  TriangleSoup merged;
+  merged.points.reserve(rows.size());
+  merged.colors.reserve(soup.colors.empty() ? 0 : rows.size());
+  for (const int row : rows) {
+    merged.points.push_back(Vec3(soup.points[static_cast<std::size_t>(row)]));
+    if (!soup.colors.empty()) merged.colors.push_back(soup.colors[static_cast<std::size_t>(row)]);
   }
-  std::vector<int> rows(kept);
-  for (std::size_t v = soup.points.size(); v-- > 0;) rows[static_cast<std::size_t>(place_of[v])] = static_cast<int>(v);
-  welded.triangles = std::move(soup.triangles);
-  for (Triangle& triangle : welded.triangles)
+  merged.triangles = std::move(soup.triangles);
+  for (Triangle& triangle : merged.triangles)
     for (int& v : triangle) v = place_of[static_cast<std::size_t>(v)];
   const auto first_of = [&](int v) { return rows[static_cast<std::size_t>(place_of[static_cast<std::size_t>(v)])]; };
   for (int& v : attributes.corners) v = first_of(v);
   for (Triangle& triangle : attributes.triangles)
     for (int& v : triangle) v = first_of(v);
-  welded.point_rows = std::move(rows);
-  const std::size_t gone = soup.points.size() - kept;
-  soup = std::move(welded);
+  merged.point_rows = std::move(rows);
+  const std::size_t gone = soup.points.size() - merged.points.size();
+  soup = std::move(merged);
   return gone;
+}
+
+/// Later points at the place of an earlier one go.
+std::size_t weld(TriangleSoup& soup, ScanAttributes& attributes) {
+  FirstPoint table = first_point_table(soup.points);
+  std::vector<int> first(soup.points.size());
+  for (std::size_t v = 0; v < first.size(); ++v) first[v] = table.find_or_add(static_cast<int>(v));
+  return merge(soup, attributes, first);
 }
 
 /// Boundary vertices that touch become one, in the attributes as well. @returns how many others were joined to the first.
@@ -243,13 +251,13 @@ std::size_t join_touching(TriangleSoup& soup, const VertexSurvey& survey, ScanAt
   return joined;
 }
 
-ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coincident) {
+ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coincident, FloatText float_text) {
   PolygonSoup polygons;
   MeshFormat format{};
   {
     const FileContent file = load_file(path);  // its memory is given back before the mesh is built
     format = detect_format(file);
-    polygons = parse(file, format);
+    polygons = parse(file, format, float_text);
   }
   require_faces(path, polygons);
   ImportedMesh mesh;
@@ -271,10 +279,15 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
   if (coincident == CoincidentVertices::weld) polygons.vertices_welded += weld(mesh.soup, *attributes);
   mesh.survey = survey_vertices(mesh.soup.triangles, mesh.soup.points.size());
   if (coincident == CoincidentVertices::keep) joined = join_touching(mesh.soup, *mesh.survey, *attributes);
-  if (joined > 0) mesh.survey = survey_vertices(mesh.soup.triangles, mesh.soup.points.size());
+  JoinedCracks cracks;
+  if (is_stl(format)) cracks = join_rounding_cracks(mesh.soup, *mesh.survey);
+  if (cracks.vertices > 0) merge(mesh.soup, *attributes, cracks.first);
+  if (joined + cracks.vertices > 0) mesh.survey = survey_vertices(mesh.soup.triangles, mesh.soup.points.size());
   mesh.soup.attributes = std::move(attributes);
   mesh.report = make_report(format, polygons, mesh);
   mesh.report.vertices_joined = joined;
+  mesh.report.near_vertices_joined = cracks.vertices;
+  mesh.report.largest_join = cracks.largest;
   mesh.report.unreferenced_vertices -= joined;
   mesh.report.coincident_vertices -= joined;
   return mesh;
@@ -289,9 +302,9 @@ bool is_mesh_name(const std::filesystem::path& path) {
                      [&](const char* one) { return equals_ignoring_case(extension, one); });
 }
 
-ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident) {
+ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident, FloatText float_text) {
   try {
-    return import(path, coincident);
+    return import(path, coincident, float_text);
   } catch (const std::bad_alloc&) {
     throw ReadError(path, "the mesh is too large for the memory of this computer", "",
                     "Close other programs, or reduce it.");

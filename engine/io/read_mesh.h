@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/not_kept.h"
+#include "io/single_precision.h"
 #include "mesh/triangle_soup.h"
 #include "mesh/vertex_survey.h"
 
@@ -23,6 +24,8 @@ struct ImportReport {
   std::size_t polygons_triangulated = 0;  ///< faces with more than three vertices
   std::size_t vertices_welded = 0;  ///< merged with an earlier one at the same place: corners of STL, or on request
   std::size_t vertices_joined = 0;  ///< whose faces name another one in the same place, where only these two touch
+  std::size_t near_vertices_joined = 0;   ///< of STL: that lay within rounding of another along a crack
+  double largest_join = 0;                ///< from the farthest of these to the one that it became; mesh units
   std::size_t unreferenced_vertices = 0;  ///< as in the file
   std::size_t degenerate_faces = 0;       ///< triangles with a vertex twice, or with zero area; kept
   std::size_t duplicate_faces = 0;        ///< triangles over the same three different vertices as an earlier one; kept
@@ -41,8 +44,8 @@ struct ImportedMesh {
 };
 
 /// What becomes of vertices at exactly the same place. STL has no other way to say that faces share a vertex: there they
-/// are always welded. `keep` joins boundary vertices whose fans touch there and nowhere else (mesh/join_touching_fans.h): points
-/// stay, faces name the first.
+/// are always welded, and joined along cracks that are no wider than rounding (mesh/rounding_cracks.h). `keep` joins boundary
+/// vertices whose fans touch there and nowhere else (mesh/join_touching_fans.h): points stay, faces name the first.
 enum class CoincidentVertices { keep, weld };
 
 /// Whether files of this name are read: .ply .stl .obj .off .glb .gltf .3mf, any case, with or without .gz.
@@ -52,6 +55,7 @@ bool is_mesh_name(const std::filesystem::path& path);
 /// @throws ReadError for anything that is not wholly a mesh with at least one face: a missing file, a directory, no
 ///         permission, an unknown format, a syntax error, a count that does not match, a non-finite coordinate, an
 ///         index out of range. Never returns a part of a file.
-ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep);
+ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coincident = CoincidentVertices::keep,
+                       FloatText float_text = FloatText::nearest_float);
 
 }  // namespace loopmend

@@ -125,11 +125,10 @@ class PlyWriter {
  private:
   void write_header() {
     out_ << "ply\nformat " << (encoding_ == Encoding::binary ? "binary_little_endian" : "ascii") << " 1.0\n";
-    constexpr std::string_view ours = "comment Loopmend";
-    out_ << ours << '\n';
+    out_ << remark_of_loopmend << '\n';
     const bool has_more = soup_.continued && !soup_.continued->remarks.empty();
     for (const std::string& remark : has_more ? soup_.continued->remarks : scan_.remarks)
-      if (remark != ours) out_ << remark << '\n';
+      if (remark != remark_of_loopmend) out_ << remark << '\n';
     out_ << "element vertex " << soup_.points.size() << '\n';
     for (const char* name : {"x", "y", "z"}) out_ << "property " << ply_name(scan_.coordinates) << ' ' << name << '\n';
     write_properties(scan_.points);

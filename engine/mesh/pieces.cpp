@@ -78,6 +78,27 @@ std::vector<int> pieces_of(const TriMesh& mesh) {
   return piece;
 }
 
+std::vector<int> parts_of_points(const SurfaceModel& model, int& count) {
+  std::vector<int> lower(model.soup.points.size(), -1);  // in the same part, or the point itself
+  const auto lowest = [&](int v) {
+    while (lower[v] != v) v = lower[v] = lower[lower[v]];
+    return v;
+  };
+  for_each_soup_triangle(model, [&](int f) {
+    const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
+    for (int v : t)
+      if (lower[v] < 0) lower[v] = v;
+    for (int k : {1, 2}) {
+      const int a = lowest(t[0]), b = lowest(t[k]);
+      lower[std::max(a, b)] = std::min(a, b);
+    }
+  });
+  count = 0;
+  for (int v = 0; v < static_cast<int>(lower.size()); ++v)  // the lower ones have their numbers already
+    if (lower[v] >= 0) lower[v] = lower[v] == v ? count++ : lower[lower[v]];
+  return lower;
+}
+
 int piece_beside(const TriMesh& mesh, const std::vector<int>& piece, const BoundaryLoop& loop) {
   const auto h = mesh.find_halfedge(TriMesh::VertexHandle(loop.vertices[1]), TriMesh::VertexHandle(loop.vertices[0]));
   return piece[mesh.face_handle(h).idx()];

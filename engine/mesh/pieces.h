@@ -18,6 +18,10 @@ std::vector<int> lowest_connected_vertices(const TriMesh& mesh);
 /// For each view face the lowest face of its piece of surface. Pieces that have a vertex in common are one.
 std::vector<int> pieces_of(const TriMesh& mesh);
 
+/// For each soup point the number of its part of the surface, from 0 in the order of their lowest points; −1: in no face. Parts that
+/// share a soup point are one. @param count  is set to how many there are
+std::vector<int> parts_of_points(const SurfaceModel& model, int& count);
+
 /// The piece that a loop bounds, by the numbers of `piece` (of pieces_of).
 int piece_beside(const TriMesh& mesh, const std::vector<int>& piece, const BoundaryLoop& loop);
 

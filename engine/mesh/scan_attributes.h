@@ -84,7 +84,7 @@ struct OtherElement {
 struct ScanAttributes {
   std::string format;                            ///< of the file: "PLY", "STL", "OBJ", "OFF", "glTF" or "3MF"
   std::filesystem::path file;                    ///< absolute; material files are looked for in its folder
-  ScalarType coordinates = ScalarType::float64;  ///< float32 where the file says so and no coordinate needs more
+  ScalarType coordinates = ScalarType::float64;  ///< float32 where the file says so
   std::vector<AttributeColumn> points, faces;
   std::vector<std::string>
       remarks;  ///< of a PLY header: "comment …", "obj_info …"; of `continued`: as material_libraries

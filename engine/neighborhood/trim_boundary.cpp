@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "mesh/mesh_arrays.h"
+#include "mesh/pieces.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
 
@@ -261,20 +262,73 @@ class Trimming {
   std::set<int> cut_;          ///< those of removed triangles
 };
 
-}  // namespace
+/// How many of a soup's triangles lie in each part of its surface.
+class PartSizes {
+ public:
+  explicit PartSizes(const SurfaceModel& model) : model_(model), part_of_(parts_of_points(model, count_)) {
+    size_.resize(static_cast<std::size_t>(count_), 0);
+    for_each_soup_triangle(model, [&](int f) { ++size_[part(f)]; });
+  }
+  int part_at(int point) const { return part_of_[point]; }
+  /// The parts of which these are more than the share.
+  std::set<int> with_more(const std::vector<BadBoundaryFace>& faces, double share) const {
+    std::map<int, double> bad;
+    for (const BadBoundaryFace& face : faces) ++bad[part(face.face)];
+    std::set<int> parts;
+    for (const auto& [part, count] : bad)
+      if (count > share * size_[part]) parts.insert(part);
+    return parts;
+  }
+  int part(int face) const { return part_at(model_.soup.triangles[face][0]); }
 
-TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
-  if (rounds < 0 || rounds > 100)
-    throw InvalidArgument("between 0 and 100 rings of a boundary can be trimmed, not " + std::to_string(rounds));
+ private:
+  const SurfaceModel& model_;
+  int count_ = 0;
+  std::vector<int> part_of_;
+  std::vector<double> size_;
+};
+
+/// @param spared  parts of the surface in which nothing is taken
+TrimmedModel trimmed(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds,
+                     const PartSizes& parts, const std::set<int>& spared) {
   Trimming trimming(model, loops);
   for (int round = 1; round <= (rounds > 0 ? std::max(rounds, rounds_for_crossings) : 0); ++round) {
     std::vector<BadBoundaryFace> bad;
     if (round <= rounds) bad = bad_boundary_faces(trimming.model(), trimming.loops());
     add_crossing_faces(trimming.model(), trimming.loops(), bad);
+    std::erase_if(bad, [&](const BadBoundaryFace& face) {
+      return spared.contains(parts.part_at(trimming.model().soup.triangles[face.face][0]));
+    });
     if (bad.empty()) break;
     trimming.remove(bad, round);
   }
   return trimming.take_result();
+}
+
+}  // namespace
+
+std::vector<BadBoundaryFace> few_of_their_pieces(const SurfaceModel& model, const std::vector<BadBoundaryFace>& bad) {
+  if (bad.empty()) return {};
+  const PartSizes parts(model);
+  const std::set<int> coarse = parts.with_more(bad, largest_proposed_trim);
+  std::vector<BadBoundaryFace> few;
+  for (const BadBoundaryFace& face : bad)
+    if (!coarse.contains(parts.part(face.face))) few.push_back(face);
+  return few;
+}
+
+TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
+  if (rounds < 0 || rounds > 100)
+    throw InvalidArgument("between 0 and 100 rings of a boundary can be trimmed, not " + std::to_string(rounds));
+  const PartSizes parts(model);
+  std::set<int> spared;
+  for (;;) {
+    TrimmedModel result = trimmed(model, loops, rounds, parts, spared);
+    result.spared = spared.size();
+    std::set<int> more = parts.with_more(result.removed, largest_trim);
+    if (more.empty()) return result;
+    spared.merge(more);
+  }
 }
 
 TrimmedModel trim_pierced(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/repair_surface.h"
 
+#include "mesh/boundary_loops.h"
 #include "mesh/directed_edges.h"
 #include "mesh/pieces.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_model.h"
+#include "repair/inverted_shells.h"
 #include "repair/tiny_handles.h"
 
 #include <Eigen/Geometry>
@@ -235,6 +237,16 @@ void separate(TriangleSoup& soup, RepairCounts& counts) {
   soup = std::move(result);
 }
 
+/// Bodies whose faces look inward are turned. The soup is an oriented manifold.
+void turn_outward(TriangleSoup& soup, RepairCounts& counts) {
+  const SurfaceModel model = make_surface_model(soup);
+  const InvertedShells shells = find_inverted_shells(model, find_boundary_loops(model));
+  counts.turned_shells = shells.closed;
+  counts.turned_faces += shells.face_count;
+  for (std::size_t f = 0; f < shells.faces.size(); ++f)
+    if (shells.faces[f]) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+}
+
 void cut_handles(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
   const SurfaceModel model = make_surface_model(soup);
   const TinyHandles handles = find_tiny_handles(model.mesh, cancel);
@@ -272,6 +284,7 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
         break;
       case Defect::non_manifold:
         separate(result.soup, counts);
+        turn_outward(result.soup, counts);
         // Copies that this made may be one fan with what lies beside them now. They are not counted: they were one before.
         for (int k = 0; defects.contains(Defect::coincident_points) && k < most_joins_of_separated; ++k) {
           RepairCounts again;

@@ -15,9 +15,11 @@ enum class Defect {
   degenerate_faces,   ///< with a vertex twice: removed
   duplicate_faces,    ///< over the vertices of an earlier one: removed; the earlier one too where they cancel out
   intersections,      ///< faces that cut another: removed, which leaves holes to be filled
-  non_manifold,  ///< edges of more than two faces, fans that meet at a vertex: separated; faces are turned to agree
-  handles,       ///< of a few edges: cut open, which leaves two holes each to be filled
-  crumbs,        ///< tiny pieces of surface: removed
+  /// Edges of more than two faces, fans that meet at a vertex: separated. Faces are turned to agree, and those of bodies
+  /// that are closed but for small holes to look outward (inverted_shells.h).
+  non_manifold,
+  handles,  ///< of a few edges: cut open, which leaves two holes each to be filled
+  crumbs,   ///< tiny pieces of surface: removed
 };
 
 /// What makes a manifold without removing anything that a person would miss.
@@ -33,7 +35,8 @@ struct RepairCounts {
   std::size_t separated_edges = 0;     ///< had more than two faces; each now has two or one
   /// Fans that lie side by side, as where two holes touch, keep their vertex in common.
   std::size_t separated_vertices = 0;  ///< became several at one place: ends of such edges, and where sheets touch
-  std::size_t turned_faces = 0;        ///< to agree with their neighbors
+  std::size_t turned_faces = 0;        ///< to agree with their neighbors, and those of the shells
+  std::size_t turned_shells = 0;       ///< bodies and cavities that were inside out
   std::size_t cut_handles = 0;         ///< tiny
   std::size_t handle_faces = 0;        ///< removed to cut them
   std::size_t removed_pieces = 0;      ///< of surface, tiny

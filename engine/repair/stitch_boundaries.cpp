@@ -2,12 +2,14 @@
 #include "repair/stitch_boundaries.h"
 
 #include "core/error.h"
+#include "mesh/triangulate_polygon.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -33,7 +35,7 @@ struct BoundaryEdge {
 
 class Stitching {
  public:
-  Stitching(const SurfaceModel& model, double tolerance)
+  Stitching(const SurfaceModel& model, const StitchTolerance& tolerance)
       : soup_(model.soup),
         tolerance_(tolerance),
         parent_(model.soup.points.size()),
@@ -67,12 +69,43 @@ class Stitching {
     return stitched;
   }
 
+  NearBoundaries counts() {
+    NearBoundaries near;
+    join_near_vertices();
+    for (int v = 0; v < static_cast<int>(parent_.size()); ++v)
+      near.vertices += root(v) != v && soup_.points[v] != soup_.points[root(v)];
+    const std::map<int, Sides> cuts = find_junctions();
+    near.faces = cuts.size();
+    std::map<std::pair<int, int>, std::vector<int>>
+        parts;  // of the edges as they will be: the edges that they come from
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const BoundaryEdge& e = edges_[k];
+      int from = root(e.from);
+      if (const auto cut = cuts.find(e.face); cut != cuts.end())
+        for (int v : cut->second[static_cast<std::size_t>(e.corner)]) {
+          parts[{from, v}].push_back(static_cast<int>(k));
+          from = v;
+        }
+      parts[{from, root(e.to)}].push_back(static_cast<int>(k));
+    }
+    std::vector<char> stays_open(edges_.size(), 0);
+    for (const auto& [part, of] : parts)
+      if (!parts.contains({part.second, part.first}))
+        for (int k : of) stays_open[static_cast<std::size_t>(k)] = 1;
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      if (!stays_open[k]) near.closing.emplace(edges_[k].from, edges_[k].to);
+    return near;
+  }
+
  private:
   void find_boundary(const SurfaceModel& model) {
     std::vector<double> sum(size_.size(), 0), count(size_.size(), 0);
     for (const auto h : model.mesh.halfedges()) {
       if (!model.mesh.is_boundary(h)) continue;
       const auto inner = model.mesh.opposite_halfedge_handle(h);
+      if (is_cut_off(model, model.mesh.from_vertex_handle(h).idx()) ||
+          is_cut_off(model, model.mesh.to_vertex_handle(h).idx()))
+        continue;  // the view ends here, not the surface
       const int face = model.soup_face[model.mesh.face_handle(inner).idx()];
       const int from = model.soup_vertex[model.mesh.from_vertex_handle(inner).idx()];
       const int to = model.soup_vertex[model.mesh.to_vertex_handle(inner).idx()];
@@ -113,10 +146,10 @@ class Stitching {
     std::vector<std::tuple<double, int, int>> pairs;
     for (std::size_t v = 0; v < size_.size(); ++v) {
       if (size_[v] == 0) continue;
-      const Vec3 &p = soup_.points[v], reach = Vec3::Constant(tolerance_ * size_[v]);
-      for (int w : near(p - reach, p + reach)) {
+      const Vec3 &p = soup_.points[v], box = Vec3::Constant(reach(size_[v]));
+      for (int w : near(p - box, p + box)) {
         const double distance = (soup_.points[w] - p).norm();
-        if (w > static_cast<int>(v) && distance <= tolerance_ * std::min(size_[v], size_[w]))
+        if (w > static_cast<int>(v) && distance <= reach(std::min(size_[v], size_[w])))
           pairs.emplace_back(distance, static_cast<int>(v), w);
       }
     }
@@ -138,50 +171,66 @@ class Stitching {
     }
   }
 
-  /// A face whose boundary edge passes a boundary vertex of the other side becomes several.
-  void split_at_junctions(StitchedSurface& stitched) {
+  /// How far a vertex may lie from a place, where boundary edges are so long.
+  double reach(double edge) const { return tolerance_.length ? *tolerance_.length : tolerance_.edges * edge; }
+
+  /// Boundary vertices that lie on an edge between its ends, in their order along it.
+  std::vector<int> junctions_on(const BoundaryEdge& e) {
+    const int apex = soup_.triangles[e.face][(e.corner + 2) % 3];
+    const Vec3 &a = soup_.points[e.from], &b = soup_.points[e.to];
+    const double length = (b - a).norm();
+    if (!(length > 0)) return {};
+    const double end = std::min(reach(length), tolerance_.edges * length);
+    const Vec3 along = (b - a) / length, box = Vec3::Constant(reach(length));
+    std::map<double, int> on;
+    for (int v : near(a.cwiseMin(b) - box, a.cwiseMax(b) + box)) {
+      if (root(v) == root(e.from) || root(v) == root(e.to) || root(v) == root(apex)) continue;
+      const Vec3 d = soup_.points[v] - a;
+      const double t = along.dot(d);
+      if (t > end && t < length - end && (d - t * along).norm() <= reach(std::min(length, size_[v])))
+        on.emplace(t, root(v));
+    }
+    std::vector<int> vertices;
+    for (const auto& [t, v] : on)
+      if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
+    return vertices;
+  }
+
+  using Sides = std::array<std::vector<int>, 3>;  ///< vertices on a face's side from each corner on
+
+  /// The faces whose boundary edges pass boundary vertices.
+  std::map<int, Sides> find_junctions() {
     std::set<std::pair<int, int>> directed;
     for (const BoundaryEdge& e : edges_) directed.insert({root(e.from), root(e.to)});
-    std::map<int, std::vector<std::pair<int, std::vector<int>>>> cuts;  // face → corner, vertices on that side
+    std::map<int, Sides> cuts;
     for (const BoundaryEdge& e : edges_) {
       if (directed.contains({root(e.to), root(e.from)})) continue;  // zipped already
-      const int apex = soup_.triangles[e.face][(e.corner + 2) % 3];
-      const Vec3 &a = soup_.points[e.from], &b = soup_.points[e.to];
-      const double length = (b - a).norm();
-      if (!(length > 0)) continue;
-      const Vec3 along = (b - a) / length, reach = Vec3::Constant(tolerance_ * length);
-      std::map<double, int> on;
-      for (int v : near(a.cwiseMin(b) - reach, a.cwiseMax(b) + reach)) {
-        if (root(v) == root(e.from) || root(v) == root(e.to)) continue;
-        if (root(v) == root(apex)) continue;
-        const Vec3 d = soup_.points[v] - a;
-        const double t = along.dot(d);
-        if (t > tolerance_ * length && t < (1 - tolerance_) * length &&
-            (d - t * along).norm() <= tolerance_ * std::min(length, size_[v]))
-          on.emplace(t, root(v));
-      }
-      if (on.empty()) continue;
-      std::vector<int> vertices;
-      for (const auto& [t, v] : on)
-        if (vertices.empty() || vertices.back() != v) vertices.push_back(v);
-      cuts[e.face].emplace_back(e.corner, std::move(vertices));
+      std::vector<int> vertices = junctions_on(e);
+      if (!vertices.empty()) cuts[e.face][static_cast<std::size_t>(e.corner)] = std::move(vertices);
     }
-    for (const auto& [face, sides] : cuts) {
-      const auto& [corner, vertices] = sides.front();  // one side of a face: the others wait for another run
-      const Triangle t = stitched.soup.triangles[face];
-      const int to = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
-      int from = t[corner];
-      stitched.soup.triangles[face] = {from, vertices.front(), apex};
-      for (std::size_t k = 0; k < vertices.size(); ++k) {
-        from = vertices[k];
-        stitched.soup.triangles.push_back({from, k + 1 < vertices.size() ? vertices[k + 1] : to, apex});
+    return cuts;
+  }
+
+  /// A face whose boundary edges pass boundary vertices of the other side becomes several.
+  void split_at_junctions(StitchedSurface& stitched) {
+    for (const auto& [face, sides] : find_junctions()) {
+      std::vector<int> polygon;
+      for (std::size_t k = 0; k < 3; ++k) {
+        polygon.push_back(root(soup_.triangles[face][k]));
+        for (int v : sides[k])
+          if (std::find(polygon.begin(), polygon.end(), v) == polygon.end()) polygon.push_back(v);
       }
+      // Seen flat, no triangle lies along one side, as one between three vertices of a straight line would.
+      Triangles parts = triangulate_seen_flat(soup_.points, polygon);
+      if (parts.empty()) triangulate_polygon(soup_.points, polygon, parts);
+      stitched.soup.triangles[face] = parts.front();
+      stitched.soup.triangles.insert(stitched.soup.triangles.end(), parts.begin() + 1, parts.end());
       ++stitched.split_faces;
     }
   }
 
   const TriangleSoup& soup_;
-  double tolerance_;
+  StitchTolerance tolerance_;
   std::vector<int> parent_;   // of soup points
   std::vector<double> size_;  // mean length of the boundary edges at each; 0 where there are none
   std::vector<BoundaryEdge> edges_;
@@ -189,12 +238,34 @@ class Stitching {
   Tree tree_;
 };
 
+void check(const StitchTolerance& tolerance) {
+  if (!(tolerance.edges >= 0 && tolerance.edges <= 0.4))
+    throw InvalidArgument("the tolerance of stitching must lie between 0 and 0.4, not " +
+                          std::to_string(tolerance.edges));
+  if (tolerance.length && !(*tolerance.length >= 0 && std::isfinite(*tolerance.length)))
+    throw InvalidArgument("the tolerance of stitching must be a length, not " + std::to_string(*tolerance.length));
+}
+
 }  // namespace
 
-StitchedSurface stitch_boundaries(const SurfaceModel& model, double tolerance) {
-  if (!(tolerance >= 0 && tolerance <= 0.4))
-    throw InvalidArgument("the tolerance of stitching must lie between 0 and 0.4, not " + std::to_string(tolerance));
+StitchedSurface stitch_boundaries(const SurfaceModel& model, const StitchTolerance& tolerance) {
+  check(tolerance);
   return Stitching(model, tolerance).result();
+}
+
+NearBoundaries near_boundaries(const SurfaceModel& model, const StitchTolerance& tolerance) {
+  check(tolerance);
+  return Stitching(model, tolerance).counts();
+}
+
+int closing_edges(const SurfaceModel& model, const BoundaryLoop& loop, const NearBoundaries& near) {
+  int count = 0;
+  for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+    const int from = model.soup_vertex[loop.vertices[k]];
+    const int to = model.soup_vertex[loop.vertices[(k + 1) % loop.vertices.size()]];
+    count += near.closing.contains({to, from});  // in its face the edge runs the other direction
+  }
+  return count;
 }
 
 }  // namespace loopmend

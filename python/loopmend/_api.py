@@ -63,6 +63,7 @@ def fill(
     at_vertices: Union[None, int, Sequence[int]] = None,
     max_edges: Optional[int] = None,
     max_diameter: Optional[float] = None,
+    all_but_largest: int = 0,
     include_outer_rim: bool = False,
     islands: str = "join",
     flow: str = "mmcvf",
@@ -75,7 +76,7 @@ def fill(
     steps: Optional[int] = None,
     sigma: float = 10.0,
     solver: str = "auto",
-    stitch: bool = False,
+    stitch: Union[bool, float, str] = False,
     repair: bool = False,
     cut_intersections: bool = False,
     cut_handles: bool = False,
@@ -102,6 +103,7 @@ def fill(
         at_vertices: vertex numbers; the loops through them are filled, beside those that `loops` names.
         max_edges: leaves loops with more edges, 1 or more.
         max_diameter: leaves wider loops; a length greater than 0.
+        all_but_largest: leaves so many of the largest loops, those of outer rims among them.
         include_outer_rim: fills the outer rims of open sheets as well.
         islands: "join" joins pieces of surface within a hole to its patch, "cover" covers them with it.
         flow: what makes the patch smooth: "mmcvf" (minimal variation of mean curvature), "wf" (Willmore flow), "sdf"
@@ -117,8 +119,9 @@ def fill(
         steps: at most so many, 1 or more; None: 60.
         sigma: size of a step in the mode "steps", no unit; 1e-6 to 1e8.
         solver: of the steps: "auto", "direct" or "gmres".
-        stitch: joins boundaries that lie within a tenth of their edges of each other first.
-        repair: makes an oriented manifold of the mesh first.
+        stitch: joins boundaries that lie within a tenth of their edges of each other first; within a length, as in
+            ``stitch=0.5``; or within a part of the edges, as in ``stitch="5%"``.
+        repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
             the extent of their piece of surface, for their holes to be filled.
@@ -154,6 +157,7 @@ def fill(
     options = {
         **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed), "loops": _numbers(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
+        "all_but_largest": all_but_largest,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
         "cut_intersections": cut_intersections, "cut_handles": cut_handles, "bridges": [(int(a), int(b)) for a, b in bridges],
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
@@ -221,17 +225,19 @@ def curvatures(vertices: ArrayLike, faces: ArrayLike) -> Curvatures:
     return Curvatures(**_core.curvatures(*_arrays(vertices, faces)))
 
 
-def read(path: Path, *, weld: bool = False) -> Mesh:
+def read(path: Path, *, weld: bool = False, all_digits: bool = False) -> Mesh:
     """Reads a mesh: PLY, STL, OBJ, OFF, glTF or 3MF, also compressed with gzip. All of a file, or an error.
 
     Parameters:
         path: of the file.
         weld: joins vertices at exactly the same place, such as along the seams of a texture. STL is always welded.
+        all_digits: keeps all digits of a text PLY that declares single precision (``float``); without it, coordinates are
+            the nearest single-precision numbers, as every other reader gets them.
 
     Raises:
         ReadError: the file is missing, no mesh, malformed or damaged.
     """
-    return Mesh(**_core.read(os.fspath(path), weld))
+    return Mesh(**_core.read(os.fspath(path), weld, all_digits))
 
 
 def write(path: Path, vertices: ArrayLike, faces: ArrayLike, *, colors: Optional[ArrayLike] = None,

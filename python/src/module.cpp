@@ -7,6 +7,8 @@
 #include "results.h"
 #include "words.h"
 
+#include "cli/stitch_words.h"
+
 #include "analysis/curvature_field.h"
 #include "core/version.h"
 #include "io/read_mesh.h"
@@ -53,6 +55,13 @@ std::string listed(const std::vector<int>& numbers) {
   return list;
 }
 
+/// True, a length, or a text such as "5%".
+void take_stitch(const py::object& stitch, FillCommand& command) {
+  if (stitch.is(py::bool_(false)) || stitch.is_none()) return;
+  command.stitch = FillCommand::Stitch::yes;
+  if (!stitch.is(py::bool_(true))) command.stitch_tolerance = stitch_tolerance_of(py::str(stitch));
+}
+
 FillCommand fill_command(const py::dict& options) {
   FillCommand command;
   static_cast<GroupOptions&>(command.fill) = group_options(options);
@@ -61,10 +70,11 @@ FillCommand fill_command(const py::dict& options) {
     command.at_vertices = listed(*at);
   command.max_edges = limit<int>(options, "max_edges");
   command.max_diameter = limit<double>(options, "max_diameter");
+  command.all_but_largest = whole_number(options, "all_but_largest", std::numeric_limits<int>::max());
   command.max_seconds = limit<double>(options, "max_time");
   command.max_memory_mb = limit<double>(options, "max_memory");
   if (option<bool>(options, "include_outer_rim")) command.outer_rim = FillCommand::OuterRim::include;
-  if (option<bool>(options, "stitch")) command.stitch = FillCommand::Stitch::yes;
+  take_stitch(options["stitch"], command);
   const bool cut_intersections = option<bool>(options, "cut_intersections");
   const bool cut_handles = option<bool>(options, "cut_handles");
   if (option<bool>(options, "repair") || cut_intersections || cut_handles) command.repair = harmless_repairs;
@@ -149,17 +159,19 @@ py::dict curvatures(const py::array& vertices, const py::array& faces) {
                   "normals"_a = points_array(std::move(normals)));
 }
 
-py::dict read(const std::filesystem::path& path, bool weld) {
+py::dict read(const std::filesystem::path& path, bool weld, bool all_digits) {
   ImportedMesh mesh;
   run_interruptibly(
       [&](const CancelToken&, const PostEvent&) {
-        mesh = read_mesh(path, weld ? CoincidentVertices::weld : CoincidentVertices::keep);
+        mesh = read_mesh(path, weld ? CoincidentVertices::weld : CoincidentVertices::keep,
+                         all_digits ? FloatText::all_digits : FloatText::nearest_float);
       },
       py::none());
   const ImportReport& report = mesh.report;
   py::dict counts("format"_a = report.format, "vertices"_a = report.vertices, "faces"_a = report.faces,
                   "triangles"_a = report.triangles, "polygons_triangulated"_a = report.polygons_triangulated,
                   "vertices_welded"_a = report.vertices_welded, "vertices_joined"_a = report.vertices_joined,
+                  "near_vertices_joined"_a = report.near_vertices_joined, "largest_join"_a = report.largest_join,
                   "unreferenced_vertices"_a = report.unreferenced_vertices,
                   "coincident_vertices"_a = report.coincident_vertices, "degenerate_faces"_a = report.degenerate_faces,
                   "duplicate_faces"_a = report.duplicate_faces);
@@ -227,7 +239,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("check", &check_mesh, "vertices"_a, "faces"_a);
   m.def("boundary_loops", &boundary_loops, "vertices"_a, "faces"_a);
   m.def("curvatures", &curvatures, "vertices"_a, "faces"_a);
-  m.def("read", &read, "path"_a, "weld"_a);
+  m.def("read", &read, "path"_a, "weld"_a, "all_digits"_a);
   m.def("write", &write, "path"_a, "vertices"_a, "faces"_a, "colors"_a, "ascii"_a);
   m.def("sample", &sample);
   define_problems(m);

@@ -69,10 +69,11 @@ py::dict preparation(const FilledScan& done) {
     const RepairCounts& repaired = *done.prepared.repaired;
     counts["repaired"] =
         py::dict("separated_edges"_a = repaired.separated_edges, "separated_vertices"_a = repaired.separated_vertices,
-                 "turned_faces"_a = repaired.turned_faces, "degenerate_faces"_a = repaired.degenerate_faces,
-                 "duplicate_faces"_a = repaired.duplicate_faces, "intersecting_faces"_a = repaired.intersecting_faces,
-                 "cut_handles"_a = repaired.cut_handles, "handle_faces"_a = repaired.handle_faces,
-                 "removed_pieces"_a = repaired.removed_pieces, "removed_faces"_a = repaired.removed_faces);
+                 "turned_faces"_a = repaired.turned_faces, "turned_shells"_a = repaired.turned_shells,
+                 "degenerate_faces"_a = repaired.degenerate_faces, "duplicate_faces"_a = repaired.duplicate_faces,
+                 "intersecting_faces"_a = repaired.intersecting_faces, "cut_handles"_a = repaired.cut_handles,
+                 "handle_faces"_a = repaired.handle_faces, "removed_pieces"_a = repaired.removed_pieces,
+                 "removed_faces"_a = repaired.removed_faces);
   }
   return counts;
 }

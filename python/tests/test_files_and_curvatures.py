@@ -37,6 +37,14 @@ def test_weld_joins_vertices_at_one_place(tmp_path, sphere):
     assert welded.report["vertices_welded"] == len(soup) - len(sphere[0])
 
 
+def test_text_of_floats_is_rounded_unless_all_digits_are_asked_for(tmp_path):
+    (tmp_path / "a.ply").write_text("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                                    "end_header\n0.123456789012 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    assert loopmend.read(tmp_path / "a.ply").vertices[0, 0] == np.float32(0.123456789012)
+    assert loopmend.read(tmp_path / "a.ply", all_digits=True).vertices[0, 0] == 0.123456789012
+
+
 def test_colors_are_kept(tmp_path, sphere):
     colors = np.arange(4 * len(sphere[0])).reshape(-1, 4).astype(np.uint8)
     loopmend.write(tmp_path / "a.ply", *sphere, colors=colors)

@@ -2856,6 +2856,18 @@
             <translation>„Kreuzende Dreiecke beschneiden“ im Menü Flicken kann helfen</translation>
         </message>
         <message>
+            <source>the tolerance of stitching must be a length, not %1</source>
+            <translation>die Toleranz beim Vernähen muss eine Länge sein, nicht %1</translation>
+        </message>
+        <message>
+            <source>%1 edge of its patch would have more than two faces</source>
+            <translation>%1 Kante seines Flickens hätte mehr als zwei Dreiecke</translation>
+        </message>
+        <message>
+            <source>%1 edges of its patch would have more than two faces</source>
+            <translation>%1 Kanten seines Flickens hätten mehr als zwei Dreiecke</translation>
+        </message>
+        <message>
             <source>the surface ends at this loop, which is flat, so that it was closed flat</source>
             <translation>die Fläche endet an diesem Rand, der flach ist; er wurde flach geschlossen</translation>
         </message>
@@ -2938,14 +2950,6 @@
         <message>
             <source>with bending energy mixed in it has none</source>
             <translation>mit beigemischter Biegeenergie hat er keinen</translation>
-        </message>
-        <message>
-            <source>%1 edge of its patch would have more than two faces</source>
-            <translation>%1 Kante seines Flickens hätte mehr als zwei Dreiecke</translation>
-        </message>
-        <message>
-            <source>%1 edges of its patch would have more than two faces</source>
-            <translation>%1 Kanten seines Flickens hätten mehr als zwei Dreiecke</translation>
         </message>
     </context>
     <context>
@@ -6845,6 +6849,13 @@
             <translation>
                 <numerusform>%Ln Kante, an der sie sich selbst berührt</numerusform>
                 <numerusform>%Ln Kanten, an denen sie sich selbst berührt</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 vertices joined along cracks no wider than rounding</source>
+            <translation>
+                <numerusform>%1 Ecke an einem Riss von der Breite der Rundung verbunden</numerusform>
+                <numerusform>%1 Ecken an Rissen von der Breite der Rundung verbunden</numerusform>
             </translation>
         </message>
         <message>

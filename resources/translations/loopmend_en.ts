@@ -345,6 +345,13 @@
             </translation>
         </message>
         <message numerus="yes">
+            <source>%Ln edge(s) of more than two faces</source>
+            <translation>
+                <numerusform>%Ln edge of more than two faces</numerusform>
+                <numerusform>%Ln edges of more than two faces</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
             <source>%Ln edge(s) whose faces look to opposite sides</source>
             <translation>
                 <numerusform>%Ln edge whose faces look to opposite sides</numerusform>
@@ -373,17 +380,17 @@
             </translation>
         </message>
         <message numerus="yes">
+            <source>%1 vertices joined along cracks no wider than rounding</source>
+            <translation>
+                <numerusform>%1 vertex joined along cracks no wider than rounding</numerusform>
+                <numerusform>%1 vertices joined along cracks no wider than rounding</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
             <source>crosses the surface or itself in %Ln place(s)</source>
             <translation>
                 <numerusform>crosses the surface or itself in %Ln place</numerusform>
                 <numerusform>crosses the surface or itself in %Ln places</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%Ln edge(s) of more than two faces</source>
-            <translation>
-                <numerusform>%Ln edge of more than two faces</numerusform>
-                <numerusform>%Ln edges of more than two faces</numerusform>
             </translation>
         </message>
         <message numerus="yes">

@@ -167,6 +167,7 @@ inline constexpr const char* engine_messages[] = {
     "between 0 and 100 rings of a boundary can be trimmed, not 101",
     "trimming the boundary would leave no triangle",
     "the tolerance of stitching must lie between 0 and 0.4, not 0.500000",
+    "the tolerance of stitching must be a length, not -1.000000",
     "face 4 names vertex 12, but there are 9",
     "face 4 cannot be joined to its neighbours",
     "the patch is not an oriented manifold",

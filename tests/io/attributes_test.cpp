@@ -47,19 +47,50 @@ TEST_F(AttributesTest, PlyComesOutAsItWentIn) {
   EXPECT_EQ(round_trip(binary, "back.ply", "back.ply", Encoding::ascii), rich_ply);
 }
 
-TEST_F(AttributesTest, PlyStaysSingleOnlyWhereNothingIsLost) {
+/// Text of one triangle, with its first coordinate as it is given.
+std::string text_ply(const std::string& type, const std::string& x) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type +
+         " z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" + x +
+         " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+}
+
+TEST_F(AttributesTest, PlyHasThePrecisionThatItDeclares) {
   const auto coordinates = [&](const std::string& type, const std::string& x) {
-    const ImportedMesh mesh =
-        read("ply\nformat ascii 1.0\nelement vertex 3\nproperty " + type + " x\nproperty " + type + " y\nproperty " +
-                 type + " z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" + x +
-                 " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
-             "a.ply");
-    return mesh.soup.attributes->coordinates;
+    return read(text_ply(type, x), "a.ply").soup.attributes->coordinates;
   };
   EXPECT_EQ(coordinates("float", "0.5"), ScalarType::float32);
-  EXPECT_EQ(coordinates("float", "0.1"), ScalarType::float64) << "the text has more digits than a float";
+  EXPECT_EQ(coordinates("float", "0.1"), ScalarType::float32);
+  EXPECT_EQ(coordinates("float", "0.123456789012"), ScalarType::float32);
+  EXPECT_EQ(coordinates("float", "1e39"), ScalarType::float64) << "no float at all";
   EXPECT_EQ(coordinates("double", "0.5"), ScalarType::float64);
   EXPECT_EQ(coordinates("int", "5"), ScalarType::float64) << "patches have no whole coordinates";
+}
+
+TEST_F(AttributesTest, TextOfFloatsIsTheNearestFloats) {
+  const ImportedMesh mesh = read(text_ply("float", "0.1"), "a.ply");
+  EXPECT_EQ(mesh.soup.points[0].x(), static_cast<double>(0.1F));
+  EXPECT_TRUE(mesh.report.oddities.empty()) << "0.1 is how a float is written";
+  write_mesh(folder_ / "b.ply", mesh.soup);
+  EXPECT_EQ(read_mesh(folder_ / "b.ply").soup.points, mesh.soup.points);
+  write_mesh(folder_ / "c.ply", mesh.soup, Encoding::ascii);
+  EXPECT_NE(read_bytes(folder_ / "c.ply").find("property float x"), std::string::npos);
+  EXPECT_NE(read_bytes(folder_ / "c.ply").find("\n0.1 0 0\n"), std::string::npos);
+}
+
+TEST_F(AttributesTest, DigitsBeyondThoseOfFloatsAreCountedAndCanBeKept) {
+  const ImportedMesh rounded = read(text_ply("float", "0.123456789012"), "a.ply");
+  EXPECT_EQ(rounded.soup.points[0].x(), static_cast<double>(0.123456789012F));
+  EXPECT_EQ(to_string(rounded.report.oddities),
+            "vertices of more digits than the single precision that the file declares, rounded to it (--double keeps "
+            "them) (1)");
+  const ImportedMesh all = read_mesh(folder_ / "a.ply", CoincidentVertices::keep, FloatText::all_digits);
+  EXPECT_EQ(all.soup.points[0].x(), 0.123456789012);
+  EXPECT_EQ(all.soup.attributes->coordinates, ScalarType::float64);
+  EXPECT_TRUE(all.report.oddities.empty());
+  const ImportedMesh beyond = read(text_ply("float", "1e39"), "b.ply");
+  EXPECT_EQ(beyond.soup.points[0].x(), 1e39);
+  EXPECT_EQ(to_string(beyond.report.oddities),
+            "vertices of more digits than the single precision that the file declares, kept (1)");
 }
 
 TEST_F(AttributesTest, PlyTakesWordsForNoNumberWhereNobodyNeedsTheNumber) {
@@ -218,7 +249,7 @@ TEST_F(AttributesTest, OtherFormatsHoldWhatTheyCan) {
   EXPECT_EQ(lost(ply, "a.obj"),
             "vertex properties \"quality\" (4), vertex properties \"exact\" (4), vertex properties \"label\" (4), "
             "vertex properties \"id\" (4), vertex properties \"weights\" (4), face colours (2), face properties "
-            "\"patch\" (2), elements \"edge\" (2)");
+            "\"patch\" (2), pictures (1), comments (1), elements \"edge\" (2)");
   write_mesh(folder_ / "a.ply", obj.soup, Encoding::ascii);
   EXPECT_NE(read_bytes(folder_ / "a.ply").find("3 0 1 2 6 0 0 1 0 0.1 0.7\n"), std::string::npos)
       << read_bytes(folder_ / "a.ply");

@@ -216,7 +216,7 @@ TEST(Corpus, BunnyKeepsItsUnreferencedVertices) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
   const ImportedMesh mesh = read_mesh(path);
   EXPECT_EQ(mesh.report.unreferenced_vertices, 1113U);
-  EXPECT_EQ(mesh.soup.points[0], Vec3(-0.0378297, 0.12794, 0.00447467));
+  EXPECT_EQ(mesh.soup.points[0], Vec3(-0.0378297F, 0.12794F, 0.00447467F));
 }
 
 }  // namespace

@@ -39,7 +39,9 @@ std::string binary_body(bool big_endian) {
 }
 
 TEST_F(ReadPly, TextCoordinatesAreTheNearestDoubles) {
-  const ImportedMesh mesh = read(header("ascii", xyz) + "0.1 -1e-5 +2\n1 0 0\n0 1 0\n3 0 1 2\n", "a.ply");
+  const ImportedMesh mesh = read(header("ascii", "property double x\nproperty double y\nproperty double z\n") +
+                                     "0.1 -1e-5 +2\n1 0 0\n0 1 0\n3 0 1 2\n",
+                                 "a.ply");
   EXPECT_EQ(mesh.soup.points[0], Vec3(0.1, -1e-5, 2.0));
   EXPECT_EQ(mesh.soup.triangles, (Triangles{{0, 1, 2}}));
   EXPECT_EQ(mesh.report.format, "PLY");
@@ -234,9 +236,11 @@ TEST_F(ReadPly, DigitsBeyondThoseOfFloatsAreSeenInEveryCoordinate) {
       "property list uchar int vertex_indices\nend_header\n";
   for (const char* first : {"0.1 0 0\n", "0 0.1 0\n", "0 0 0.1\n"}) {
     const ImportedMesh mesh = read(head + first + "1 0 0\n0 1 0\n3 0 1 2\n", "a.ply");
-    EXPECT_EQ(mesh.soup.attributes->coordinates, ScalarType::float64) << first;
-    TriangleSoup soup = mesh.soup;
-    EXPECT_NEAR(largest_rounding("a.stl", soup, Encoding::binary), 1.4901161193847656e-09, 1e-15) << first;
+    EXPECT_EQ(mesh.soup.attributes->coordinates, ScalarType::float32) << first;
+    EXPECT_EQ(mesh.soup.points[0].maxCoeff(), static_cast<double>(0.1F)) << first;
+    const ImportedMesh all = read_mesh(folder_ / "a.ply", CoincidentVertices::keep, FloatText::all_digits);
+    EXPECT_EQ(all.soup.attributes->coordinates, ScalarType::float64) << first;
+    EXPECT_NEAR(largest_rounding("a.stl", all.soup, Encoding::binary), 1.4901161193847656e-09, 1e-15) << first;
   }
 }
 

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 
 namespace loopmend {
@@ -111,9 +113,80 @@ TEST(StitchBoundaries, ASlitIsClosedAndAHoleBesideItStaysOne) {
   EXPECT_NEAR(loops[0].center.z(), 0.8, 0.05);
 }
 
+/// A triangle with two junctions on each of its sides, in a plane of small triangles: closed in one run, without slivers.
+TEST(StitchBoundaries, SplitsAFaceAtAllItsSidesAtOnce) {
+  constexpr int sides = 3;
+  TriangleSoup soup;
+  const auto corner = [](int i, int j) { return Vec3(i, j, 0); };  // of a grid, coarse in the middle
+  const auto point = [&](int i, int j) {
+    const Vec3 p = corner(i, j);
+    const auto at = std::find(soup.points.begin(), soup.points.end(), p);
+    if (at != soup.points.end()) return static_cast<int>(at - soup.points.begin());
+    soup.points.push_back(p);
+    return static_cast<int>(soup.points.size()) - 1;
+  };
+  const auto in_coarse = [&](double x, double y) { return x > 3 && y > 3 && x + y < 6 + sides; };
+  for (int j = 0; j < 9; ++j)
+    for (int i = 0; i < 9; ++i) {
+      if (!in_coarse(i + 1 / 3.0, j + 1 / 3.0))
+        soup.triangles.push_back({point(i, j), point(i + 1, j), point(i, j + 1)});
+      if (!in_coarse(i + 2 / 3.0, j + 2 / 3.0))
+        soup.triangles.push_back({point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+    }
+  soup.triangles.push_back({point(3, 3), point(3 + sides, 3), point(3, 3 + sides)});
+  ASSERT_GT(loops_of(soup).size(), 1u);
+  const NearBoundaries near = near_boundaries(make_surface_model(soup));
+  EXPECT_EQ(near.vertices, 0u);
+  EXPECT_EQ(near.faces, 1u);
+  EXPECT_EQ(near.closing.size(), 9u + 3u);
+  const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+  EXPECT_EQ(stitched.split_faces, 1u);
+  EXPECT_EQ(stitched.soup.triangles.size(), soup.triangles.size() + 6);  // nine corners: seven triangles
+  const auto loops = loops_of(stitched.soup);
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_EQ(loops[0].edges(), 4 * 9);
+  double area = 0;
+  for (const Triangle& t : stitched.soup.triangles) {
+    const Vec3 &a = stitched.soup.points[t[0]], &b = stitched.soup.points[t[1]], &c = stitched.soup.points[t[2]];
+    EXPECT_GE((b - a).cross(c - a).z(), 1 - 1e-12);
+    area += (b - a).cross(c - a).z() / 2;
+  }
+  EXPECT_NEAR(area, 81, 1e-12);
+}
+
+TEST(StitchBoundaries, TakesALengthOrAPartOfTheEdges) {
+  // Tiles with a gap of 0.3 between them; edges of 1.
+  const TriangleSoup soup = joined({tile(0, 4, 4, 6, 6), tile(4.3, 4, 4, 6, 6)});
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_FALSE(stitch_boundaries(model).any());
+  EXPECT_EQ(stitch_boundaries(model, {0.35, std::nullopt}).joined_vertices, 7u);
+  EXPECT_EQ(stitch_boundaries(model, {0.1, 0.31}).joined_vertices, 7u);
+  EXPECT_FALSE(stitch_boundaries(model, {0.1, 0.29}).any());
+  EXPECT_FALSE(stitch_boundaries(model, {0.25, std::nullopt}).any());
+  EXPECT_EQ(near_boundaries(model).closing.size(), 0u);
+  EXPECT_EQ(near_boundaries(model, {0.1, 0.31}).closing.size(), 12u);
+  EXPECT_EQ(near_boundaries(model, {0.1, 0.31}).vertices, 7u);
+}
+
+/// Boundaries at which a view ends are none.
+TEST(StitchBoundaries, FindsTheSameInAViewAroundTheLoops) {
+  TriangleSoup soup = joined({tile(0, 20, 20, 20, 20), tile(20.02, 20, 20, 20, 20)});
+  const NearBoundaries whole = near_boundaries(make_surface_model(soup));
+  const SurfaceModel view = make_view_around_loops(soup, {});
+  ASSERT_LT(view.mesh.n_faces(), soup.triangles.size());
+  const NearBoundaries around = near_boundaries(view);
+  EXPECT_EQ(whole.vertices, 21u);
+  EXPECT_EQ(around.vertices, whole.vertices);
+  EXPECT_EQ(around.closing, whole.closing);
+  int closing = 0;
+  for (const BoundaryLoop& loop : find_boundary_loops(view)) closing += closing_edges(view, loop, around);
+  EXPECT_EQ(closing, 40);
+}
+
 TEST(StitchBoundaries, RefusesATolerance) {
   const SurfaceModel model = make_surface_model(tile(0, 1, 1, 1, 1));
-  for (double wrong : {-0.1, 0.5}) EXPECT_THROW(stitch_boundaries(model, wrong), InvalidArgument);
+  for (double wrong : {-0.1, 0.5}) EXPECT_THROW(stitch_boundaries(model, {wrong, std::nullopt}), InvalidArgument);
+  EXPECT_THROW(stitch_boundaries(model, {0.1, -1.0}), InvalidArgument);
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies whose faces look inward.
+#pragma once
+
+#include "mesh/boundary_loops.h"
+#include "mesh/surface_model.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace loopmend {
+
+/// Of a shell, a connected part of the surface, with its openings covered by flat fans.
+struct InvertedShells {
+  std::size_t closed = 0;   ///< inside out, and closed but for openings of a twentieth of their area
+  std::size_t open = 0;     ///< inside out with wider openings, even with half balls over them
+  std::vector<char> faces;  ///< per soup triangle: 1 where it belongs to a closed one; empty where there is none
+  std::size_t face_count = 0;
+};
+
+/// A shell in no other one, or in two, four and so on, is a body: it is inside out where its volume is negative. A shell in one
+/// other, or three and so on, is a cavity: it is inside out where the body around it is, and its volume is positive. What lies in a
+/// shell that is open and inside out, or in the box of one that may be either, is left as it is. Shells
+/// with edges of more than two faces, or that are one-sided, are left out.
+/// @param loops  all of the model, which may be one that holds only what lies around them
+InvertedShells find_inverted_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+}  // namespace loopmend

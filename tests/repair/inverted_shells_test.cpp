@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "repair/inverted_shells.h"
+
+#include "mesh/watertight.h"
+#include "repair/repair_surface.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+namespace loopmend {
+namespace {
+
+enum class Facing { outward, inward };
+
+TriangleSoup ball(double radius, const Vec3& center, Facing facing) {
+  TriangleSoup soup = make_icosphere(2);
+  for (Vec3& p : soup.points) p = radius * p + center;
+  if (facing == Facing::inward)
+    for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+  return soup;
+}
+
+double volume(const TriangleSoup& soup) { return watertightness(soup).volume; }
+const double of_unit_ball = volume(make_icosphere(2));
+
+InvertedShells found_in(const TriangleSoup& soup) {
+  const SurfaceModel model = make_surface_model(soup);
+  return find_inverted_shells(model, find_boundary_loops(model));
+}
+
+TEST(InvertedShells, ABodyInsideOutIsTurned) {
+  const TriangleSoup soup = joined(
+      {ball(1, {0, 0, 0}, Facing::inward), ball(1, {3, 0, 0}, Facing::outward), ball(1, {1e5, 0, 0}, Facing::inward)});
+  const RepairedSurface repaired = repair_surface(soup);
+  EXPECT_EQ(repaired.counts.turned_shells, 2u);
+  EXPECT_EQ(repaired.counts.turned_faces, 2u * 320u);
+  EXPECT_EQ(repaired.soup.points, soup.points);
+  EXPECT_NEAR(volume(repaired.soup), 3 * of_unit_ball, 1e-4);
+  EXPECT_FALSE(repair_surface(repaired.soup).counts.any());
+}
+
+/// Hollow balls, as they should be, inside out as a whole, and with the outer shell alone inside out.
+TEST(InvertedShells, CavitiesStayCavities) {
+  const double wall = of_unit_ball * (1 - 0.125);
+  const auto hollow = [](Facing outer, Facing inner) {
+    return joined({ball(0.5, {0.1, 0, 0}, inner), ball(1, {0, 0, 0}, outer)});
+  };
+  const RepairedSurface sound = repair_surface(hollow(Facing::outward, Facing::inward));
+  EXPECT_FALSE(sound.counts.any());
+  const RepairedSurface whole = repair_surface(hollow(Facing::inward, Facing::outward));
+  EXPECT_EQ(whole.counts.turned_shells, 2u);
+  EXPECT_NEAR(volume(whole.soup), wall, 1e-9);
+  const RepairedSurface outer = repair_surface(hollow(Facing::inward, Facing::inward));
+  EXPECT_EQ(outer.counts.turned_shells, 1u);
+  EXPECT_NEAR(volume(outer.soup), wall, 1e-9);
+}
+
+TEST(InvertedShells, ABodyInACavityIsABodyAndOneInAnotherBodyIsLeft) {
+  const TriangleSoup rattle = joined({ball(1, {0, 0, 0}, Facing::outward), ball(0.8, {0, 0, 0}, Facing::inward),
+                                      ball(0.3, {0.2, 0, 0}, Facing::inward)});
+  const RepairedSurface repaired = repair_surface(rattle);
+  EXPECT_EQ(repaired.counts.turned_shells, 1u);
+  EXPECT_NEAR(volume(repaired.soup), of_unit_ball * (1 - 0.512 + 0.027), 1e-9);
+  const TriangleSoup parts = joined({ball(1, {0, 0, 0}, Facing::outward), ball(0.5, {0, 0, 0}, Facing::outward)});
+  EXPECT_FALSE(repair_surface(parts).counts.any());
+}
+
+/// What overlaps is in nothing.
+TEST(InvertedShells, BodiesThatCrossAreBodies) {
+  const TriangleSoup soup = joined({ball(1, {0, 0, 0}, Facing::outward), ball(0.8, {0.5, 0, 0}, Facing::inward)});
+  EXPECT_EQ(repair_surface(soup).counts.turned_shells, 1u);
+}
+
+TEST(InvertedShells, SmallHolesChangeNothing) {
+  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.95; });
+  EXPECT_EQ(found_in(soup).closed, 0u);
+  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+  const InvertedShells found = found_in(soup);
+  EXPECT_EQ(found.closed, 1u);
+  EXPECT_EQ(found.face_count, soup.triangles.size());
+  EXPECT_EQ(repair_surface(soup).counts.turned_shells, 1u);
+}
+
+TEST(InvertedShells, WideOpeningsAreToldAndLeft) {
+  // A ball without its top third: no cover over it could change the sign of the volume.
+  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.75; });
+  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+  EXPECT_EQ(found_in(soup).open, 1u);
+  EXPECT_EQ(found_in(soup).closed, 0u);
+  EXPECT_FALSE(repair_surface(soup).counts.any());
+}
+
+/// What lies in a shell that stays as it is stays with it: it may be a cavity of that.
+TEST(InvertedShells, WhatLiesInAnOpenShellIsLeft) {
+  TriangleSoup outer = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.75; });
+  for (Triangle& t : outer.triangles) std::swap(t[1], t[2]);
+  for (const Facing facing : {Facing::outward, Facing::inward}) {
+    const InvertedShells found = found_in(joined({outer, ball(0.3, {0, 0, -0.3}, facing)}));
+    EXPECT_EQ(found.open, 1u);
+    EXPECT_EQ(found.closed, 0u);
+  }
+  const TriangleSoup bowl = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > -0.2; });  // no inside for sure
+  const InvertedShells found = found_in(joined({bowl, ball(0.1, {0, 0, -0.5}, Facing::inward)}));
+  EXPECT_EQ(found.open + found.closed, 0u);
+}
+
+TEST(InvertedShells, SheetsHaveNoInside) {
+  for (const double height : {-0.5, 0.2, 0.9, -0.9}) {
+    TriangleSoup soup = make_graph([&](double x, double y) { return height * std::exp(-4 * (x * x + y * y)); }, 1, 16);
+    const InvertedShells found = found_in(soup);
+    EXPECT_EQ(found.open + found.closed, 0u) << height;
+    EXPECT_FALSE(repair_surface(soup).counts.any()) << height;
+  }
+}
+
+/// Of a large scan the view holds no more than what lies around the loops.
+TEST(InvertedShells, AreFoundInAViewAroundTheLoops) {
+  TriangleSoup holed = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.95; });
+  for (Triangle& t : holed.triangles) std::swap(t[1], t[2]);
+  const TriangleSoup soup = joined({holed, ball(1, {5, 0, 0}, Facing::inward), ball(1, {9, 0, 0}, Facing::outward)});
+  const SurfaceModel view = make_view_around_loops(soup, {});
+  ASSERT_LT(view.mesh.n_faces(), soup.triangles.size());
+  EXPECT_EQ(find_inverted_shells(view, find_boundary_loops(view)).closed, 2u);
+}
+
+}  // namespace
+}  // namespace loopmend
