@@ -84,6 +84,7 @@ QString state(HoleState state) {
     case HoleState::running: return tr("running");
     case HoleState::stepped: return tr("in progress");
     case HoleState::converged: return tr("converged");
+    case HoleState::early_stop: return tr("all steps taken");
     case HoleState::faired: return tr("faired");
     case HoleState::doubtful: return tr("doubtful");
     case HoleState::stalled: return tr("stopped early");
@@ -102,6 +103,7 @@ QString state_help(HoleState state) {
     case HoleState::running: return tr("A flow is moving this patch now.");
     case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
     case HoleState::converged: return tr("The flow has converged to its steady state.");
+    case HoleState::early_stop: return tr("The flow has taken the steps that were planned for this hole.");
     case HoleState::faired: return tr("Shaped by linear fairing, not by the flow.");
     case HoleState::doubtful:
       return tr(

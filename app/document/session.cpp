@@ -212,7 +212,7 @@ void put(Writer& out, const PatchState& state) {
 PatchStatePtr state(Reader& in) {
   auto s = std::make_shared<PatchState>();
   s->patch = patch(in);
-  s->status = word(in, PatchStatus::step_limit);
+  s->status = word(in, PatchStatus::early_stop);
   s->message = in.text().toStdString();
   s->recipe = recipe(in);
   s->patch.grading.density = s->recipe.density;
