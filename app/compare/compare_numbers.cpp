@@ -57,6 +57,7 @@ QStringList head_help() {
 /// The engine's words for an end, in the window's language.
 QString status_words(const std::string& status) {
   if (status == "converged") return CompareNumbers::tr("converged");
+  if (status == "early_stop") return CompareNumbers::tr("all steps taken");
   if (status == "faired") return CompareNumbers::tr("faired");
   if (status == "step_limit") return CompareNumbers::tr("step limit");
   if (status == "stalled") return CompareNumbers::tr("stopped early");

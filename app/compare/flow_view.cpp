@@ -28,6 +28,7 @@ QString stage_words(const ComparedRun& flow_run) {
   }
   switch (flow_run.status) {
     case PatchStatus::converged: return FlowView::tr("converged, %1 steps").arg(flow_run.steps);
+    case PatchStatus::early_stop: return FlowView::tr("all %1 steps taken").arg(flow_run.steps);
     case PatchStatus::faired: return FlowView::tr("faired, %1 steps").arg(flow_run.steps);
     case PatchStatus::stalled: return FlowView::tr("stopped early, step %1").arg(flow_run.steps);
     default: return FlowView::tr("%1 steps").arg(flow_run.steps);

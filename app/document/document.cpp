@@ -75,6 +75,7 @@ HoleState Document::state(int loop) const {
     case PatchStatus::filled: return HoleState::filled;
     case PatchStatus::ready: return HoleState::stepped;
     case PatchStatus::converged: return HoleState::converged;
+    case PatchStatus::early_stop: return HoleState::early_stop;
     case PatchStatus::stalled:
     case PatchStatus::step_limit: return HoleState::stalled;
     case PatchStatus::invalid: return HoleState::cutting;

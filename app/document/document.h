@@ -24,6 +24,7 @@ enum class HoleState {
   running,
   stepped,
   converged,
+  early_stop,
   stalled,
   cutting,
   accepted,

@@ -144,6 +144,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("relief continued at random, rms %1 (%2 around the hole)")},
       {QT_TR_NOOP("no step of the flow came below its fairings, which were kept")},
       {QT_TR_NOOP("stopped early")},
+      {QT_TR_NOOP("no step lowers the energy of the split any further")},
       {QT_TR_NOOP("the noise could not be carried into the patch")},
       {QT_TR_NOOP("only vanishing time steps keep the flow stable here")},
       {QT_TR_NOOP("the flow has not converged, but only ever smaller steps lower the energy")},

@@ -84,6 +84,7 @@ QString state(HoleState state) {
     case HoleState::running: return tr("running");
     case HoleState::stepped: return tr("in progress");
     case HoleState::converged: return tr("converged");
+    case HoleState::early_stop: return tr("all steps taken");
     case HoleState::faired: return tr("faired");
     case HoleState::look: return tr("look");
     case HoleState::bad: return tr("bad");
@@ -103,6 +104,7 @@ QString state_help(HoleState state) {
     case HoleState::running: return tr("A flow is moving this patch now.");
     case HoleState::stepped: return tr("A flow has moved this patch; more steps can be taken.");
     case HoleState::converged: return tr("The flow has converged to its steady state.");
+    case HoleState::early_stop: return tr("The flow has taken the steps that were planned for this hole.");
     case HoleState::faired: return tr("Shaped by linear fairing, not by the flow.");
     case HoleState::look: return tr("Filled; look at this patch before you accept it.");
     case HoleState::bad:

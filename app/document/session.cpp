@@ -17,7 +17,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 6;
+constexpr qint32 format_version = 7;
+constexpr qint32 version_without_verdicts = 6;
 constexpr qint32 version_without_relief = 5;  ///< and without units
 constexpr qint32 version_without_bridges = 4;
 constexpr qint32 version_without_boundary = 3;
@@ -41,6 +42,19 @@ SeamReport seam(Reader& in) {
   for (double* x : {&s.g1_rms_deg, &s.g1_max_deg, &s.h_jump_rms, &s.h_jump_max, &s.h_jump_rms_times_diameter})
     *x = in.number<double>();
   return s;
+}
+
+void put(Writer& out, const Verdict& verdict) {
+  out.put(static_cast<qint32>(verdict.grade));
+  out.put(verdict.crease_deg);
+  out.put(verdict.height);
+  out.put(static_cast<qint32>(verdict.folds));
+  out.put(static_cast<quint64>(verdict.findings.size()));
+  for (const Notice& finding : verdict.findings) {
+    out.put(static_cast<qint32>(finding.code));
+    out.put(static_cast<quint64>(finding.arguments.size()));
+    for (double argument : finding.arguments) out.put(argument);
+  }
 }
 
 void put(Writer& out, const Patch& patch) {
@@ -207,13 +221,33 @@ void put(Writer& out, const PatchState& state) {
     out.put(static_cast<quint64>(reports->size()));
     for (const SeamReport& report : *reports) put(out, report);
   }
+  out.put(static_cast<quint64>(state.verdicts.size()));
+  for (const Verdict& verdict : state.verdicts) put(out, verdict);
+}
+
+Verdict verdict(Reader& in) {
+  Verdict v;
+  v.grade = word(in, Grade::bad);
+  v.crease_deg = in.number<double>();
+  v.height = in.number<double>();
+  v.folds = in.number<qint32>();
+  const int findings = in.count(sizeof(qint32));
+  for (int i = 0; i < findings; ++i) {
+    Notice finding{word(in, NoticeCode::high_over_loop), {}};
+    const int arguments = in.count(sizeof(double));
+    for (int k = 0; k < arguments; ++k) finding.arguments.push_back(in.number<double>());
+    v.findings.push_back(std::move(finding));
+  }
+  return v;
 }
 
 PatchStatePtr state(Reader& in) {
   auto s = std::make_shared<PatchState>();
   s->patch = patch(in);
   s->status = word(in, PatchStatus::step_limit);
-  if (static_cast<int>(s->status) == 6) s->status = PatchStatus::converged;  // older sessions: now a verdict
+  // Number 6 was a verdict then.
+  if (in.version <= version_without_verdicts && s->status == PatchStatus::early_stop)
+    s->status = PatchStatus::converged;
   s->message = in.text().toStdString();
   s->recipe = recipe(in);
   s->patch.grading.density = s->recipe.density;
@@ -229,6 +263,12 @@ PatchStatePtr state(Reader& in) {
   }
   if (s->seams.size() != s->patch.loops.size() || s->seams_before.size() != s->seams.size())
     in.fail("the seams of a patch are not complete");
+  if (in.version > version_without_verdicts) {
+    const int count = in.count(3 * sizeof(double));
+    for (int i = 0; i < count; ++i) s->verdicts.push_back(verdict(in));
+    if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
+      in.fail("the verdicts of a patch are not complete");
+  }
   return s;
 }
 
@@ -359,8 +399,8 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 namespace {
 
 bool is_known(qint32 version) {
-  return version == format_version || version == version_without_relief || version == version_without_bridges ||
-         version == version_without_boundary || version == first_version;
+  return version == format_version || version == version_without_verdicts || version == version_without_relief ||
+         version == version_without_bridges || version == version_without_boundary || version == first_version;
 }
 
 SessionPatch session_patch(Reader& in, int scans) {

@@ -21,7 +21,8 @@ QColor dot_color(HoleState state) {
     case HoleState::filled: return QColor(120, 160, 200);
     case HoleState::running: return QColor(232, 170, 20);
     case HoleState::stepped: return QColor(70, 120, 190);
-    case HoleState::converged: return QColor(30, 140, 110);
+    case HoleState::converged:
+    case HoleState::early_stop: return QColor(30, 140, 110);
     case HoleState::stalled: return QColor(200, 120, 20);
     case HoleState::cutting: return QColor(190, 50, 30);
     case HoleState::accepted: return QColor(30, 130, 70);
@@ -63,6 +64,7 @@ void paint_sign(QPainter* painter, HoleState state, const QColor& color) {
       painter->drawRect(QRectF(1.5, -3.5, 2, 7));
       break;
     case HoleState::converged:
+    case HoleState::early_stop:
       painter->setBrush(color);
       painter->drawEllipse(circle);
       break;

@@ -12,6 +12,7 @@ const char* to_string(PatchStatus status) {
     case PatchStatus::invalid: return "invalid";
     case PatchStatus::faired: return "faired";
     case PatchStatus::step_limit: return "step_limit";
+    case PatchStatus::early_stop: return "early_stop";
     case PatchStatus::cancelled: return "cancelled";
     case PatchStatus::failed: return "failed";
     case PatchStatus::skipped: return "skipped";

@@ -10,6 +10,8 @@ namespace loopmend {
 
 namespace {
 
+constexpr const char* stalled_text = "stopped early: no step lowers the energy of the split any further";
+
 double largest_move(const Patch& before, const Points& after) {
   double move = 0;
   for (int i = 0; i < before.free_count; ++i) move = std::max(move, (after[i] - before.positions[i]).norm());
@@ -19,8 +21,9 @@ double largest_move(const Patch& before, const Points& after) {
 }  // namespace
 
 SplitDescent::SplitDescent(const EvolvingPatch& patch, const SplitEstimate& estimate, double radius)
-    : estimate_(estimate),
-      fairing_(std::in_place, patch, radius) {}
+    : estimate_(estimate) {
+  if (patch.options.start != SteadyStart::as_given) fairing_.emplace(patch, radius);
+}
 
 void SplitDescent::fair(EvolvingPatch& patch, const CancelToken& cancel) {
   fairing_->step(patch, cancel);
@@ -37,19 +40,35 @@ void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
     if (cancel.cancelled()) problem_.reset();  // it may be unfinished
   }
   if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
-  StepRecord record;
-  const SplitProblem::Outcome outcome = problem_->step(cancel);
-  if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, "cancelled");
-  if (outcome == SplitProblem::Outcome::at_rest) {
-    if (patch.history.back().split.total() > 0) return patch.stop(PatchStatus::converged, "");
-    return patch.stop(PatchStatus::faired, "no step of the flow came below its fairings, which were kept");
-  }
+  const bool goes_on = problem_->gauss_newton_pays();
+  SplitProblem::Outcome outcome = goes_on ? problem_->gauss_newton_step(cancel) : problem_->look_ahead(cancel);
+  const bool takes = goes_on && outcome == SplitProblem::Outcome::moved;
+  if (!takes && goes_on && outcome == SplitProblem::Outcome::stalled) outcome = problem_->look_ahead(cancel);
+  if (!takes) return end(patch, outcome);
   const Points moved = problem_->patch_positions(cancel);
   if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
   if (moved.empty())
     return patch.stop(PatchStatus::stalled, "stopped early: the noise could not be carried into the patch");
+  take(patch, moved, watch.lap());
+  ++steps_;
+}
+
+/// Gauss-Newton has ended. Where J could still be lowered along its gradient, that is left on purpose: over 128 cut holes it
+/// came no closer to the truth.
+void SplitDescent::end(EvolvingPatch& patch, SplitProblem::Outcome outcome) const {
+  if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, "cancelled");
+  if (outcome == SplitProblem::Outcome::converged && (steps_ > 0 || patch.history.empty()))
+    return patch.stop(PatchStatus::converged, "");
+  if (outcome == SplitProblem::Outcome::moved && steps_ > 0) return patch.stop(PatchStatus::early_stop, "");
+  if (steps_ > 0 || patch.history.empty()) return patch.stop(PatchStatus::stalled, stalled_text);
+  patch.stop(PatchStatus::faired, "no step of the flow came below its fairings, which were kept");
+}
+
+void SplitDescent::take(EvolvingPatch& patch, const Points& moved, double solve_seconds) {
+  Stopwatch watch;
+  StepRecord record;
   record.step = static_cast<int>(patch.history.size()) + 1;
-  record.solve_seconds = watch.lap();
+  record.solve_seconds = solve_seconds;
   record.factorizations = 1;
   record.max_move = largest_move(patch.state.patch, moved) / patch.edge_length();
   Patch next = patch.state.patch;

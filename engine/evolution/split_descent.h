@@ -9,7 +9,7 @@
 
 namespace loopmend {
 
-/// Sets out from the robust fairings, whose steps come first; then the mesh of the patch stays as it is.
+/// Sets out from the robust fairings, whose steps come first, or as given; then the mesh of the patch stays as it is.
 class SplitDescent : public Stepper {
  public:
   SplitDescent(const EvolvingPatch& patch, const SplitEstimate& estimate, double radius);
@@ -17,10 +17,13 @@ class SplitDescent : public Stepper {
 
  private:
   void fair(EvolvingPatch& patch, const CancelToken& cancel);
+  void end(EvolvingPatch& patch, SplitProblem::Outcome outcome) const;
+  void take(EvolvingPatch& patch, const Points& moved, double solve_seconds);
 
   SplitEstimate estimate_;
   std::optional<RobustFairing> fairing_;  ///< until its passes are done
   std::optional<SplitProblem> problem_;   ///< from then on
+  int steps_ = 0;                         ///< of the descent
 };
 
 }  // namespace loopmend

@@ -26,6 +26,9 @@ struct SplitEstimate {
 
   double relief = 0;  ///< w: smooth shape against relief, in boundary edges, wavelength by 2π; 0: not estimated
   double noise = 0;   ///< v: their sum against noise, likewise; 0: no noise
+  /// Height up to which relief and noise may be errors of discretization, in boundary edges: what a smooth surface as
+  /// curved as this one shows on edges as long as these. 0 where these are too long to tell.
+  double resolution = 0;
   double edge = 0;    ///< mean boundary edge, patch frame
   double radius = 1;  ///< of the hole, patch frame: κ = 1/radius in SplitProblem
   double relief_height = 0,
@@ -34,7 +37,7 @@ struct SplitEstimate {
   double lambda() const { return relief * relief * edge * edge; }
   double noise_variance() const;  ///< s²; 0 without noise
   /// The neighborhood is smooth as far as that matters: the flow itself may take them literally.
-  /// @param relief  height up to which relief does not matter, in boundary edges
+  /// @param relief  height up to which relief does not matter, in boundary edges; never less than `resolution`
   bool is_exact(double relief = exact_hole) const;
   NeighborhoodKind kind() const;
 };

@@ -134,7 +134,8 @@ class HoleResult:
     """What became of one boundary loop.
 
     number, kind, edges, perimeter, diameter, planarity, area, center: as in BoundaryLoop.
-    status: "converged", "faired", "filled", "step_limit" and "stalled" have a patch; "failed" and "skipped" have none.
+    status: "converged", "early_stop", "faired", "filled", "step_limit" and "stalled" have a patch; "failed" and "skipped"
+        have none.
     is_filled: whether there is a patch.
     message: what is to be known of it, or why there is none; empty when all is well. Options are named as on the command
         line: --include-outer-rim is include_outer_rim=True.

@@ -507,6 +507,10 @@
             <source>failed</source>
             <translation>misslungen</translation>
         </message>
+        <message>
+            <source>all steps taken</source>
+            <translation>alle Schritte getan</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::CompareWindow</name>
@@ -2951,6 +2955,10 @@
             <source>with bending energy mixed in it has none</source>
             <translation>mit beigemischter Biegeenergie hat er keinen</translation>
         </message>
+        <message>
+            <source>no step lowers the energy of the split any further</source>
+            <translation>kein Schritt senkt die Energie der Zerlegung noch weiter</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>
@@ -3822,6 +3830,10 @@
         <message>
             <source>Put this result into the document; can be undone</source>
             <translation>Dieses Ergebnis ins Dokument übernehmen; lässt sich rückgängig machen</translation>
+        </message>
+        <message>
+            <source>all %1 steps taken</source>
+            <translation>alle %1 Schritte getan</translation>
         </message>
     </context>
     <context>
@@ -6915,6 +6927,14 @@
         <message>
             <source>rises %1 diameters over its loop; a ball through the seam would rise %2</source>
             <translation>erhebt sich %1 Durchmesser über seinen Rand; eine Kugel durch die Naht erhöbe sich %2</translation>
+        </message>
+        <message>
+            <source>all steps taken</source>
+            <translation>alle Schritte getan</translation>
+        </message>
+        <message>
+            <source>The flow has taken the steps that were planned for this hole.</source>
+            <translation>Der Fluss hat die Schritte getan, die für dieses Loch geplant waren.</translation>
         </message>
     </context>
 </TS>

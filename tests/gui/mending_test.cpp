@@ -99,7 +99,7 @@ class MendingTest : public QObject {
   void fix_all_leaves_nothing_to_fix();
   void doll_becomes_printable();
   void dragon_is_stitched_watertight();
-  void a_patch_out_of_proportion_is_amber();
+  void a_bubble_is_red();
 
  private:
   QTemporaryDir folder_;
@@ -276,29 +276,29 @@ void MendingTest::dragon_is_stitched_watertight() {
   QVERIFY(verdict(window).startsWith(QStringLiteral("Watertight")));
 }
 
-void MendingTest::a_patch_out_of_proportion_is_amber() {
+void MendingTest::a_bubble_is_red() {
   Shown shown({write_rough_bowl(folder_.filePath(QStringLiteral("bowl.ply")))});
   MainWindow& window = shown.window;
   auto* table = part<QTableView>(window, "holesTable");
   const QModelIndex state = table->model()->index(0, HoleTable::state);
-  const QColor amber(200, 120, 20);
+  const QColor red(190, 50, 30);
   window.selection().select({0});
   auto* boundary = part<QComboBox>(window, "boundary");
   boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::exact)));
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window, 2 * minutes));
   QVERIFY2(
-      window.document().state(0) == HoleState::doubtful,
+      window.document().state(0) == HoleState::bad,
       qPrintable(labels::state(window.document().state(0)) + QString::fromStdString(window.document().message(0))));
-  const QString said = QStringLiteral("out of proportion");
+  const QString said = QStringLiteral("bubble");
   const auto sentence = [&] { return part<QLabel>(window, "seamSentence")->text(); };
   QVERIFY2(wait_until([&] { return sentence().contains(said); }, 5), qPrintable(sentence()));
   QVERIFY2(!sentence().contains(QStringLiteral("smaller")), qPrintable(sentence()));
   const QString tip = state.data(Qt::ToolTipRole).toString();
-  QVERIFY2(tip.contains(said) && tip.contains(QStringLiteral("times that of the initial patch")), qPrintable(tip));
+  QVERIFY2(tip.contains(said) && tip.contains(QStringLiteral("times the area of the initial patch")), qPrintable(tip));
   window.selection().select({});
   settle(200);
-  QVERIFY2(pixels_of(table, state, amber) > 5, "the sign in the table is not amber");
+  QVERIFY2(pixels_of(table, state, red) > 5, "the sign in the table is not red");
   auto* group = part<QComboBox>(window, "holesGroup");
   group->setCurrentIndex(group->findText(QStringLiteral("Problems")));
   QCOMPARE(table->model()->rowCount(), 1);
@@ -309,10 +309,10 @@ void MendingTest::a_patch_out_of_proportion_is_amber() {
   boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::robust)));
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window, 2 * minutes));
-  QVERIFY(window.document().state(0) != HoleState::doubtful);
+  QVERIFY(window.document().state(0) != HoleState::bad);
   window.selection().select({});
   settle(200);
-  QCOMPARE(pixels_of(table, table->model()->index(0, HoleTable::state), amber), 0);
+  QCOMPARE(pixels_of(table, table->model()->index(0, HoleTable::state), red), 0);
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<MendingTest>(); }

@@ -35,6 +35,7 @@ std::string last_attempt(const HoleResult& result) {
 int severity(PatchStatus status) {
   switch (status) {
     case PatchStatus::converged: return 0;
+    case PatchStatus::early_stop:
     case PatchStatus::faired: return 1;
     case PatchStatus::step_limit:
     case PatchStatus::stalled: return 2;
