@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joining loops by one fair patch from end to end: bridge, strategy, validation, paste.
+// Joining loops by one fair patch from end to end: bridge, candidates, validation, paste.
 #pragma once
 
 #include "filling/bridge_loops.h"

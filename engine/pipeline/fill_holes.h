@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filling the holes of a scan from end to end: group, initial patch, strategy, validation, paste. The command line calls
+// Filling the holes of a scan from end to end: group, initial patch, candidates, validation, paste. The command line calls
 // it; the window goes through the same steps one by one (initial_patch, solve_group, paste).
 #pragma once
 

@@ -189,6 +189,8 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
     if (l < proportions.size()) verdict.proportion = proportions[l];
     if (is_out_of_proportion(verdict.proportion))
       add(verdict, Grade::bad, {NoticeCode::bubble, {verdict.proportion.area, verdict.proportion.depth}});
+    if (l == 0 && validity.nonmanifold_edges > 0)  // they are counted for the whole patch
+      add(verdict, Grade::bad, {NoticeCode::nonmanifold_edges, {static_cast<double>(validity.nonmanifold_edges)}});
     judge_height(l, verdict);
     judge_seam(l, bends.along(patch.loops[l]), bends.usual, verdict);
     judge_curvature(l, seams, verdict);
