@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -111,6 +112,13 @@ void print_kinds(const std::vector<BoundaryLoop>& loops) {
   std::printf("  %s\n", words.c_str());
 }
 
+/// Of the input, on the loop.
+int lowest_vertex(const SurfaceModel& model, const BoundaryLoop& loop) {
+  int lowest = std::numeric_limits<int>::max();
+  for (int v : loop.vertices) lowest = std::min(lowest, model.soup_vertex[static_cast<std::size_t>(v)]);
+  return lowest;
+}
+
 void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, Detail detail) {
   const bool all = detail == Detail::all || loops.size() <= most_loops_in_full;
   const std::size_t most_rows = all ? loops.size() : largest_loops;
@@ -120,7 +128,7 @@ void print_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
   for (std::size_t k = 0; k < loops.size() && k < most_rows; ++k)
     std::printf("%6d  %-9s  %6d  %12.6g  %12.6g  %9.4f  %9d\n", loops[k].number, to_string(loops[k].kind),
                 loops[k].edges(), loops[k].perimeter, loops[k].diameter, loops[k].planarity,
-                model.soup_vertex[static_cast<std::size_t>(loops[k].vertices.front())]);
+                lowest_vertex(model, loops[k]));
   if (loops.size() > most_rows)
     std::printf("... and %zu smaller ones (all of them with --verbose or --json)\n", loops.size() - most_rows);
 }

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "filling/fairing.h"
 #include "filling/triangulate_loop.h"
+#include "mesh/by_position.h"
 #include "mesh/quality.h"
 #include "mesh/vertex_fans.h"
 #include "remeshing/constrained_remesher.h"
@@ -112,8 +113,9 @@ FillContext make_wide_context(const SurfaceModel& model, const TriangleIndex& in
     context.vertex[i] = place.emplace(model.soup_vertex[loop.vertices[i]], context.vertex[i]).first->second;
     box.extend(model.mesh.point(TriMesh::VertexHandle(loop.vertices[i])));
   }
-  for (int f : index.near(box.min(), box.max())) {
-    Triangle t = model.soup.triangles[f];
+  Triangles near;
+  for (int f : index.near(box.min(), box.max())) near.push_back(model.soup.triangles[f]);
+  for (Triangle t : sorted_by_position(model.soup.points, std::move(near))) {
     for (int& v : t) {
       const auto [entry, added] = place.emplace(v, static_cast<int>(context.points.size()));
       if (added) context.points.push_back(context.frame.to_frame(model.soup.points[v]));

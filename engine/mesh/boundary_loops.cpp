@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary_loops.h"
 
+#include "mesh/by_position.h"
 #include "mesh/loop_chords.h"
 #include "mesh/loop_facing.h"
 #include "mesh/pieces.h"
@@ -17,6 +18,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 
 namespace loopmend {
@@ -57,6 +59,19 @@ void measure(const SurfaceModel& model, BoundaryLoop& loop) {
   loop.area = std::abs(area_vector.dot(eigen.eigenvectors().col(0)));
 }
 
+/// The edge from which the loop's positions, one after the other, come first in lexicographic order.
+int first_by_position(const TriMesh& mesh, const std::vector<TriMesh::HalfedgeHandle>& edges) {
+  const int n = static_cast<int>(edges.size());
+  const auto point = [&](int i) -> const Vec3& { return mesh.point(mesh.from_vertex_handle(edges[i % n])); };
+  int first = 0;
+  for (int i = 1; i < n; ++i) {
+    int k = 0;
+    while (k < n && point(i + k) == point(first + k)) ++k;
+    if (k < n && precedes(point(i + k), point(first + k))) first = i;
+  }
+  return first;
+}
+
 std::vector<BoundaryLoop> walk_loops(const SurfaceModel& model) {
   const TriMesh& mesh = model.mesh;
   std::vector<BoundaryLoop> loops;
@@ -64,16 +79,17 @@ std::vector<BoundaryLoop> walk_loops(const SurfaceModel& model) {
   for (const auto start : mesh.halfedges()) {
     if (!mesh.is_boundary(start) || seen[start.idx()]) continue;
     if (is_cut_off(model, mesh.from_vertex_handle(start).idx())) continue;
-    BoundaryLoop loop;
-    TriMesh::HalfedgeHandle h = start;
-    do {
+    std::vector<TriMesh::HalfedgeHandle> edges;
+    for (auto h = start; !seen[h.idx()]; h = mesh.next_halfedge_handle(h)) {
       seen[h.idx()] = 1;
+      edges.push_back(h);
+    }
+    std::rotate(edges.begin(), edges.begin() + first_by_position(mesh, edges), edges.end());
+    BoundaryLoop loop;
+    for (const auto h : edges) {
       loop.vertices.push_back(mesh.from_vertex_handle(h).idx());
       loop.turning += (gap_angle(mesh, h) - std::numbers::pi) / (2 * std::numbers::pi);
-      h = mesh.next_halfedge_handle(h);
-    } while (h != start);
-    std::rotate(loop.vertices.begin(), std::min_element(loop.vertices.begin(), loop.vertices.end()),
-                loop.vertices.end());
+    }
     loops.push_back(std::move(loop));
   }
   return loops;
@@ -186,6 +202,27 @@ std::set<int> covered_triangles(const SurfaceModel& model, const std::vector<Bou
   return covered;
 }
 
+/// By falling perimeter. Ends of one tube are equally long but for rounding: there, only the order of vertices in the file tells
+/// which comes first, and is kept to, so that the numbers that a person knows stay. No patch depends on them (group_loops).
+void sort_by_perimeter(const SurfaceModel& model, std::vector<BoundaryLoop>& loops) {
+  std::vector<std::tuple<double, int, std::size_t>> order;  // −perimeter, summed from the lowest vertex on; that vertex
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const std::vector<int>& vertices = loops[l].vertices;
+    const std::size_t n = vertices.size();
+    const auto lowest = static_cast<std::size_t>(std::min_element(vertices.begin(), vertices.end()) - vertices.begin());
+    const auto point = [&](std::size_t i) -> const Vec3& {
+      return model.mesh.point(TriMesh::VertexHandle(vertices[(lowest + i) % n]));
+    };
+    double perimeter = 0;
+    for (std::size_t i = 0; i < n; ++i) perimeter += (point(i + 1) - point(i)).norm();
+    order.emplace_back(-perimeter, vertices[lowest], l);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<BoundaryLoop> sorted;
+  for (const auto& [perimeter, lowest, l] : order) sorted.push_back(std::move(loops[l]));
+  loops = std::move(sorted);
+}
+
 LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const SoupEdges& edges) {
   const std::size_t n = loop.vertices.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -229,10 +266,7 @@ std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {
   for (int k : covered_triangles(model, loops))
     if (loops[k].kind == LoopKind::hole) loops[k].kind = LoopKind::crack;
   find_taken_chords(model, loops);
-  std::sort(loops.begin(), loops.end(), [&](const BoundaryLoop& a, const BoundaryLoop& b) {
-    if (a.perimeter != b.perimeter) return a.perimeter > b.perimeter;
-    return a.vertices.front() < b.vertices.front();
-  });
+  sort_by_perimeter(model, loops);
   for (std::size_t k = 0; k < loops.size(); ++k) loops[k].number = static_cast<int>(k) + 1;
   return loops;
 }

@@ -19,6 +19,15 @@ std::size_t filter_slot(const Vec3& p) {
 
 }  // namespace
 
+Triangles sorted_by_position(const Points& points, Triangles triangles) {
+  const auto before = [&](int v, int w) { return points[v] != points[w] ? precedes(points[v], points[w]) : v < w; };
+  for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end(), before), t.end());
+  std::sort(triangles.begin(), triangles.end(), [&](const Triangle& s, const Triangle& t) {
+    return std::lexicographical_compare(s.begin(), s.end(), t.begin(), t.end(), before);
+  });
+  return triangles;
+}
+
 std::vector<int> position_numbers(const Points& points, const Points& places) {
   Points distinct = places;
   std::sort(distinct.begin(), distinct.end(), precedes);

@@ -2,6 +2,7 @@
 #include "mesh/patch.h"
 
 #include "core/error.h"
+#include "mesh/by_position.h"
 
 #include <Eigen/Geometry>
 
@@ -14,12 +15,31 @@ namespace {
 
 using VertexHandle = TriMesh::VertexHandle;
 
-/// The fixed vertices in rings around the loops, and the triangles between them.
+/// The fixed vertices in rings around the loops: those on the loops as these run, those of each other ring by their positions, so
+/// that the patch does not depend on how the file numbers them.
 struct Neighborhood {
   std::vector<int> view_vertex;
   std::vector<int> ring;
   std::unordered_map<int, int> index;  // view vertex → place in the two vectors
 };
+
+void sort_rings(const TriMesh& mesh, Neighborhood& around) {
+  const auto first = std::find_if(around.ring.begin(), around.ring.end(), [](int ring) { return ring > 1; });
+  std::vector<std::pair<int, int>> others;  // ring, vertex
+  for (auto k = first - around.ring.begin(); k < static_cast<long>(around.ring.size()); ++k)
+    others.emplace_back(around.ring[k], around.view_vertex[k]);
+  std::sort(others.begin(), others.end(), [&](const auto& a, const auto& b) {
+    const Vec3 &p = mesh.point(VertexHandle(a.second)), &q = mesh.point(VertexHandle(b.second));
+    if (a.first != b.first) return a.first < b.first;
+    return p != q ? precedes(p, q) : a.second < b.second;
+  });
+  auto place = first - around.ring.begin();
+  for (const auto& [ring, v] : others) {
+    around.ring[place] = ring;
+    around.view_vertex[place] = v;
+    around.index[v] = static_cast<int>(place++);
+  }
+}
 
 Neighborhood collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops) {
   Neighborhood s;
@@ -34,7 +54,31 @@ Neighborhood collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>&
     if (s.ring[k] >= patch_rings) break;
     for (const auto next : mesh.vv_range(VertexHandle(s.view_vertex[k]))) add(next.idx(), s.ring[k] + 1);
   }
+  sort_rings(mesh, s);
   return s;
+}
+
+/// The triangles among the neighborhood's vertices, over their places, each from its least corner on, in ascending order.
+Triangles collect_triangles(const TriMesh& mesh, const Neighborhood& around) {
+  std::vector<int> faces;
+  for (int v : around.view_vertex)
+    for (const auto face : mesh.vf_range(VertexHandle(v))) faces.push_back(face.idx());
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  Triangles triangles;
+  for (int f : faces) {
+    Triangle t;
+    int k = 0;
+    for (const auto v : mesh.fv_range(TriMesh::FaceHandle(f))) {
+      const auto found = around.index.find(v.idx());
+      if (found != around.index.end()) t[k++] = found->second;
+    }
+    if (k < 3) continue;
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    triangles.push_back(t);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
 }
 
 void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopPatch>& initial_patches) {
@@ -85,20 +129,8 @@ Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
     patch.view_vertex.push_back(around.view_vertex[i]);
     patch.positions.push_back(patch.to_frame(model.mesh.point(VertexHandle(around.view_vertex[i]))));
   }
-  std::vector<int> faces;
-  for (int v : around.view_vertex)
-    for (const auto face : model.mesh.vf_range(VertexHandle(v))) faces.push_back(face.idx());
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  for (int f : faces) {
-    Triangle t;
-    int k = 0;
-    for (const auto v : model.mesh.fv_range(TriMesh::FaceHandle(f))) {
-      const auto found = around.index.find(v.idx());
-      if (found != around.index.end()) t[k++] = patch.free_count + found->second;
-    }
-    if (k == 3) patch.triangles.push_back(t);
-  }
+  for (const Triangle& t : collect_triangles(model.mesh, around))
+    patch.triangles.push_back({t[0] + patch.free_count, t[1] + patch.free_count, t[2] + patch.free_count});
   return patch;
 }
 

@@ -2,6 +2,7 @@
 #include "pipeline/initial_patch.h"
 
 #include "core/threads.h"
+#include "mesh/by_position.h"
 #include "pipeline/flat_cut.h"
 #include "pipeline/seconds_since.h"
 #include "split/split_estimate.h"
@@ -110,6 +111,20 @@ std::vector<std::vector<int>> loops_within(const SurfaceModel& model, const std:
   return groups;
 }
 
+/// By falling perimeter, of equals by their positions: a joint patch depends on the order of its loops, which must not depend on
+/// how the file numbers them. @param members  indices into `loops`
+void sort_by_position(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, std::vector<int>& members) {
+  const auto precede = [&](int v, int w) {
+    return precedes(model.mesh.point(TriMesh::VertexHandle(v)), model.mesh.point(TriMesh::VertexHandle(w)));
+  };
+  std::stable_sort(members.begin(), members.end(), [&](int k, int l) {
+    const BoundaryLoop &a = loops[k], &b = loops[l];
+    if (a.perimeter != b.perimeter) return a.perimeter > b.perimeter;
+    return std::lexicographical_compare(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                                        precede);
+  });
+}
+
 /// On a scan full of holes each lies near some other, and all would be one problem.
 constexpr std::size_t most_jointly = 24;
 
@@ -137,6 +152,7 @@ std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::
     for (int k : group) result.push_back({k});
   }
   std::sort(result.begin(), result.end());
+  for (std::vector<int>& group : result) sort_by_position(model, loops, group);
   return result;
 }
 
