@@ -51,6 +51,7 @@ Spikes add_spikes(Known& known, int ring, int count, double height) {
   std::vector<int> on_ring;
   for (int i = patch.free_count; i < patch.vertex_count(); ++i)
     if (patch.ring[i] == ring) on_ring.push_back(model.soup_vertex[patch.view_vertex[i]]);
+  std::rotate(on_ring.begin(), std::min_element(on_ring.begin(), on_ring.end()), on_ring.end());
   Spikes spikes;
   for (int k = 0; k < count; ++k) {
     spikes.vertices.push_back(on_ring[k * on_ring.size() / count]);

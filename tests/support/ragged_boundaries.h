@@ -25,12 +25,14 @@ inline Vec3 normal_of(const TriangleSoup& soup, const Triangle& t) {
   return unit_normal(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
 }
 
-/// The hole's boundary as soup points; the hole lies to the left.
+/// The hole's boundary as soup points, from the lowest on; the hole lies to the left. Other starts put faults on corners that
+/// are slivers already.
 inline std::vector<int> boundary_of(const TriangleSoup& soup) {
   const SurfaceModel model = make_surface_model(soup);
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   std::vector<int> boundary;
   for (int v : loops.front().vertices) boundary.push_back(model.soup_vertex[v]);
+  std::rotate(boundary.begin(), std::min_element(boundary.begin(), boundary.end()), boundary.end());
   return boundary;
 }
 
