@@ -10,7 +10,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr const char* stalled_text = "stopped early: no step lowers the energy of the split any further";
+constexpr const char* descent_stalled_text = "stopped early: no step lowers the energy of the split any further";
 
 double largest_move(const Patch& before, const Points& after) {
   double move = 0;
@@ -60,7 +60,7 @@ void SplitDescent::end(EvolvingPatch& patch, SplitProblem::Outcome outcome) cons
   if (outcome == SplitProblem::Outcome::converged && (steps_ > 0 || patch.history.empty()))
     return patch.stop(PatchStatus::converged, "");
   if (outcome == SplitProblem::Outcome::moved && steps_ > 0) return patch.stop(PatchStatus::early_stop, "");
-  if (steps_ > 0 || patch.history.empty()) return patch.stop(PatchStatus::stalled, stalled_text);
+  if (steps_ > 0 || patch.history.empty()) return patch.stop(PatchStatus::stalled, descent_stalled_text);
   patch.stop(PatchStatus::faired, "no step of the flow came below its fairings, which were kept");
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/rounding_cracks.h"
+#include "mesh/point_tree.h"
 
 #include <Eigen/Geometry>
-
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <map>
@@ -20,14 +18,9 @@ namespace loopmend {
 namespace {
 
 namespace bg = boost::geometry;
-using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
-using TreeBox = bg::model::box<TreePoint>;
-using Tree = bg::index::rtree<std::pair<TreePoint, int>, bg::index::quadratic<16>>;
 using Pair = std::pair<int, int>;
 
 constexpr double least_edge = 100;  ///< in distances between the vertices
-
-TreePoint tree_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 double size_of(const Points& points) {
   Eigen::AlignedBox3d box;
@@ -93,7 +86,7 @@ class CrackJoin {
     if (shortest.empty()) return;
     std::vector<std::pair<TreePoint, int>> entries;
     for (const auto& [v, length] : shortest) entries.emplace_back(tree_point(soup_.points[v]), v);
-    const Tree tree(entries);
+    const PointTree tree(entries);
     const double rounding = rounding_of_floats * size_of(soup_.points);
     for (const auto& [v, length] : shortest) {
       const Vec3& p = soup_.points[v];

@@ -2,10 +2,8 @@
 #include "repair/stitch_boundaries.h"
 
 #include "core/error.h"
+#include "mesh/point_tree.h"
 #include "mesh/triangulate_polygon.h"
-
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,11 +19,6 @@ namespace loopmend {
 namespace {
 
 namespace bg = boost::geometry;
-using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
-using TreeBox = bg::model::box<TreePoint>;
-using Tree = bg::index::rtree<std::pair<TreePoint, int>, bg::index::quadratic<16>>;
-
-TreePoint tree_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// A boundary edge of the soup, as it runs in its face.
 struct BoundaryEdge {
@@ -125,7 +118,7 @@ class Stitching {
       size_[v] = sum[v] / count[v];
       entries.emplace_back(tree_point(soup_.points[v]), static_cast<int>(v));
     }
-    tree_ = Tree(entries);
+    tree_ = PointTree(entries);
   }
 
   int root(int v) {
@@ -235,7 +228,7 @@ class Stitching {
   std::vector<double> size_;  // mean length of the boundary edges at each; 0 where there are none
   std::vector<BoundaryEdge> edges_;
   std::set<std::pair<int, int>> neighbors_;  // ends of boundary edges
-  Tree tree_;
+  PointTree tree_;
 };
 
 void check(const StitchTolerance& tolerance) {
