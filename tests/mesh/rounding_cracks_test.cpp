@@ -14,7 +14,7 @@
 namespace loopmend {
 namespace {
 
-JoinedCracks joined(TriangleSoup& soup) {
+JoinedCracks join_cracks(TriangleSoup& soup) {
   return join_rounding_cracks(soup, survey_vertices(soup.triangles, soup.points.size()));
 }
 
@@ -43,7 +43,7 @@ TEST(RoundingCracks, AreClosedAllRoundABall) {
   ASSERT_GT(count, 40U);
   ASSERT_GT(watertightness(soup).open_edges, 80U);
   const Points before = soup.points;
-  const JoinedCracks cracks = joined(soup);
+  const JoinedCracks cracks = join_cracks(soup);
   EXPECT_EQ(cracks.vertices, count);
   EXPECT_GT(cracks.largest, 5e-7);
   EXPECT_LT(cracks.largest, 9e-7);
@@ -56,7 +56,7 @@ TEST(RoundingCracks, AreClosedAllRoundABall) {
 TEST(RoundingCracks, ZeroBesideANumberThatShouldBeZero) {
   TriangleSoup soup = make_icosphere(3);
   tear(soup, [] { return Vec3(0, 0, 6e-17); });
-  EXPECT_GT(joined(soup).vertices, 0U);
+  EXPECT_GT(join_cracks(soup).vertices, 0U);
   EXPECT_EQ(watertightness(soup).open_edges, 0U);
 }
 
@@ -66,21 +66,21 @@ TEST(RoundingCracks, AreMeasuredByTheSizeOfTheMesh) {
     TriangleSoup soup = make_icosphere(3);
     tear(soup, [] { return Vec3(0, 0, 1e-5); });
     for (Vec3& p : soup.points) p *= size;
-    EXPECT_EQ(joined(soup).vertices, 0U) << size;
+    EXPECT_EQ(join_cracks(soup).vertices, 0U) << size;
     soup = make_icosphere(3);
     tear(soup, [] { return Vec3(0, 0, 1e-6); });
     for (Vec3& p : soup.points) p *= size;
-    EXPECT_GT(joined(soup).vertices, 0U) << size;
+    EXPECT_GT(join_cracks(soup).vertices, 0U) << size;
   }
   TriangleSoup far = make_icosphere(3);
   tear(far, [] { return Vec3(0, 0, 5e-4); });
   for (Vec3& p : far.points) p.x() += 1e3;
-  EXPECT_GT(joined(far).vertices, 0U);
+  EXPECT_GT(join_cracks(far).vertices, 0U);
 }
 
 TEST(RoundingCracks, LeaveHolesAndFineDetail) {
   TriangleSoup open = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; });
-  EXPECT_EQ(joined(open).vertices, 0U);
+  EXPECT_EQ(join_cracks(open).vertices, 0U);
   // Cracks far below a millionth of the size of the whole: by their own edges, one is rounding and the other is not.
   TriangleSoup fine = make_icosphere(3);
   tear(fine, [] { return Vec3(0, 0, 1e-6); });
@@ -88,7 +88,7 @@ TEST(RoundingCracks, LeaveHolesAndFineDetail) {
   const int first = static_cast<int>(fine.points.size());
   for (const Vec3& p : {Vec3(0, 0, 100), Vec3(1, 0, 100), Vec3(0, 1, 100)}) fine.points.push_back(p);
   fine.triangles.push_back({first, first + 1, first + 2});
-  EXPECT_GT(joined(fine).vertices, 0U) << "1e-11 beside edges of 1e-6";
+  EXPECT_GT(join_cracks(fine).vertices, 0U) << "1e-11 beside edges of 1e-6";
   TriangleSoup as_fine = make_icosphere(3);
   tear(as_fine, [] { return Vec3(0, 0, 0.01); });
   const std::size_t faces = as_fine.triangles.size();
@@ -97,7 +97,7 @@ TEST(RoundingCracks, LeaveHolesAndFineDetail) {
   as_fine.points.emplace_back(0, 1, 1e6);
   const int last = static_cast<int>(as_fine.points.size()) - 1;
   as_fine.triangles.push_back({last - 2, last - 1, last});
-  EXPECT_EQ(joined(as_fine).vertices, 0U) << "0.01 is no rounding of edges of 0.15";
+  EXPECT_EQ(join_cracks(as_fine).vertices, 0U) << "0.01 is no rounding of edges of 0.15";
   EXPECT_EQ(as_fine.triangles.size(), faces + 1);
 }
 
@@ -112,10 +112,10 @@ TEST(RoundingCracks, NoEdgeGetsAThirdFace) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   const Triangles before = soup.triangles;
-  EXPECT_EQ(joined(soup).vertices, 0U);
+  EXPECT_EQ(join_cracks(soup).vertices, 0U);
   EXPECT_EQ(soup.triangles, before);
   soup.triangles.pop_back();
-  EXPECT_EQ(joined(soup).vertices, 2U);
+  EXPECT_EQ(join_cracks(soup).vertices, 2U);
 }
 
 TEST(RoundingCracks, NoFaceIsDoubled) {
@@ -125,7 +125,7 @@ TEST(RoundingCracks, NoFaceIsDoubled) {
     for (const Vec3& p : {Vec3(0, 0, height), Vec3(1, 0, height), Vec3(0, 1, height)}) soup.points.push_back(p);
     soup.triangles.push_back({first, first + 1, first + 2});
   }
-  EXPECT_EQ(joined(soup).vertices, 0U);
+  EXPECT_EQ(join_cracks(soup).vertices, 0U);
 }
 
 /// Two triangles that touch at their tips close nothing.
@@ -133,7 +133,7 @@ TEST(RoundingCracks, WhatOnlyTouchesStaysApart) {
   TriangleSoup soup;
   soup.points = {{0, 0, 0}, {1, 1, 0}, {1, -1, 0}, {-1e-8, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
   soup.triangles = {{0, 2, 1}, {3, 4, 5}};
-  EXPECT_EQ(joined(soup).vertices, 0U);
+  EXPECT_EQ(join_cracks(soup).vertices, 0U);
 }
 
 }  // namespace
