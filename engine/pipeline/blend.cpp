@@ -25,14 +25,15 @@ PatchResult flow_between(const PatchProblem& problem, const EvolutionOptions& op
                          const CancelToken& cancel) {
   PatchResult pure = solve_patch(problem, options, on_step, cancel);
   const bool may_bend = options.flow == FlowKind::mmcvf && options.mode == EvolutionMode::steady && !options.bending;
-  const bool good =
-      (is_at_end(pure.status) && worst(pure.verdicts) != Grade::bad) || pure.status == PatchStatus::filled;
+  const bool sound = pure.validity.is_clean() && worst(pure.verdicts) != Grade::bad;
+  const bool good = (is_at_end(pure.status) && sound) || pure.status == PatchStatus::filled;
   if (good || !may_bend || cancel.cancelled()) return pure;
   EvolutionOptions stiffer = options;
   stiffer.bending = against_necks;
   PatchResult bent = solve_patch(problem, stiffer, on_step, cancel);
-  if (bent.status != PatchStatus::converged || worst(bent.verdicts) == Grade::bad) return pure;
-  bent.reason = worst(pure.verdicts) == Grade::bad
+  const bool bent_is_sound = bent.validity.is_clean() && worst(bent.verdicts) != Grade::bad;
+  if (bent.status != PatchStatus::converged || !bent_is_sound) return pure;
+  bent.reason = !sound
                     ? "the patch of the flow itself had a fault; with bending energy mixed in it has none"
                     : "the flow itself did not converge; with bending energy mixed in it did";
   bent.attempts.insert(bent.attempts.begin(), pure.attempts.begin(), pure.attempts.end());

@@ -15,12 +15,17 @@ SeamReport seam(double angle_deg, double jump) {
 }
 
 bool praises(const SeamReport& before, const SeamReport& now) {
-  return labels::seam_sentence(before, now, PatchStatus::converged).contains(QStringLiteral("times smaller"));
+  return labels::seam_sentence(before, now, PatchStatus::converged, Grade::good).contains(QStringLiteral("times smaller"));
 }
 
 TEST(SeamSentence, PraisesASmallerJumpOfCurvature) {
   EXPECT_TRUE(praises(seam(20, 100), seam(0.5, 2)));
   EXPECT_FALSE(praises(seam(20, 2), seam(0.5, 100)));
+}
+
+TEST(SeamSentence, DoesNotPraiseABadPatch) {
+  const QString text = labels::seam_sentence(seam(20, 100), seam(0.5, 2), PatchStatus::converged, Grade::bad);
+  EXPECT_FALSE(text.contains(QStringLiteral("times smaller")));
 }
 
 TEST(SeamSentence, DoesNotPraiseASharpCreaseNorOneThatGrew) {

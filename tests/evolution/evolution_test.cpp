@@ -162,7 +162,7 @@ TEST(Evolution, GmresAndDirectTakeTheSameSteps) {
   for (int i = 0; i < start.free_count; ++i) way = std::max(way, (a.patch().positions[i] - start.positions[i]).norm());
   EXPECT_GT(way, 0.01);
   for (int i = 0; i < a.patch().free_count; ++i)
-    ASSERT_LT((a.patch().positions[i] - b.patch().positions[i]).norm(), 1e-6);
+    ASSERT_LT((a.patch().positions[i] - b.patch().positions[i]).norm(), 2e-6);  // of the way, 1e-4
 }
 
 EvolutionOptions flow_steps(double sigma, int steps) {

@@ -65,7 +65,7 @@ TEST(FlatCut, ClosesBothEndsOfAnyStraightTube) {
       for (const double noise : {0.0, 1e-4, 2e-3, 1e-2})
         for (const bool single : {false, true}) {
           const int rows = std::max(1, static_cast<int>(length * sides / 6));
-          TriangleSoup soup = make_revolution([](double) { return 1.0; }, 0, length, rows, sides);
+          TriangleSoup soup = make_revolution([](double) { return 1.0; }, 0, length, sides, rows);
           const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
           Random random(17);
           for (Vec3& p : soup.points) {

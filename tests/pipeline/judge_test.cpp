@@ -12,9 +12,9 @@
 namespace loopmend {
 namespace {
 
-/// A sphere without its cap above z = 0.8, and what a judge says of patches over it.
+/// A sphere without its cap above z = 0.5, and what a judge says of patches over it.
 struct OpenSphere {
-  SurfaceModel model = test::open_sphere(4, 0.8);
+  SurfaceModel model = test::open_sphere(4, 0.5);
   Patch initial = test::start_of(model);
   ScanIndex scan{model};
   Judge judge{initial, {LoopEnd::runs_on}, Judge::Creases::unwanted};
@@ -34,13 +34,13 @@ TEST(Judge, CallsTheSphereGoodAndThePlaneACrease) {
   const Verdict sphere = open.of([](const Vec3& p) { return p.normalized(); });
   EXPECT_EQ(sphere.grade, Grade::good) << sphere.sentence();
   EXPECT_LT(sphere.crease_deg, 10);
-  EXPECT_NEAR(sphere.height, 0.2 / 1.2, 0.02);  // of the cap over its circle of radius 0.6
+  EXPECT_NEAR(sphere.height, 0.5 / std::sqrt(3.0), 0.02);  // of the cap over its circle of diameter √3
   EXPECT_EQ(sphere.sentence(), "");
-  const Verdict plane = open.of([](const Vec3& p) { return Vec3(p.x(), p.y(), 0.8); });
+  const Verdict plane = open.of([](const Vec3& p) { return Vec3(p.x(), p.y(), 0.5); });
   EXPECT_EQ(plane.grade, Grade::look);
   ASSERT_EQ(plane.findings.size(), 1u);
   EXPECT_EQ(plane.findings[0].code, NoticeCode::crease);
-  EXPECT_NEAR(plane.findings[0].arguments.at(0), 37, 8);  // acos 0.8
+  EXPECT_NEAR(plane.findings[0].arguments.at(0), 60, 8);  // acos 0.5
   EXPECT_EQ(plane.findings[0].arguments.at(1), static_cast<double>(open.initial.loops[0].size()));
 }
 
@@ -60,11 +60,11 @@ TEST(Judge, FindsABumpThatNoBallExplains) {
   const OpenSphere open;
   const Verdict bump = open.of([](const Vec3& p) {
     const Vec3 on = p.normalized();
-    const double r = std::hypot(on.x(), on.y()) / 0.6;
+    const double r = std::hypot(on.x(), on.y()) / 0.87;
     return Vec3(on.x(), on.y(), on.z() + 0.5 * std::exp(-6 * r * r));
   });
   EXPECT_NE(bump.grade, Grade::good);
-  EXPECT_NEAR(bump.height, 0.7 / 1.2, 0.03);
+  EXPECT_NEAR(bump.height, 1 / std::sqrt(3.0), 0.06);
 }
 
 TEST(Judge, ADomeOverAFlatLoopIsBad) {
