@@ -78,8 +78,10 @@ bool position(const Situation& s, PatchResult& result) {
 }
 
 bool flow(const Situation& s, PatchResult& result) {
-  const auto is_sound = [](const PatchResult& run) {
-    return run.status != PatchStatus::filled && worst(run.verdicts) != Grade::bad;
+  // Stricter than the judge: a run that folds at all may have ended in another steady state than one from another start.
+  const auto is_sound = [&](const PatchResult& run) {
+    return run.status != PatchStatus::filled && worst(run.verdicts) != Grade::bad &&
+           (run.validity.is_clean() || no_worse(run.validity, validate(s.context.problem.scan, s.initial())));
   };
   result = best_of_starts(
       s.initial(), s.options, s.context.cancel,

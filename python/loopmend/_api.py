@@ -152,7 +152,7 @@ def fill(
         >>> scan = loopmend.sample()
         >>> result = loopmend.fill(scan.vertices, scan.faces, loops=[6])
         >>> [hole.status for hole in result.holes]
-        ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'converged']
+        ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'early_stop']
     """
     options = {
         **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed), "loops": _numbers(loops),

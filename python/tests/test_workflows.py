@@ -45,7 +45,7 @@ def test_the_workflow_fills_each_scan_once(folder):
     rows = list(csv.reader((folder / "summary.csv").open()))
     assert rows[0] == ["scan", "loop", "status", "new vertices", "message"]
     assert [(row[0], row[1], row[2]) for row in rows[1:]] == [
-        *(("a face", str(k), "converged") for k in range(2, 7)), ("ball", "1", "converged")]
+        *(("a face", str(k), "early_stop") for k in range(2, 7)), ("ball", "1", "converged")]
     mesh = loopmend.read(folder / "filled/ball.ply")
     assert loopmend.boundary_loops(mesh.vertices, mesh.faces) == []
 

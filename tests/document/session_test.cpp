@@ -57,6 +57,13 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   state->seams = {seam};
   seam.g1_rms_deg = 16;
   state->seams_before = {seam};
+  Verdict verdict;
+  verdict.grade = Grade::look;
+  verdict.findings = {{NoticeCode::crease, {50, 12}}};
+  verdict.crease_deg = 51;
+  verdict.height = 0.25;
+  verdict.folds = 2;
+  state->verdicts = {verdict};
   return state;
 }
 
@@ -120,6 +127,14 @@ void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.energy.initial, b.energy.initial);
   EXPECT_EQ(a.seconds.total, b.seconds.total);
   ASSERT_EQ(a.seams.size(), b.seams.size());
+  ASSERT_EQ(a.verdicts.size(), b.verdicts.size());
+  for (std::size_t i = 0; i < a.verdicts.size(); ++i) {
+    EXPECT_EQ(a.verdicts[i].grade, b.verdicts[i].grade);
+    EXPECT_EQ(a.verdicts[i].findings, b.verdicts[i].findings);
+    EXPECT_EQ(a.verdicts[i].crease_deg, b.verdicts[i].crease_deg);
+    EXPECT_EQ(a.verdicts[i].height, b.verdicts[i].height);
+    EXPECT_EQ(a.verdicts[i].folds, b.verdicts[i].folds);
+  }
   ASSERT_EQ(a.seams_before.size(), b.seams_before.size());
   for (std::size_t i = 0; i < a.seams.size(); ++i) {
     expect_same(a.seams[i], b.seams[i]);

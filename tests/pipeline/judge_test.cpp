@@ -3,7 +3,6 @@
 
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
-#include "support/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +11,19 @@
 namespace loopmend {
 namespace {
 
-/// A sphere without its cap above z = 0.5, and what a judge says of patches over it.
+/// A sphere open above z = 0.5 along a plane circle, and what a judge says of patches over it.
 struct OpenSphere {
-  SurfaceModel model = test::open_sphere(4, 0.5);
-  Patch initial = test::start_of(model);
+  SurfaceModel model =
+      make_surface_model(make_revolution([](double z) { return std::sqrt(1 - z * z); }, -0.95, 0.5, 48, 32));
+  BoundaryLoop loop = upper();
+  Patch initial = *make_initial_patch(model, {loop}, {}, {}).patch;
   ScanIndex scan{model};
   Judge judge{initial, {LoopEnd::runs_on}, Judge::Creases::unwanted};
+
+  BoundaryLoop upper() const {
+    const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+    return loops[0].center.z() > loops[1].center.z() ? loops[0] : loops[1];
+  }
 
   /// The initial patch with each free vertex where `place` puts it, mesh units.
   template <class Place>
@@ -61,10 +67,10 @@ TEST(Judge, FindsABumpThatNoBallExplains) {
   const Verdict bump = open.of([](const Vec3& p) {
     const Vec3 on = p.normalized();
     const double r = std::hypot(on.x(), on.y()) / 0.87;
-    return Vec3(on.x(), on.y(), on.z() + 0.5 * std::exp(-6 * r * r));
+    return Vec3(on.x(), on.y(), on.z() + 1.0 * std::exp(-6 * r * r));
   });
   EXPECT_NE(bump.grade, Grade::good);
-  EXPECT_NEAR(bump.height, 1 / std::sqrt(3.0), 0.06);
+  EXPECT_NEAR(bump.height, 1.5 / std::sqrt(3.0), 0.08);
 }
 
 TEST(Judge, ADomeOverAFlatLoopIsBad) {
