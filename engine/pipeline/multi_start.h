@@ -18,7 +18,7 @@ template <class Run, class Rate>
 PatchResult best_of_starts(const Patch& patch, const EvolutionOptions& options, const CancelToken& cancel,
                            const Run& run, const Rate& rate) {
   // Straight ways take fewer steps; those that take more may have ended in a bubble.
-  constexpr int suspiciously_many_steps = 12;
+  constexpr int suspiciously_many_steps = 10;
   constexpr int most_fresh_meshes = 2;
   constexpr int worth_trying_again = 20'000;  // free vertices: above, a run takes long
   auto best = run(patch, options);

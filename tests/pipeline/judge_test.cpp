@@ -55,7 +55,7 @@ TEST(Judge, FindsAFold) {
   int moved = 0;
   const Verdict folded = open.of([&](const Vec3& p) {
     const Vec3 on = p.normalized();
-    return moved++ == 0 ? Vec3(on.x() + 0.5, on.y(), on.z()) : on;
+    return moved++ == 0 ? Vec3(-on.x(), -on.y(), on.z()) : on;  // across the hole
   });
   EXPECT_EQ(folded.grade, Grade::bad);
   EXPECT_GT(folded.folds, 0);
