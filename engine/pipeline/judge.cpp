@@ -211,10 +211,10 @@ void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double u
     }
     if (bends[k] > std::max(crease_deg, usual + crease_more_deg)) crease.add(bends[k]);
   }
-  const bool creases_are_right = creases_ == Creases::asked_for || ends_at(l);
+  if (creases_ == Creases::asked_for || ends_at(l)) return;
   if (torn.counts(torn_share, bends.size()))
     add(verdict, Grade::bad, {NoticeCode::torn_seam, {torn.mean, static_cast<double>(torn.edges), was.mean}});
-  else if (!creases_are_right && crease.counts(crease_share, bends.size()))
+  else if (crease.counts(crease_share, bends.size()))
     add(verdict, Grade::look, {NoticeCode::crease, {crease.mean, static_cast<double>(crease.edges)}});
 }
 
