@@ -168,6 +168,7 @@ Judge::Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases)
 std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& validity,
                                        const std::vector<SeamReport>& seams) const {
   std::vector<Verdict> verdicts(patch.loops.size());
+  if (verdicts.empty()) return verdicts;
   const Bends bends(patch);
   const std::vector<int> loop_of = loop_of_triangles(patch);
   for (int f : bends.folds) ++verdicts[loop_of[f]].folds;
