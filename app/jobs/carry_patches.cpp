@@ -2,6 +2,7 @@
 #include "jobs/carry_patches.h"
 
 #include <algorithm>
+#include <utility>
 #include <optional>
 
 namespace loopmend {
@@ -31,9 +32,13 @@ class Carrier {
   int loop(const BoundaryLoop& old) const {
     std::vector<int> wanted;
     for (int v : old.vertices) wanted.push_back(vertex(v));
-    std::rotate(wanted.begin(), std::min_element(wanted.begin(), wanted.end()), wanted.end());
-    const auto found =
-        std::find_if(to_.loops.begin(), to_.loops.end(), [&](const BoundaryLoop& l) { return l.vertices == wanted; });
+    const auto from_lowest = [](std::vector<int> vertices) {
+      std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+      return vertices;
+    };
+    wanted = from_lowest(std::move(wanted));
+    const auto found = std::find_if(to_.loops.begin(), to_.loops.end(),
+                                    [&](const BoundaryLoop& l) { return from_lowest(l.vertices) == wanted; });
     return found == to_.loops.end() ? none : static_cast<int>(found - to_.loops.begin());
   }
 
