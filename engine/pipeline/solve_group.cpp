@@ -77,7 +77,8 @@ class GroupSolver {
   GroupResult part(const InitialPatch& initial) const {
     GroupResult joint = jointly(initial);
     const bool spoilt = std::any_of(joint.holes.begin(), joint.holes.end(), [&](const HoleResult& hole) {
-      return hole.status == PatchStatus::failed || hole.verdict().grade == Grade::bad ||
+      return hole.status == PatchStatus::failed || hole.outcome().attempts.size() > 1 ||
+             hole.verdict().grade == Grade::bad ||
              (options_.evolution && hole.status == PatchStatus::filled);
     });
     if (initial.loops.size() == 1 || !spoilt || cancel_.cancelled()) return joint;
