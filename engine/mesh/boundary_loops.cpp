@@ -32,6 +32,9 @@ constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
 /// So does a boundary that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
 /// mask, or a ragged scan seen from one side, however its boundary turns.
 constexpr double whole_extent = 0.84, sheet_depth = 0.475, straight_on = 0.9;
+/// But not one that turns as a hole does, with less than this share of its piece's area within: a slot along a rod has 0.12, while
+/// of 40 shared sheets whose boundary turns so, or is ragged, each has more than 0.26.
+constexpr double least_area_of_a_sheet = 0.2;
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
   Points points;
@@ -150,10 +153,11 @@ bool turns_like_a_sheet(const BoundaryLoop& loop) {
 }
 
 bool runs_round_a_sheet(const BoundaryLoop& loop) {
-  return loop.extent > whole_extent && loop.depth < sheet_depth && loop.onward < straight_on;
+  const bool is_closed_but_for_it = loop.turning < 0 && loop.area < least_area_of_a_sheet * loop.area_beside;
+  return loop.extent > whole_extent && loop.depth < sheet_depth && loop.onward < straight_on && !is_closed_but_for_it;
 }
 
-/// Fills onward, extent and depth. The depth is measured only where it may matter.
+/// Fills onward, extent, depth and area_beside. The last two are measured only where they may matter.
 void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std::vector<BoundaryLoop>& loops) {
   std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>>
       at_piece;  // loops whose depth is asked for, and their axes
@@ -172,6 +176,11 @@ void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std:
     if (asked == at_piece.end()) return;
     for (const auto& [loop, axis] : asked->second)
       loop->depth = std::max(loop->depth, std::abs(axis.dot(point - loop->center)) / loop->diameter);
+  });
+  pieces.for_each_triangle([&](int piece, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto asked = at_piece.find(piece);
+    if (asked == at_piece.end()) return;
+    for (const auto& [loop, axis] : asked->second) loop->area_beside += (b - a).cross(c - a).norm() / 2;
   });
 }
 
@@ -229,10 +238,12 @@ LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const Soup
     if (edges.has_several_faces(model.soup_vertex[loop.vertices[i]], model.soup_vertex[loop.vertices[(i + 1) % n]]))
       return LoopKind::cut;
   if (loop.coincident == loop.edges()) return LoopKind::crack;
-  return turns_like_a_sheet(loop) || runs_round_a_sheet(loop) ? LoopKind::outer_rim : LoopKind::hole;
+  return is_shaped_like_a_hole(loop) ? LoopKind::hole : LoopKind::outer_rim;
 }
 
 }  // namespace
+
+bool is_shaped_like_a_hole(const BoundaryLoop& loop) { return !turns_like_a_sheet(loop) && !runs_round_a_sheet(loop); }
 
 const char* to_string(LoopKind kind) {
   switch (kind) {

@@ -34,8 +34,9 @@ struct BoundaryLoop {
   double extent = 0;           ///< diagonal of the loop's box divided by that of its piece of surface
   double depth =
       0;  ///< reach of its piece from the loop's plane, in diameters; 0 where the extent rules an outline out
-  double onward = 0;   ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
-  int coincident = 0;  ///< edges that lie exactly on another boundary edge, of this loop or another
+  double area_beside = 0;  ///< of its piece of surface; 0 where the extent rules an outline out
+  double onward = 0;       ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
+  int coincident = 0;      ///< edges that lie exactly on another boundary edge, of this loop or another
   LoopKind kind = LoopKind::hole;
   /// Chords (i, k), i < k, over indices into `vertices`: the surface has an edge between these positions, on whatever part of
   /// it, so that a patch with that edge would make one of more than two faces. Ascending.
@@ -47,6 +48,9 @@ struct BoundaryLoop {
 };
 
 /// What told an outer rim from a hole, for a person, without a full stop; empty for other kinds.
+/// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says.
+bool is_shaped_like_a_hole(const BoundaryLoop& loop);
+
 std::string why_outer_rim(const BoundaryLoop& loop);
 
 /// All loops, by falling perimeter, then by lowest view vertex.

@@ -241,6 +241,20 @@ TEST(SurfaceModel, AtAnEdgeOfFourFacesTheFlattestPairsStayTogether) {
   for (const BoundaryLoop& loop : loops) EXPECT_EQ(loop.edges(), 4);
 }
 
+/// Shallow beside its length, and as long as the part: yet all of the part's surface lies behind it.
+TEST(BoundaryLoops, ALongSlotInALongClosedPartIsAHole) {
+  TriangleSoup soup = make_icosphere(6);
+  for (Vec3& p : soup.points) p.z() *= 15;
+  const auto opened = [&](double half_width) {
+    return find_boundary_loops(make_surface_model(trim_boundaries(cut(
+        soup, [=](const Vec3& p) { return p.x() > 0 && std::abs(p.y()) < half_width && std::abs(p.z()) < 13.5; }))));
+  };
+  const std::vector<BoundaryLoop> slot = opened(0.1);
+  ASSERT_EQ(slot.size(), 1U);
+  EXPECT_GT(slot[0].extent, 0.84);
+  EXPECT_EQ(slot[0].kind, LoopKind::hole);
+}
+
 TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   const auto cap = [](double height) {
     return find_boundary_loops(
