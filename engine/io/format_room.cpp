@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -126,11 +127,12 @@ void add_table(std::vector<NotKept>& list, const Room& room, const TriangleSoup&
 
 void add_columns(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup, bool of_faces) {
   const ScanAttributes& scan = attributes_of(soup);
+  std::set<std::string> known;
+  for (const NotKept& entry : list) known.insert(entry.what);
   for (const AttributeColumn& column : of_faces ? scan.faces : scan.points) {
     if (holds(room, soup, of_faces, column)) continue;
     const std::string words = words_for(of_faces ? "face" : "vertex", column, scan.format);
-    const bool known = std::any_of(list.begin(), list.end(), [&](const NotKept& entry) { return entry.what == words; });
-    if (!known) count_not_kept(list, words, column.rows());
+    if (column.rows() > 0 && known.insert(words).second) list.push_back({words, column.rows()});
   }
 }
 

@@ -15,11 +15,11 @@ void count_not_kept(std::vector<NotKept>& list, const std::string& what, std::si
 }
 
 std::string to_string(const std::vector<NotKept>& list) {
+  constexpr std::size_t most_named = 20;
   std::string text;
-  for (const NotKept& entry : list) {
-    if (!text.empty()) text += ", ";
-    text += entry.what + " (" + std::to_string(entry.count) + ")";
-  }
+  for (std::size_t k = 0; k < std::min(list.size(), most_named); ++k)
+    text += (k > 0 ? ", " : "") + list[k].what + " (" + std::to_string(list[k].count) + ")";
+  if (list.size() > most_named) text += " and " + std::to_string(list.size() - most_named) + " more";
   return text;
 }
 

@@ -8,6 +8,8 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace loopmend {
@@ -104,6 +106,7 @@ class HeaderReader {
     }
     element.count = static_cast<std::uint64_t>(*number);
     header_.elements.push_back(std::move(element));
+    property_names_.clear();
   }
 
   void read_property() {
@@ -119,12 +122,9 @@ class HeaderReader {
     property.type = require_type(word);
     property.name = cursor_.next_token();
     if (property.name.empty()) errors_.fail("a property without a name", cursor_.place());
-    std::vector<PlyProperty>& properties = header_.elements.back().properties;
-    const auto same_name = [&](const PlyProperty& other) { return other.name == property.name; };
-    if (std::any_of(properties.begin(), properties.end(), same_name)) {
+    if (!property_names_.insert(property.name).second)
       errors_.fail("a second property " + in_quotes(property.name), cursor_.place());
-    }
-    properties.push_back(std::move(property));
+    header_.elements.back().properties.push_back(std::move(property));
   }
 
   PlyType require_type(std::string_view word) {
@@ -162,6 +162,7 @@ class HeaderReader {
   TextCursor cursor_;
   PlyHeader header_;
   bool has_format_ = false;
+  std::set<std::string> property_names_;  ///< of the last element
 };
 
 }  // namespace
