@@ -34,8 +34,8 @@ class LimitError : public Error {
 
 /// What is said of the loops of a mesh with very many: counts and the largest, or each.
 enum class Detail { summary, all };
-inline constexpr std::size_t most_loops_in_full = 50;  ///< of more there is a summary
-inline constexpr std::size_t largest_loops = 10;       ///< in a summary
+inline constexpr std::size_t most_loops_in_full = 50;      ///< of more there is a summary
+inline constexpr std::size_t largest_loops = 10;           ///< in a summary
 inline constexpr std::size_t most_loops_in_report = 1000;  ///< with all their figures, in JSON; of others the main ones
 
 /// Whether it is told if the surface could be printed.
@@ -62,6 +62,8 @@ struct FillCommand {
   int all_but_largest = 0;             ///< how many of the largest loops are left
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
   FillOptions fill;
+  /// Whether stitching, repair and trimming of what crosses are done where the mesh needs them, beside what is asked for.
+  enum class Prepare { as_asked, where_needed } prepare = Prepare::as_asked;
   enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
   StitchTolerance stitch_tolerance{};                 ///< how near they must be
   std::set<Defect> repair;                            ///< what is mended first; empty: nothing
@@ -74,6 +76,7 @@ struct FillCommand {
   std::optional<double> max_memory_mb;  ///< of the whole process, above 0; without: nine tenths of what is available
   enum class WhenStopped { discard, keep_finished } when_stopped = WhenStopped::discard;  ///< by a signal
   enum class Content { surface, patches } content = Content::surface;                     ///< what is written
+  enum class Deviations { not_written, written } deviations = Deviations::not_written;    ///< of each new vertex
   Check check = Check::no;                                                                ///< of what is written
   WriteScanOptions write;
   Verbosity verbosity = Verbosity::normal;

@@ -122,6 +122,11 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
                    "Pieces of surface within a hole: join them to its patch, or cover them with it")
       ->check(CLI::IsMember({"join", "cover"}))
       ->capture_default_str();
+  fill->add_flag_callback(
+      "--auto", [&command] { command.prepare = FillCommand::Prepare::where_needed; },
+      "Do first what this mesh needs, and nothing else: --stitch where boundaries nearly coincide, --repair where "
+      "loops "
+      "run along edges of more than two faces, --trim-crossing where no patch could be valid");
   fill->add_option("--stitch", words.stitch,
                    "Zip boundaries that lie within L of each other first (mesh units), or within P percent of their "
                    "edges; 10% where nothing follows")
@@ -164,6 +169,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_flag_callback(
       "--mark", [&command] { command.write.new_faces = NewFaces::labelled; },
       "Label the new triangles: face property patch of PLY, group loopmend_patch of OBJ, object of glTF and 3MF");
+  fill->add_flag_callback(
+      "--deviation", [&command] { command.deviations = FillCommand::Deviations::written; },
+      "PLY: write how far each new vertex is likely from what was there, as vertex property expected_deviation");
   add_flow_options(*fill, words.flow, DensityOption::offer, ReliefOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))

@@ -40,6 +40,14 @@ std::string before_and_after(double before, double after) {
   return short_number(before) + " -> " + short_number(after);
 }
 
+/// Mesh units; "-" where nothing is told.
+std::string likely_off(const ExpectedDeviation& deviation) {
+  if (!deviation.is_known()) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", deviation.likely);
+  return text;
+}
+
 /// The text with … for each number: reasons that differ by a figure are one.
 std::string without_numbers(const std::string& text) {
   std::string plain;
@@ -80,13 +88,14 @@ struct Outcome {
   int left = 0;             ///< as asked
   int unfinished = 0;       ///< when the command was stopped, or its time was over
   int wide_cracks = 0;      ///< left for --stitch
+  int open_cuts = 0;        ///< loops along which the surface had to be cut, but which look like holes
   int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
   bool holes_left = false;  ///< some loop that could be filled was left as asked
 
   /// Nothing was done, and nobody asked for that.
   bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
   int exit_code() const {
-    return failed + bad + unfinished + wide_cracks > 0 || in_vain() ? exit_loops_failed : exit_done;
+    return failed + bad + unfinished + wide_cracks + open_cuts > 0 || in_vain() ? exit_loops_failed : exit_done;
   }
 };
 
@@ -103,6 +112,9 @@ Outcome outcome_of(const std::vector<HoleResult>& results, const std::vector<Loo
       continue;
     }
     outcome.wide_cracks += choices[k].left == LoopChoice::Left::wide_crack;
+    const BoundaryLoop& loop = results[k].loop;
+    outcome.open_cuts += choices[k].left == LoopChoice::Left::no_hole && loop.kind == LoopKind::cut &&
+                         is_shaped_like_a_hole(loop) && 2 * loop.coincident < loop.edges();
     const bool no_hole = choices[k].left != LoopChoice::Left::as_asked;
     ++(no_hole ? outcome.no_hole : outcome.left);
     outcome.holes_left = outcome.holes_left || (!no_hole && !choices[k].is_outer_rim);
@@ -198,14 +210,14 @@ void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
 void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const Outcome& outcome,
                    const FillCommand& command, double seconds) {
   const bool all = command.detail == Detail::all || results.size() <= most_loops_in_full;
-  std::fprintf(out, "%5s  %6s  %6s  %-7s  %-10s  %-16s  %18s  %20s\n", "loop", "edges", "new", "verdict", "status",
-               "method", "angle at seam, deg", "jump of H x diameter");
+  std::fprintf(out, "%5s  %6s  %6s  %-7s  %-10s  %-10s  %-16s  %18s  %20s\n", "loop", "edges", "new", "verdict",
+               "likely off", "status", "method", "angle at seam, deg", "jump of H x diameter");
   for (std::size_t k = 0; k < (all ? results.size() : largest_loops); ++k) {
     const HoleResult& r = results[k];
     const Verdict verdict = r.verdict();
     const bool filled = is_filled(r.status);
-    std::fprintf(out, "%5d  %6d  %6d  %-7s  %-10s", r.loop.number, r.loop.edges(), r.free_vertices,
-                 filled ? to_string(verdict.grade) : "-", to_string(r.status));
+    std::fprintf(out, "%5d  %6d  %6d  %-7s  %10s  %-10s", r.loop.number, r.loop.edges(), r.free_vertices,
+                 filled ? to_string(verdict.grade) : "-", likely_off(r.deviation()).c_str(), to_string(r.status));
     if (filled)
       std::fprintf(out, "  %-16s  %18s  %20s", r.method().c_str(),
                    before_and_after(r.seam_before().g1_rms_deg, r.seam_after().g1_rms_deg).c_str(),
@@ -342,6 +354,7 @@ int run_fill(const FillCommand& command) {
   const bool stopped = cancel.cancelled();
   const Outcome outcome = outcome_of(results, scan.choices);
   WriteScanOptions options = command.write;
+  if (command.deviations == FillCommand::Deviations::written) options.expected_deviation = expected_deviations(results);
   std::size_t exterior = scan.given.points;
   if (command.content == FillCommand::Content::patches) {
     if (outcome.filled == 0) {
@@ -386,6 +399,10 @@ int run_fill(const FillCommand& command) {
     print_beside(out, written);
     print_import_losses(out, opened.report);
     print_coincident(out, opened.report, scan.loops);
+    if (outcome.open_cuts > 0 && !outcome.in_vain())
+      std::fprintf(
+          out, "%s along edges of more than two faces and left open: fill again with --auto.\n",
+          counted(outcome.open_cuts, "loop that looks like a hole runs", "loops that look like holes run").c_str());
     if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command, outcome.wide_cracks);
   }
   if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;

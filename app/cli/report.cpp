@@ -99,6 +99,12 @@ Json verdict_json(const Verdict& verdict) {
           {"folds", verdict.folds}};
 }
 
+/// Null where nothing is told.
+Json deviation_json(const ExpectedDeviation& deviation) {
+  if (!deviation.is_known()) return nullptr;
+  return {{"half", deviation.half}, {"likely", deviation.likely}, {"most", deviation.most}};
+}
+
 /// J of the split and its last relative decrease; null where the patch was not made by a descent of J.
 Json split_energy_json(const std::vector<StepRecord>& history) {
   if (history.empty() || !(history.back().split.total() > 0)) return nullptr;
@@ -121,6 +127,7 @@ Json loop_json(const HoleResult& result) {
   if (is_filled(result.status)) {
     const Proportion proportion = result.proportion();
     json["verdict"] = verdict_json(result.verdict());
+    json["expected_deviation"] = deviation_json(result.deviation());
     json["proportion"] = {{"area", json_number(proportion.area)},
                           {"depth", json_number(proportion.depth)},
                           {"energy", json_number(proportion.energy)}};
@@ -149,6 +156,7 @@ Json brief_loop_json(const HoleResult& result) {
           {"message", result.message},
           {"method", result.method()},
           {"grade", is_filled(result.status) ? Json(to_string(result.verdict().grade)) : Json()},
+          {"expected_deviation", deviation_json(result.deviation())},
           {"free_vertices", result.free_vertices},
           {"seam_after", seam_json(result.seam_after())}};
 }

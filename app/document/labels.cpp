@@ -236,8 +236,16 @@ QString notice(const Notice& notice) {
     case NoticeCode::crease: return tr("a crease of %1\u00b0 along %2 edges of the seam").arg(whole(0), whole(1));
     case NoticeCode::high_over_loop:
       return tr("rises %1 diameters over its loop; a ball through the seam would rise %2").arg(digits(0), digits(1));
+    case NoticeCode::likely_far:
+      return tr("what was there may lie %1 diameters away: the shape is a guess").arg(digits(0));
   }
   return {};
+}
+
+QString deviation_sentence(const ExpectedDeviation& deviation) {
+  return deviation.is_known()
+             ? tr("Likely within %1 of what was there (80 %).").arg(in_digits(deviation.likely, 'g', 2))
+             : QString();
 }
 
 QString sentence_of(const Verdict& verdict) {

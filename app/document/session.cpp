@@ -17,7 +17,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 7;
+constexpr qint32 format_version = 8;
+constexpr qint32 version_without_deviation = 7;
 constexpr qint32 version_without_verdicts = 6;
 constexpr qint32 version_without_relief = 5;  ///< and without units
 constexpr qint32 version_without_bridges = 4;
@@ -223,6 +224,9 @@ void put(Writer& out, const PatchState& state) {
   }
   out.put(static_cast<quint64>(state.verdicts.size()));
   for (const Verdict& verdict : state.verdicts) put(out, verdict);
+  out.put(static_cast<quint64>(state.deviation.loops.size()));
+  for (const ExpectedDeviation& of_loop : state.deviation.loops)
+    for (double bound : {of_loop.half, of_loop.likely, of_loop.most, of_loop.second_order}) out.put(bound);
 }
 
 Verdict verdict(Reader& in) {
@@ -233,7 +237,7 @@ Verdict verdict(Reader& in) {
   v.folds = in.number<qint32>();
   const int findings = in.count(sizeof(qint32));
   for (int i = 0; i < findings; ++i) {
-    Notice finding{word(in, NoticeCode::high_over_loop), {}};
+    Notice finding{word(in, NoticeCode::likely_far), {}};
     const int arguments = in.count(sizeof(double));
     for (int k = 0; k < arguments; ++k) finding.arguments.push_back(in.number<double>());
     v.findings.push_back(std::move(finding));
@@ -268,6 +272,14 @@ PatchStatePtr state(Reader& in) {
     for (int i = 0; i < count; ++i) s->verdicts.push_back(verdict(in));
     if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
       in.fail("the verdicts of a patch are not complete");
+  }
+  if (in.version > version_without_deviation) {
+    const int count = in.count(4 * sizeof(double));
+    for (int i = 0; i < count; ++i) {
+      ExpectedDeviation& of_loop = s->deviation.loops.emplace_back();
+      for (double* bound : {&of_loop.half, &of_loop.likely, &of_loop.most, &of_loop.second_order})
+        *bound = in.number<double>();
+    }
   }
   return s;
 }
@@ -399,8 +411,9 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 namespace {
 
 bool is_known(qint32 version) {
-  return version == format_version || version == version_without_verdicts || version == version_without_relief ||
-         version == version_without_bridges || version == version_without_boundary || version == first_version;
+  return version == format_version || version == version_without_deviation || version == version_without_verdicts ||
+         version == version_without_relief || version == version_without_bridges ||
+         version == version_without_boundary || version == first_version;
 }
 
 SessionPatch session_patch(Reader& in, int scans) {

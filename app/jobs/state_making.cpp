@@ -33,6 +33,7 @@ std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch
   next->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, old.shape->scan_colors));
   next->seams = seam_reports(patch);
   next->verdicts.clear();
+  next->deviation = {};
   return next;
 }
 
@@ -58,6 +59,7 @@ PatchStatePtr with_verdicts(PatchStatePtr state, const Patch& initial, const std
   auto judged = std::make_shared<PatchState>(*state);
   judged->validity = validate(scan_context.index(), judged->patch);
   judge_again({scan_context.index(), initial, loops}, options, *judged);
+  expect_deviation(options, {}, *judged);
   return judged;
 }
 

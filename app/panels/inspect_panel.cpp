@@ -255,6 +255,9 @@ void InspectPanel::update_seam() {
   QString text = labels::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status,
                                        verdict ? verdict->grade : Grade::good);
   if (verdict && verdict->grade != Grade::good) text = labels::sentence_of(*verdict) + QLatin1Char(' ') + text;
+  if (at < patch.state->deviation.loops.size())
+    if (const QString likely = labels::deviation_sentence(patch.state->deviation.loops[at]); !likely.isEmpty())
+      text += QLatin1Char(' ') + likely;
   sentence_->setText(tr("Hole %1: %2").arg(labels::hole_name(document_, first), text));
 }
 

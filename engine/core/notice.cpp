@@ -39,6 +39,7 @@ const char* to_string(NoticeCode code) {
     case NoticeCode::initial_patch_kept: return "initial_patch_kept";
     case NoticeCode::crease: return "crease";
     case NoticeCode::high_over_loop: return "high_over_loop";
+    case NoticeCode::likely_far: return "likely_far";
   }
   return "";
 }
@@ -66,6 +67,8 @@ std::string english(const Notice& notice) {
     case NoticeCode::high_over_loop:
       return "rises " + two_digits(number(0)) + " diameters over its loop; a ball through the seam would rise " +
              two_digits(number(1));
+    case NoticeCode::likely_far:
+      return "what was there may lie " + two_digits(number(0)) + " diameters away: the shape is a guess";
   }
   return "";
 }

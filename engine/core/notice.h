@@ -20,6 +20,7 @@ enum class NoticeCode {
   initial_patch_kept,   ///< none
   crease,               ///< bend of the seam edges, number of these
   high_over_loop,       ///< height, height of a ball through the seam
+  likely_far,           ///< likely distance from what was there
 };
 
 struct Notice {

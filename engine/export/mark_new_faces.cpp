@@ -18,16 +18,22 @@ std::size_t count_new_faces(const TriangleSoup& soup) {
   return count;
 }
 
-/// Adds the column, or puts it where the file has one of that name; 0 where it is no whole number.
-void mark_by_property(const ScanAttributes& scan, ScanAttributes& continued, std::size_t count) {
-  const AttributeColumn* given = find_column(scan.faces, "patch");
-  const bool usable = given && !given->is_list();
-  AttributeColumn column("patch", usable ? given->type() : ScalarType::uint8);
-  for (std::size_t f = 0; f < count; ++f) column.push(1);
-  if (usable)
-    continued.faces[static_cast<std::size_t>(given - scan.faces.data())] = std::move(column);
-  else if (!given)
-    continued.faces.push_back(std::move(column));
+/// Adds the column to those of what is new, or puts it where the file has one of that name that is no list.
+void put_column(const std::string& name, ScalarType type, const std::vector<double>& values,
+                const std::vector<AttributeColumn>& scan, std::vector<AttributeColumn>& continued) {
+  const AttributeColumn* given = find_column(scan, name);
+  if (given && given->is_list()) return;
+  AttributeColumn column(name, given ? given->type() : type);
+  for (double value : values) column.push(value);
+  if (given)
+    continued[static_cast<std::size_t>(given - scan.data())] = std::move(column);
+  else
+    continued.push_back(std::move(column));
+}
+
+std::shared_ptr<ScanAttributes> continued_of(TriangleSoup& soup) {
+  if (!soup.attributes) soup.attributes = std::make_shared<ScanAttributes>();
+  return std::make_shared<ScanAttributes>(soup.continued ? *soup.continued : ScanAttributes{});
 }
 
 FaceNames& names_under(const std::string& keyword, ScanAttributes& attributes) {
@@ -56,14 +62,26 @@ void mark_by_name(const std::string& keyword, TriangleSoup& soup, ScanAttributes
 bool mark_new_faces(const std::filesystem::path& path, TriangleSoup& soup) {
   const Format format = format_of(path);
   if (format == Format::stl || format == Format::off) return false;
-  if (!soup.attributes) soup.attributes = std::make_shared<ScanAttributes>();
-  auto continued = std::make_shared<ScanAttributes>(soup.continued ? *soup.continued : ScanAttributes{});
+  const auto continued = continued_of(soup);
   const std::size_t count = count_new_faces(soup);
   if (format == Format::ply)
-    mark_by_property(*soup.attributes, *continued, count);
+    put_column("patch", ScalarType::uint8, std::vector<double>(count, 1), soup.attributes->faces, continued->faces);
   else
     mark_by_name(format == Format::obj ? "g" : "o", soup, *continued, count);
-  soup.continued = std::move(continued);
+  soup.continued = continued;
+  return true;
+}
+
+bool label_expected_deviation(const std::filesystem::path& path, TriangleSoup& soup,
+                              const std::vector<double>& values) {
+  if (format_of(path) != Format::ply) return false;
+  const auto continued = continued_of(soup);
+  std::vector<double> rows;
+  const std::size_t first = soup.points.size() - values.size();
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    if (point_row(soup, v) < 0) rows.push_back(v < first ? 0 : values[v - first]);
+  put_column("expected_deviation", ScalarType::float32, rows, soup.attributes->points, continued->points);
+  soup.continued = continued;
   return true;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A label on the triangles that the scan did not have.
+// Labels on what the scan did not have: its triangles, and how far its vertices are likely from what was there.
 #pragma once
 
 #include "mesh/triangle_soup.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace loopmend {
 
@@ -13,5 +14,9 @@ namespace loopmend {
 /// continue_attributes(). @returns whether the format has such a label; STL and OFF have none.
 /// @throws WriteError for an unknown extension.
 bool mark_new_faces(const std::filesystem::path& path, TriangleSoup& soup);
+
+/// PLY: vertex property `expected_deviation`, mesh units, 0 for the vertices of the scan.
+/// @param values  of the last vertices of the soup. @returns whether the format has room for it: PLY alone.
+bool label_expected_deviation(const std::filesystem::path& path, TriangleSoup& soup, const std::vector<double>& values);
 
 }  // namespace loopmend

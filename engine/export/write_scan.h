@@ -32,6 +32,8 @@ struct WriteScanOptions {
   std::optional<TextureFill> texture = TextureFill::grain;  ///< nothing: patches are not painted
   MaterialFiles materials = MaterialFiles::copy;
   NewFaces new_faces = NewFaces::like_others;
+  /// Of each new point, in their order, mesh units: written where the format has room for it. Empty: not written.
+  std::vector<double> expected_deviation{};
   /// For each triangle whether it is written; those of all patches, or of none. Empty: all are written.
   std::vector<char> written{};
 };

@@ -90,9 +90,9 @@ class PlyWriter {
         encoding_(encoding),
         scan_(attributes_of(soup)),
         has_own_colors_(!soup.colors.empty() && !has_colors(scan_.points)) {
-    if (soup.continued && soup.continued->faces.size() > scan_.faces.size())
-      more_face_columns_.assign(soup.continued->faces.begin() + static_cast<std::ptrdiff_t>(scan_.faces.size()),
-                                soup.continued->faces.end());
+    if (!soup.continued) return;
+    more_point_columns_ = beyond(soup.continued->points, scan_.points.size());
+    more_face_columns_ = beyond(soup.continued->faces, scan_.faces.size());
   }
 
   void write() {
@@ -100,7 +100,9 @@ class PlyWriter {
     PointRows rows(soup_);
     for (std::size_t v = 0; v < soup_.points.size(); ++v) {
       for (const double x : soup_.points[v]) values_.put(scan_.coordinates, x);
-      write_columns(scan_.points, rows.next(), &ScanAttributes::points);
+      const AttributeRow row = rows.next();
+      write_columns(scan_.points, row, &ScanAttributes::points);
+      write_more(more_point_columns_, row);
       if (has_own_colors_)
         for (const unsigned char channel : soup_.colors[v]) values_.put(ScalarType::uint8, channel);
       values_.end_row();
@@ -109,8 +111,7 @@ class PlyWriter {
       values_.put(count_type_, static_cast<double>(face.vertices.size()));
       for (const int v : face.vertices) values_.put(ScalarType::int32, v);
       write_columns(scan_.faces, face.row, &ScanAttributes::faces);
-      for (const AttributeColumn& column : more_face_columns_)
-        values_.put(column, face.row.table == soup_.continued.get() && face.row.table != nullptr, face.row.row);
+      write_more(more_face_columns_, face.row);
       if (writes_texture(scan_)) write_texture(face);
       values_.end_row();
     });
@@ -123,6 +124,10 @@ class PlyWriter {
   }
 
  private:
+  static std::vector<AttributeColumn> beyond(const std::vector<AttributeColumn>& columns, std::size_t count) {
+    return {columns.begin() + static_cast<std::ptrdiff_t>(std::min(count, columns.size())), columns.end()};
+  }
+
   void write_header() {
     out_ << "ply\nformat " << (encoding_ == Encoding::binary ? "binary_little_endian" : "ascii") << " 1.0\n";
     out_ << remark_of_loopmend << '\n';
@@ -132,6 +137,7 @@ class PlyWriter {
     out_ << "element vertex " << soup_.points.size() << '\n';
     for (const char* name : {"x", "y", "z"}) out_ << "property " << ply_name(scan_.coordinates) << ' ' << name << '\n';
     write_properties(scan_.points);
+    write_properties(more_point_columns_);
     if (has_own_colors_)
       for (const char* name : {"red", "green", "blue", "alpha"}) out_ << "property uchar " << name << '\n';
     std::size_t faces = 0, largest = 0;
@@ -166,6 +172,11 @@ class PlyWriter {
       values_.put(row.table ? (row.table->*table)[k] : columns[k], row.table != nullptr, row.row);
   }
 
+  void write_more(const std::vector<AttributeColumn>& columns, const AttributeRow& row) {
+    for (const AttributeColumn& column : columns)
+      values_.put(column, row.table == soup_.continued.get() && row.table != nullptr, row.row);
+  }
+
   /// Of OBJ, as MeshLab has them in PLY: two numbers for each corner.
   void write_texture(const WrittenFace& face) {
     const bool has_all = std::all_of(face.corners.begin(), face.corners.end(), [&](int corner) {
@@ -186,7 +197,7 @@ class PlyWriter {
   Encoding encoding_;
   const ScanAttributes& scan_;
   bool has_own_colors_;
-  std::vector<AttributeColumn> more_face_columns_;  ///< that only new triangles have; 0 for the others
+  std::vector<AttributeColumn> more_point_columns_, more_face_columns_;  ///< of what is new alone; 0 for the others
   ScalarType count_type_ = ScalarType::uint8;
 };
 

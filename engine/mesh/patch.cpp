@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "mesh/by_position.h"
+#include "mesh/point_diameter.h"
 
 #include <Eigen/Geometry>
 
@@ -132,6 +133,12 @@ Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
   for (const Triangle& t : collect_triangles(model.mesh, around))
     patch.triangles.push_back({t[0] + patch.free_count, t[1] + patch.free_count, t[2] + patch.free_count});
   return patch;
+}
+
+double loop_diameter(const Patch& patch, std::size_t loop) {
+  Points boundary;
+  for (int v : patch.loops[loop]) boundary.push_back(patch.positions[v]);
+  return diameter_of(boundary);
 }
 
 PatchGeometry patch_geometry(const Patch& patch) {

@@ -52,6 +52,9 @@ inline constexpr int patch_rings = 6;
 Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                  const std::vector<LoopPatch>& initial_patches);
 
+/// Largest distance between two vertices of the loop, patch frame. @param loop  which of patch.loops.
+double loop_diameter(const Patch& patch, std::size_t loop);
+
 /// The patch in mesh units, ready for append_patch.
 PatchGeometry patch_geometry(const Patch& patch);
 

@@ -77,6 +77,12 @@ bool position(const Situation& s, PatchResult& result) {
   return run_once(s.context, s.initial(), options, result);
 }
 
+/// As flat as a minimal surface, nearly, and less bold where the loop winds.
+bool initial_patch(const Situation& s, PatchResult& result) {
+  result = judged_initial(s.context.problem, s.options, s.context.judge);
+  return true;
+}
+
 bool flow(const Situation& s, PatchResult& result) {
   // Stricter than the judge: a run that folds at all may have ended in another steady state than one from another start.
   const auto is_sound = [&](const PatchResult& run) {
@@ -128,6 +134,7 @@ struct Candidate {
 
 const Candidate candidates[] = {
     {"minimal surface over a cut", is_cut, position},
+    {"initial patch over a cut", is_cut, initial_patch},
     {"flow", is_exact, flow},
     {"split flow", is_rough, split},
     {"robust fairing", of_curvature, robust},
@@ -208,6 +215,15 @@ PatchResult initial_result(const PatchProblem& problem, FlowKind flow) {
 
 void judge_again(const PatchProblem& problem, const EvolutionOptions& options, PatchResult& result) {
   result.verdicts = judge_for(problem, options, ends_of(problem))(result.patch, result.validity, result.seams);
+}
+
+void expect_deviation(const EvolutionOptions& options, const CancelToken& cancel, PatchResult& result) {
+  const bool is_calibrated =
+      is_judged(options) &&
+      (result.method == Method::flow || result.method == Method::split_flow || result.method == Method::robust_fairing);
+  if (!is_calibrated || result.verdicts.empty()) return;
+  result.deviation = expected_deviation(result.patch, cancel);
+  judge_deviation(result.patch, result.deviation, result.verdicts);
 }
 
 PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& options, const Evolution::OnStep& on_step,

@@ -21,4 +21,8 @@ PatchResult initial_result(const PatchProblem& problem, FlowKind flow);
 /// Judges the patch of the result again, after it was changed.
 void judge_again(const PatchProblem& problem, const EvolutionOptions& options, PatchResult& result);
 
+/// Tells how far the patch is likely from what was there, and adds to its verdicts where that is far. Does nothing for patches of a
+/// kind that the error bar was not calibrated on: other flows, options of the flow that a person chose, caps over a cut.
+void expect_deviation(const EvolutionOptions& options, const CancelToken& cancel, PatchResult& result);
+
 }  // namespace loopmend

@@ -6,6 +6,7 @@
 #include "core/notice.h"
 #include "mesh/patch.h"
 #include "mesh/validity.h"
+#include "pipeline/expected_deviation.h"
 #include "pipeline/flat_cut.h"
 #include "pipeline/proportion.h"
 
@@ -76,6 +77,9 @@ class Judge {
   std::vector<std::vector<double>> initial_bends_;  ///< degrees, per loop and edge
   std::vector<SeamReport> initial_seams_;
 };
+
+/// Adds to the verdicts of the patch's loops where the surface that was there is likely far.
+void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std::vector<Verdict>& verdicts);
 
 /// The worst of them; good where there are none.
 Grade worst(const std::vector<Verdict>& verdicts);

@@ -7,6 +7,7 @@
 #include "mesh/patch.h"
 #include "mesh/validity.h"
 #include "neighborhood/boundary_fits.h"
+#include "pipeline/expected_deviation.h"
 #include "pipeline/judge.h"
 
 #include <string>
@@ -33,6 +34,7 @@ struct PatchResult {
     double initial = 0, final = 0;
   } energy;  ///< units as in StepRecord
   Validity validity;
+  DeviationEstimate deviation;  ///< empty where nothing is told
   // One for each loop of the patch; empty where nobody measured.
   std::vector<Verdict> verdicts;
   std::vector<SeamReport> seams_before;  ///< of the initial patch

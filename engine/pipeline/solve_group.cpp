@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <limits>
+#include <map>
 #include <new>
 
 namespace loopmend {
@@ -18,12 +20,8 @@ namespace {
 
 /// Free vertices of the part of the patch that each loop bounds.
 std::vector<int> free_vertices_per_loop(const Patch& patch) {
-  const std::vector<int> loop = loop_of_triangles(patch);
-  std::vector<int> owner(patch.free_count, 0), result(patch.loops.size(), 0);
-  for (int f = 0; f < patch.patch_triangles; ++f)
-    for (int v : patch.triangles[f])
-      if (v < patch.free_count) owner[v] = loop[f];
-  for (int l : owner) ++result[l];
+  std::vector<int> result(patch.loops.size(), 0);
+  for (int l : loop_of_free_vertices(patch)) ++result[l];
   return result;
 }
 
@@ -78,8 +76,7 @@ class GroupSolver {
     GroupResult joint = jointly(initial);
     const bool spoilt = std::any_of(joint.holes.begin(), joint.holes.end(), [&](const HoleResult& hole) {
       return hole.status == PatchStatus::failed || hole.outcome().attempts.size() > 1 ||
-             hole.verdict().grade == Grade::bad ||
-             (options_.evolution && hole.status == PatchStatus::filled);
+             hole.verdict().grade == Grade::bad || (options_.evolution && hole.status == PatchStatus::filled);
     });
     if (initial.loops.size() == 1 || !spoilt || cancel_.cancelled()) return joint;
     GroupResult single = failed_group(initial.loops, "");
@@ -118,6 +115,7 @@ class GroupSolver {
       made.status = PatchStatus::invalid;
       made.message = why_left_open(scan_, initial.loops.front(), made.validity.intersections);
     }
+    if (valid && options_.evolution) expect_deviation(*options_.evolution, cancel_, made);
     const auto patch = std::make_shared<const PatchResult>(std::move(made));
     result.patches.push_back(patch);
     const std::vector<int> free = free_vertices_per_loop(patch->patch);
@@ -216,6 +214,22 @@ class GroupSolver {
 };
 
 }  // namespace
+
+std::vector<double> expected_deviations(const std::vector<HoleResult>& holes) {
+  std::map<int, const PatchResult*> in_order;
+  for (const HoleResult& hole : holes) {
+    if (!is_filled(hole.status) || !hole.patch) continue;
+    const std::vector<int>& numbers = hole.patch->patch.loop_numbers;
+    in_order[*std::min_element(numbers.begin(), numbers.end())] = hole.patch.get();
+  }
+  std::vector<double> all;
+  for (const auto& [number, result] : in_order) {
+    std::vector<double> own = result->deviation.vertices;
+    own.resize(result->patch.free_count, std::numeric_limits<double>::quiet_NaN());
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
 
 std::string why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop) {
   const int pierced = pierced_edges(scan, loop);

@@ -40,6 +40,11 @@ struct HoleResult {
   /// Good where there is no patch: its status says more.
   Proportion proportion() const { return verdict().proportion; }
   Verdict verdict() const { return is_filled(status) ? entry(&PatchResult::verdicts) : Verdict(); }
+  /// Not known where there is no patch, or where nothing is told of it.
+  ExpectedDeviation deviation() const {
+    const std::vector<ExpectedDeviation>& all = outcome().deviation.loops;
+    return is_filled(status) && place < static_cast<int>(all.size()) ? all[place] : ExpectedDeviation();
+  }
   BoundarySummary neighborhood() const { return entry(&PatchResult::neighborhood); }
 
  private:
@@ -49,6 +54,10 @@ struct HoleResult {
     return place < static_cast<int>(all.size()) ? all[place] : T{};
   }
 };
+
+/// What is expected of each vertex that the patches of these holes add to the surface, in its order there (pipeline/paste.h), mesh
+/// units; NaN where nothing is told of it.
+std::vector<double> expected_deviations(const std::vector<HoleResult>& holes);
 
 /// A hole that was left open.
 HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why);

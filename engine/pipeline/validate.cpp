@@ -116,6 +116,15 @@ std::vector<int> loop_of_triangles(const Patch& patch) {
   return loop;
 }
 
+std::vector<int> loop_of_free_vertices(const Patch& patch) {
+  const std::vector<int> of_triangle = loop_of_triangles(patch);
+  std::vector<int> loop(patch.free_count, 0);
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    for (int v : patch.triangles[f])
+      if (v < patch.free_count) loop[v] = of_triangle[f];
+  return loop;
+}
+
 Validity validate(const ScanIndex& scan, const Patch& patch) {
   Validity validity;
   const auto folds = folded_pairs(patch.positions, patch.triangles, patch.patch_triangles);

@@ -36,5 +36,7 @@ int pierced_edges(const ScanIndex& scan, const BoundaryLoop& loop);
 
 /// Which part of a patch each of its loops bounds: for each of its triangles an index into patch.loops.
 std::vector<int> loop_of_triangles(const Patch& patch);
+/// The same for each free vertex.
+std::vector<int> loop_of_free_vertices(const Patch& patch);
 
 }  // namespace loopmend

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from loopmend import _core
 from loopmend.results import (
-    BoundaryLoop, Check, Curvatures, FillResult, Finding, HoleResult, Mesh, PatchResult, Seam, Verdict,
+    BoundaryLoop, Check, Curvatures, ExpectedDeviation, FillResult, Finding, HoleResult, Mesh, PatchResult, Seam, Verdict,
 )
 
 Path = Union[str, "os.PathLike[str]"]
@@ -33,6 +33,8 @@ def _hole(figures: Dict[str, Any]) -> HoleResult:
     if figures["verdict"] is not None:
         figures["verdict"]["findings"] = tuple(Finding(**finding) for finding in figures["verdict"]["findings"])
         figures["verdict"] = Verdict(**figures["verdict"])
+    if figures["expected_deviation"] is not None:
+        figures["expected_deviation"] = ExpectedDeviation(**figures["expected_deviation"])
     return HoleResult(**_loop(figures))
 
 
@@ -77,6 +79,7 @@ def fill(
     sigma: float = 10.0,
     solver: str = "auto",
     stitch: Union[bool, float, str] = False,
+    auto: bool = False,
     repair: bool = False,
     cut_intersections: bool = False,
     cut_handles: bool = False,
@@ -121,6 +124,8 @@ def fill(
         solver: of the steps: "auto", "direct" or "gmres".
         stitch: joins boundaries that lie within a tenth of their edges of each other first; within a length, as in
             ``stitch=0.5``; or within a part of the edges, as in ``stitch="5%"``.
+        auto: does first what this mesh needs, and nothing else: stitch where boundaries nearly coincide, repair where loops run
+            along edges of more than two faces, trim_crossing where no patch could be valid.
         repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
@@ -158,7 +163,7 @@ def fill(
         **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed), "loops": _numbers(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "all_but_largest": all_but_largest,
-        "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "repair": repair,
+        "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "auto": auto, "repair": repair,
         "cut_intersections": cut_intersections, "cut_handles": cut_handles, "bridges": [(int(a), int(b)) for a, b in bridges],
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
         "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,

@@ -129,6 +129,17 @@ class Verdict:
     folds: int
 
 
+@dataclass(frozen=True)
+class ExpectedDeviation:
+    """Rms distance of a patch from the surface that was there, mesh units: bounds that held for 50, 80 and 90 % of the holes
+    of the calibration.
+    """
+
+    half: float
+    likely: float
+    most: float
+
+
 @dataclass(frozen=True, eq=False)
 class HoleResult:
     """What became of one boundary loop.
@@ -142,6 +153,8 @@ class HoleResult:
     method: what shaped the patch, such as "mmcvf"; empty where there is none.
     reason: why that was not the flow that was asked for, and how to get it; empty if it was.
     verdict: what a person sees of the patch; None where there is none.
+    expected_deviation: how far the patch is likely from what was there; None where nothing is told: no patch, no new vertex,
+        a cap over a cut, or options other than the default flow's.
     steps: accepted steps.
     energy_before, energy_after: of the flow, at the initial patch and at the end; MMCVF 1/length², WF none, SDF and MCF
         length².
@@ -165,6 +178,7 @@ class HoleResult:
     method: str
     reason: str
     verdict: Optional[Verdict]
+    expected_deviation: Optional[ExpectedDeviation]
     steps: int
     energy_before: float
     energy_after: float
@@ -186,6 +200,8 @@ class FillResult:
     given_vertices, given_faces: how many stand before the new ones. With stitch, repair, bridges or trim_boundary these
         are the vertices and faces of the mesh that was prepared so. With patches_only: the vertices of the mesh that the
         patches use, and no faces.
+    expected_deviation: (k,) float64, one for each of new_vertices, mesh units: how far it is likely from what was there; NaN
+        where nothing is told.
     turned_faces: how many were turned round.
     stopped: whether max_time, or Ctrl-C with keep_partial, ended the work before all was done.
     prepared: what stitch and repair did, in numbers: {"stitched": {...}, "repaired": {...}}.
@@ -198,6 +214,7 @@ class FillResult:
     holes: Tuple[HoleResult, ...]
     given_vertices: int
     given_faces: int
+    expected_deviation: Floats
     turned_faces: int
     stopped: bool
     prepared: Dict[str, Dict[str, int]]

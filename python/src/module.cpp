@@ -77,6 +77,7 @@ FillCommand fill_command(const py::dict& options) {
   take_stitch(options["stitch"], command);
   const bool cut_intersections = option<bool>(options, "cut_intersections");
   const bool cut_handles = option<bool>(options, "cut_handles");
+  if (option<bool>(options, "auto")) command.prepare = FillCommand::Prepare::where_needed;
   if (option<bool>(options, "repair") || cut_intersections || cut_handles) command.repair = harmless_repairs;
   if (cut_intersections) command.repair.insert(Defect::intersections);
   if (cut_handles) command.repair.insert(Defect::handles);

@@ -32,6 +32,11 @@ py::dict verdict_figures(const Verdict& verdict) {
                   "crease_deg"_a = verdict.crease_deg, "height"_a = verdict.height, "folds"_a = verdict.folds);
 }
 
+py::object deviation_figures(const ExpectedDeviation& deviation) {
+  if (!deviation.is_known()) return py::none();
+  return py::dict("half"_a = deviation.half, "likely"_a = deviation.likely, "most"_a = deviation.most);
+}
+
 py::dict hole_figures(const HoleResult& hole, NewPart part) {
   py::dict figures = loop_figures(hole.loop);
   figures["status"] = to_string(hole.status);
@@ -40,6 +45,7 @@ py::dict hole_figures(const HoleResult& hole, NewPart part) {
   figures["method"] = hole.method();
   figures["reason"] = hole.reason();
   figures["verdict"] = is_filled(hole.status) ? py::object(verdict_figures(hole.verdict())) : py::none();
+  figures["expected_deviation"] = deviation_figures(hole.deviation());
   figures["steps"] = hole.steps();
   figures["energy_before"] = hole.outcome().energy.initial;
   figures["energy_after"] = hole.outcome().energy.final;
@@ -110,7 +116,8 @@ py::dict fill_result(FilledScan done) {
     holes.append(hole_figures(done.holes[k], std::move(done.parts[k])));
   py::dict result("holes"_a = holes, "given_vertices"_a = done.given_vertices, "given_faces"_a = done.given_faces,
                   "turned_faces"_a = done.turned_faces, "stopped"_a = done.stopped, "prepared"_a = preparation(done),
-                  "trimmed_faces"_a = faces_of(done.trimmed));
+                  "trimmed_faces"_a = faces_of(done.trimmed),
+                  "expected_deviation"_a = array_of<double>(expected_deviations(done.holes)));
   result["vertices"] = points_array(std::move(done.soup.points));
   result["faces"] = triangles_array(std::move(done.soup.triangles));
   result["colors"] = colors_array(std::move(done.soup.colors));

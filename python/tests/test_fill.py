@@ -110,6 +110,18 @@ def test_results_are_handed_over_without_a_copy_and_can_be_written_to(sphere):
     assert np.array_equal(vertices, before + 1)
 
 
+def test_each_hole_says_how_far_it_is_likely_from_what_was_there(two_holes):
+    result = loopmend.fill(*two_holes)
+    assert len(result.expected_deviation) == len(result.new_vertices)
+    for hole in result.holes:
+        bounds = hole.expected_deviation
+        assert 0 < bounds.half < bounds.likely < bounds.most < hole.diameter
+        own = result.expected_deviation[np.searchsorted(result.new_vertices, hole.new_vertices)]
+        assert 0 < own.min() < bounds.likely < own.max()
+    tangent = loopmend.fill(*two_holes, continuity="tangent")
+    assert tangent.holes[0].expected_deviation is None and np.isnan(tangent.expected_deviation).all()
+
+
 def test_each_hole_names_its_new_vertices_and_faces(two_holes):
     result = loopmend.fill(*two_holes)
     north, south = result.holes

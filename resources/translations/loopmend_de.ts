@@ -6936,5 +6936,13 @@
             <source>The flow has taken the steps that were planned for this hole.</source>
             <translation>Der Fluss hat die Schritte getan, die für dieses Loch geplant waren.</translation>
         </message>
+        <message>
+            <source>what was there may lie %1 diameters away: the shape is a guess</source>
+            <translation>was dort war, liegt vielleicht %1 Durchmesser entfernt: Die Form ist geraten</translation>
+        </message>
+        <message>
+            <source>Likely within %1 of what was there (80 %).</source>
+            <translation>Wahrscheinlich höchstens %1 von dem entfernt, was dort war (80 %).</translation>
+        </message>
     </context>
 </TS>

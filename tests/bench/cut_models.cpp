@@ -32,7 +32,7 @@ using namespace loopmend::bench;
 
 struct Arguments {
   std::vector<std::string> models;
-  std::string half = "tuning", markdown, csv, reference;
+  std::string half = "tuning", methods = "all", markdown, csv, reference;
   std::uint64_t seed = 1;
   int count = 10;
 };
@@ -68,6 +68,7 @@ struct Hole {
   int edges = 0, removed = 0;
   std::map<std::string, double> d;  ///< by method, 1e-3 of the diameter; NaN: not filled
   std::string status, attempt;      ///< of `auto`
+  double second_order = 0;          ///< ExpectedDeviation of `auto`; 0: not known
   double seconds = 0;
 
   double best() const {
@@ -130,9 +131,16 @@ std::optional<Cut> make_cut(const TriangleSoup& whole, const std::string& model,
   return std::nullopt;
 }
 
-Hole run_hole(const Cut& cut, const std::string& model) {
+enum class Methods { all, default_alone };
+
+Hole run_hole(const Cut& cut, const std::string& model, Methods methods) {
   const HoleProblem& problem = cut.problem;
-  Hole hole{problem.name, model, cut.shape, problem.loops.front().edges(), problem.removed, {}, "", "", 0};
+  Hole hole;
+  hole.name = problem.name;
+  hole.model = model;
+  hole.shape = cut.shape;
+  hole.edges = problem.loops.front().edges();
+  hole.removed = problem.removed;
   const auto take = [&](const std::string& method, const Filling& filling) {
     hole.d[method] = filling.complete ? measure(problem, filling).d_faces : std::numeric_limits<double>::quiet_NaN();
   };
@@ -140,7 +148,9 @@ Hole run_hole(const Cut& cut, const std::string& model) {
   take("auto", ours);
   hole.status = ours.status;
   hole.attempt = ours.attempt;
+  hole.second_order = ours.second_order;
   hole.seconds = ours.seconds;
+  if (methods == Methods::default_alone) return hole;
   FillOptions exact;
   exact.evolution->boundary = BoundaryTrust::exact;
   take(exact_name, fill_by_engine(problem, exact));
@@ -212,12 +222,13 @@ Table model_table(const std::vector<Hole>& holes) {
 }
 
 std::string csv(const std::vector<Hole>& holes) {
-  Table table({"hole", "model", "shape", "edges", "removed", "method", "d", "score", "status", "attempt", "seconds"});
+  Table table({"hole", "model", "shape", "edges", "removed", "method", "d", "score", "status", "attempt", "seconds",
+               "second_order"});
   for (const Hole& hole : holes)
     for (const auto& [method, d] : hole.d)
       table.add({hole.name, hole.model, hole.shape, number(hole.edges), number(hole.removed), method, number(d),
                  number(hole.score(method)), method == "auto" ? hole.status : "", method == "auto" ? hole.attempt : "",
-                 method == "auto" ? number(hole.seconds) : ""});
+                 method == "auto" ? number(hole.seconds) : "", method == "auto" ? number(hole.second_order) : ""});
   return table.csv();
 }
 
@@ -266,7 +277,7 @@ int run(const Arguments& arguments) {
         std::printf("%s %d: no clean cut was found\n", model.c_str(), k);
         continue;
       }
-      holes.push_back(run_hole(*cut, model));
+      holes.push_back(run_hole(*cut, model, arguments.methods == "all" ? Methods::all : Methods::default_alone));
       const auto known = reference.find(holes.back().name);
       if (known != reference.end()) holes.back().d[reference_name] = known->second;
       print(holes.back());
@@ -291,6 +302,8 @@ int main(int argc, char** argv) try {
   app.add_option("--seed", arguments.seed, "Seed of all cuts (1)");
   app.add_option("--half", arguments.half, "tuning (default), test or both: models parted by their names")
       ->check(CLI::IsMember({"tuning", "test", "both"}));
+  app.add_option("--methods", arguments.methods, "all (default), or auto: the engine's default alone")
+      ->check(CLI::IsMember({"all", "auto"}));
   app.add_option("--reference", arguments.reference, "CSV of a former run, whose `auto` is compared, too");
   app.add_option("--markdown", arguments.markdown, "Write the tables to this file");
   app.add_option("--csv", arguments.csv, "Write every hole to this file");
