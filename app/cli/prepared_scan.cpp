@@ -36,17 +36,32 @@ TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
   }
 }
 
-void prepare(PreparedScan& scan, const FillCommand& command, const CancelToken& cancel) {
+bool has_cuts(const SurfaceModel& model) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
+}
+
+bool has_sides_to_join(const SurfaceModel& model) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.coincident > 0; }) ||
+         !near_boundaries(model).closing.empty();
+}
+
+/// @param command  what is done is added to it where the mesh needs it and the command leaves that open.
+void prepare(PreparedScan& scan, FillCommand& command, const CancelToken& cancel) {
+  const bool where_needed = command.prepare == FillCommand::Prepare::where_needed;
   scan.done.before = scan.model.repairs;
   const auto replace = [&](TriangleSoup soup) {
     scan.done.turned_faces += scan.model.repairs.reoriented_faces;
     scan.given = record_of(soup);
     scan.model = command.input.empty() ? make_surface_model(std::move(soup)) : model_of(command.input, std::move(soup));
   };
+  if (where_needed && has_sides_to_join(scan.model)) command.stitch = FillCommand::Stitch::yes;
   if (command.stitch == FillCommand::Stitch::yes) {
     scan.done.stitched = stitch_boundaries(scan.model, command.stitch_tolerance);
     replace(std::move(scan.done.stitched->soup));
   }
+  if (where_needed && has_cuts(scan.model)) command.repair.insert(harmless_repairs.begin(), harmless_repairs.end());
   if (!command.repair.empty()) {
     RepairedSurface repaired = repair_surface(as_read(scan.model), command.repair, cancel);
     scan.done.repaired = repaired.counts;
@@ -56,6 +71,7 @@ void prepare(PreparedScan& scan, const FillCommand& command, const CancelToken& 
     replace(bridged(scan.model, a, b));
     ++scan.done.bridges;
   }
+  if (where_needed) command.trim_pierced = FillCommand::TrimPierced::yes;
 }
 
 /// Choices among the loops of a trimmed scan: what grew out of those chosen before. The boundary of a crumb that only touches one of
@@ -142,12 +158,12 @@ std::vector<BoundaryLoop> PreparedScan::chosen() const {
 }
 
 bool needs_whole_view(const FillCommand& command) {
-  return command.stitch == FillCommand::Stitch::yes || !command.repair.empty() || !command.bridges.empty() ||
-         trims(command);
+  return command.prepare == FillCommand::Prepare::where_needed || command.stitch == FillCommand::Stitch::yes ||
+         !command.repair.empty() || !command.bridges.empty() || trims(command);
 }
 
-PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& command,
-                          const CancelToken& cancel) {
+PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillCommand& asked, const CancelToken& cancel) {
+  FillCommand command = asked;
   PreparedScan scan;
   scan.given = std::move(as_read);
   scan.model = std::move(model);

@@ -22,6 +22,7 @@ namespace {
 using test::loopmend_program;
 using test::Outcome;
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 using json = nlohmann::json;
@@ -170,6 +171,79 @@ TEST_F(PreparationCommands, AllButTheLargestLoopsAreFilledAndLabelled) {
   }
   EXPECT_THAT(loopmend_program("fill " + path("a.ply") + "-o " + path("b.stl") + "--mark").out, HasSubstr("no label"));
   EXPECT_THAT(fill("a.ply", "--all-but-largest 3").out, HasSubstr("3 left as asked"));
+}
+
+/// A ball with a hole, at one edge of which a fin stands: three faces meet there.
+TriangleSoup ball_with_fin() {
+  TriangleSoup soup = trim_boundaries(cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; }));
+  const SurfaceModel model = make_surface_model(soup);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  const Vec3 at = model.mesh.point(TriMesh::VertexHandle(loops.front().vertices.front()));
+  int corner = 0;
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    if ((soup.points[v] - at).norm() < (soup.points[corner] - at).norm()) corner = static_cast<int>(v);
+  for (const Triangle& t : Triangles(soup.triangles))
+    for (int k = 0; k < 3; ++k)
+      if (t[k] == corner && soup.points[t[(k + 1) % 3]].z() < at.z()) {
+        const int apex = static_cast<int>(soup.points.size());
+        soup.points.push_back(1.2 * at);
+        soup.triangles.push_back({corner, t[(k + 1) % 3], apex});
+        return soup;
+      }
+  return soup;
+}
+
+TEST_F(PreparationCommands, AutoRepairsWhereALoopRunsAlongAnEdgeOfThreeFaces) {
+  write("a.ply", ball_with_fin());
+  const Outcome plain = fill("a.ply");
+  EXPECT_EQ(plain.code, 1);
+  EXPECT_THAT(plain.out, AnyOf(HasSubstr("--auto"), HasSubstr("--repair")));
+  const Outcome run = fill("a.ply", "--auto");
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("Repaired: 1 edge separated"), HasSubstr("1 filled, 0 failed")));
+}
+
+TEST_F(PreparationCommands, AutoStitchesCracks) {
+  write("a.ply", torn(0.01));
+  const Outcome run = fill("a.ply", "--auto");
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("Stitched: "));
+  EXPECT_EQ(written().open_boundaries, 0U);
+}
+
+TEST_F(PreparationCommands, AutoChangesNothingOfASoundMesh) {
+  write("a.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
+  ASSERT_EQ(fill("a.ply").code, 0);
+  const TriangleSoup plain = read_mesh(work / "out.ply").soup;
+  const Outcome run = fill("a.ply", "--auto");
+  ASSERT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, Not(AnyOf(HasSubstr("Stitched"), HasSubstr("Repaired"))));
+  const TriangleSoup prepared = read_mesh(work / "out.ply").soup;
+  EXPECT_EQ(prepared.points, plain.points);
+  EXPECT_EQ(prepared.triangles, plain.triangles);
+}
+
+TEST_F(PreparationCommands, ExpectedDeviationOfEachNewVertexIsAPropertyOfPly) {
+  write("a.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
+  const std::size_t given = read_mesh(work / "a.ply").soup.points.size();
+  const Outcome run = fill("a.ply", "--deviation --report " + path("r.json"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const nlohmann::json report = nlohmann::json::parse(std::ifstream(work / "r.json"));
+  const double likely = report["loops"][0]["expected_deviation"]["likely"];
+  EXPECT_GT(likely, 0);
+  const TriangleSoup after = read_mesh(work / "out.ply").soup;
+  const AttributeColumn* column = find_column(after.attributes->points, "expected_deviation");
+  ASSERT_TRUE(column);
+  double largest = 0;
+  for (std::size_t v = 0; v < after.points.size(); ++v) {
+    if (v < given) {
+      ASSERT_EQ(column->value(v), 0) << v;
+    }
+    largest = std::max(largest, column->value(v));
+  }
+  EXPECT_GT(largest, likely);
+  EXPECT_THAT(loopmend_program("fill " + path("a.ply") + "-o " + path("b.obj") + "--deviation").out,
+              HasSubstr("Only PLY has room"));
 }
 
 }  // namespace
