@@ -33,12 +33,12 @@ struct Arguments {
 };
 
 /// How a problem ended, from good to bad.
-enum class Ending { finished, not_converged, refused, invalid };
+enum class Ending { finished, not_finished, refused, invalid };
 
 const char* to_string(Ending ending) {
   switch (ending) {
-    case Ending::finished: return "converged or faired";
-    case Ending::not_converged: return "valid, not converged";
+    case Ending::finished: return "at its end";
+    case Ending::not_finished: return "valid, stalled";
     case Ending::refused: return "refused";
     case Ending::invalid: return "invalid";
   }
@@ -96,9 +96,10 @@ void judge(const HoleProblem& problem, const Filling& filling, Outcome& outcome)
   outcome.d = figures.d_rms;
   const std::string fault = what_is_invalid(problem, filling, figures);
   // Without a free vertex there is nothing that could converge.
-  const bool converged = filling.status == "converged" || filling.status == "faired" || filling.points.empty();
-  outcome.ending = !fault.empty() ? Ending::invalid : converged ? Ending::finished : Ending::not_converged;
-  outcome.reason = !fault.empty() ? fault : converged ? "" : filling.status + ": " + filling.message;
+  const bool at_end = filling.status == "converged" || filling.status == "early_stop" || filling.status == "faired" ||
+                      filling.points.empty();
+  outcome.ending = !fault.empty() ? Ending::invalid : at_end ? Ending::finished : Ending::not_finished;
+  outcome.reason = !fault.empty() ? fault : at_end ? "" : filling.status + ": " + filling.message;
 }
 
 /// As one line for the pipe, fields in the order of Outcome.
@@ -199,7 +200,7 @@ Table shares(const std::string& title, const std::vector<Outcome>& outcomes,
     ++counts[property(o)][static_cast<int>(o.ending)];
     ++counts["all"][static_cast<int>(o.ending)];
   }
-  Table table({title, "problems", "converged %", "valid, not converged %", "refused %", "invalid %"});
+  Table table({title, "problems", "at its end %", "valid, stalled %", "refused %", "invalid %"});
   for (const auto& [name, count] : counts) {
     const int all = count[0] + count[1] + count[2] + count[3];
     std::vector<std::string> row{name, number(all)};
