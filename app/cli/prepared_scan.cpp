@@ -199,13 +199,12 @@ std::vector<HoleResult> fill_chosen(PreparedScan& scan, const FillCommand& comma
     const auto done = filled.find(scan.loops[k].number);
     results.push_back(done != filled.end() ? std::move(done->second)
                                            : open_hole(scan.loops[k], PatchStatus::skipped, choice.why_not));
-    const int closing =
-        results[k].status == PatchStatus::failed ? closing_edges(scan.model, scan.loops[k], scan.near) : 0;
+    const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
+    const int closing = is_unsound ? closing_edges(scan.model, scan.loops[k], scan.near) : 0;
     if (closing > 0)
-      results[k].message =
-          std::to_string(closing) +
-          " of its edges lie beside another within a tenth of their length: --stitch joins them. Without it, " +
-          results[k].message;
+      results[k].message = std::to_string(closing) +
+                           " of its edges lie beside another within a tenth of their length: --stitch joins them" +
+                           (results[k].message.empty() ? "" : ". Without it, " + results[k].message);
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
       results[k].message = "not finished in the time that --max-time allows: left open";
   }

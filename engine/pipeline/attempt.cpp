@@ -6,10 +6,13 @@
 #include "mesh/quality.h"
 #include "pipeline/bend_aside.h"
 #include "pipeline/local_rollback.h"
+#include "pipeline/unfold.h"
 
 namespace loopmend {
 
 namespace {
+
+constexpr double unfolded_deg = 140;  ///< well below what the judge calls a fold
 
 double energy_of(const Patch& patch, FlowKind flow) {
   return shown_energy(flow, make_state(patch, {flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
@@ -101,7 +104,23 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   const bool spoilt = faults(result.verdicts)[0] + faults(result.verdicts)[1] > 0;
   if (spoilt && evolution.method() == Method::split_flow && !context.clean_neighborhood)
     take_rolled_back(context, faired, evolution, result);
+  open_folds(context, options.flow, result);
   return true;
+}
+
+void open_folds(const AttemptContext& context, FlowKind flow, PatchResult& result) {
+  if (faults(result.verdicts)[1] == 0) return;
+  Patch patch = result.patch;
+  if (!unfold(patch, unfolded_deg, context.cancel)) return;
+  Validity validity = validate(context.problem.scan, patch);
+  std::vector<SeamReport> seams = seam_reports(patch);
+  std::vector<Verdict> verdicts = context.judge(patch, validity, seams);
+  if (!(faults(verdicts) < faults(result.verdicts))) return;
+  result.patch = std::move(patch);
+  result.validity = std::move(validity);
+  result.seams = std::move(seams);
+  result.verdicts = std::move(verdicts);
+  result.energy.final = energy_of(result.patch, flow);
 }
 
 }  // namespace loopmend

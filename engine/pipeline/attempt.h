@@ -30,8 +30,11 @@ struct AttemptContext {
 };
 
 /// One run of the flow, validated and judged. A split flow that folds or crosses at a few places reverts locally to its fairings
-/// there, if that is better; its message says so. @returns false where there is no patch, with the cause in its message, or
+/// there, if that is better; its message says so. Folds that are left are opened where that is possible (unfold.h). @returns false where there is no patch, with the cause in its message, or
 /// when cancelled.
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result);
+
+/// Opens folds of the patch (unfold.h) where it then has fewer faults.
+void open_folds(const AttemptContext& context, FlowKind flow, PatchResult& result);
 
 }  // namespace loopmend

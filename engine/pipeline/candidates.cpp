@@ -192,6 +192,7 @@ PatchResult best_candidate(const Situation& s) {
   }
   if (best.made_by.empty() || !is_kept(s, best)) {
     PatchResult initial = judged_initial(s.context.problem, s.options, s.context.judge);
+    open_folds(s.context, s.options.flow, initial);
     if (best.made_by.empty() || faults(initial.verdicts) < faults(best.verdicts)) {
       initial.message = why_not_the_first + ": the initial patch was kept";
       for (Verdict& verdict : initial.verdicts) {
