@@ -26,7 +26,7 @@ class PictureClock : public QObject {
   void draw();
 
   std::vector<FlowCanvas*> wishes_;
-  QTimer timer_;
+  QTimer timer_{this};
 };
 
 }  // namespace loopmend

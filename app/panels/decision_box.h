@@ -42,7 +42,7 @@ class DecisionBox : public QGroupBox {
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
-  QTimer soon_;
+  QTimer soon_{this};
   QElapsedTimer clicked_;  ///< since Accept was
   QuietLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;

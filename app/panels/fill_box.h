@@ -60,7 +60,7 @@ class FillBox : public QGroupBox {
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;
   QPushButton *whole_ = nullptr, *fill_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr, *repair_ = nullptr;
-  QTimer preview_timer_;
+  QTimer preview_timer_{this};
 };
 
 }  // namespace loopmend

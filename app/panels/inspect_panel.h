@@ -48,7 +48,7 @@ class InspectPanel : public QWidget {
 
   const Document& document_;
   const HoleSelection& selection_;
-  QTimer soon_;
+  QTimer soon_{this};
   int run_ = no_patch;
   QTableWidget* seam_ = nullptr;
   SteadyLabel* sentence_ = nullptr;

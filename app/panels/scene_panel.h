@@ -55,7 +55,7 @@ class ScenePanel : public QWidget {
   QPushButton *isolate_, *show_all_;
   QLabel* note_;
   QComboBox* unit_;
-  QTimer later_;  ///< patches come one by one, in hundreds
+  QTimer later_{this};  ///< patches come one by one, in hundreds
   bool syncing_ = false;
 };
 

@@ -35,7 +35,7 @@ class CameraFlight : public QObject {
  private:
   void advance();
 
-  QTimer timer_;
+  QTimer timer_{this};
   QElapsedTimer clock_;
   vtkCamera* camera_ = nullptr;
   CameraPose from_, to_;

@@ -87,6 +87,7 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   update_palette();
   update_legend_words();
 
+  impl_->redraw_timer.setParent(this);
   impl_->redraw_timer.setSingleShot(true);
   connect(&impl_->redraw_timer, &QTimer::timeout, this, [this] {
     QElapsedTimer clock;

@@ -9,26 +9,38 @@ import pytest
 import loopmend
 from conftest import icosphere, without
 
-FILLS = [
+# On the embedded sample, which has relief.
+SAMPLE_FILLS = [
     (["--loops", "all"], {}),
+    (["--relief", "continued", "--relief-seed", "3", "--loops", "6"], {"relief": "continued", "relief_seed": 3, "loops": 6}),
+    (["--at-vertex", "13,96", "--solver", "gmres", "--mode", "steps", "--steps", "2"],
+     {"at_vertices": [13, 96], "solver": "gmres", "mode": "steps", "steps": 2}),
+]
+
+# On a small rough sphere with six holes.
+BALL_FILLS = [
     (["--loops", "2,5"], {"loops": [2, 5]}),
     (["--flow", "wf", "--mode", "steps", "--steps", "3", "--sigma", "1"],
      {"flow": "wf", "mode": "steps", "steps": 3, "sigma": 1}),
-    (["--flow", "none", "--density", "1.5", "--include-outer-rim"],
-     {"flow": "none", "density": 1.5, "include_outer_rim": True}),
     (["--boundary", "exact", "--max-edges", "60"], {"boundary": "exact", "max_edges": 60}),
     (["--boundary", "robust", "--threads", "1"], {"boundary": "robust", "threads": 1}),
     (["--continuity", "tangent"], {"continuity": "tangent"}),
-    (["--relief", "continued", "--relief-seed", "3"], {"relief": "continued", "relief_seed": 3}),
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
     (["--trim-crossing"], {"trim_crossing": True}),
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
     (["--patches-only"], {"patches_only": True}),
     (["--patches-only", "--loops", "6", "--trim-boundary", "3"], {"patches_only": True, "loops": 6, "trim_boundary": 3}),
-    (["--at-vertex", "13,96", "--solver", "gmres", "--mode", "steps", "--steps", "2"],
-     {"at_vertices": [13, 96], "solver": "gmres", "mode": "steps", "steps": 2}),
 ]
+
+
+@pytest.fixture(scope="module")
+def ball():
+    """A rough sphere with a hole around each end of each axis, no two of them equally wide."""
+    vertices, faces = icosphere(3)
+    widths = np.cos(np.radians([[14, 17, 20], [23, 26, 29]]))
+    vertices, faces = without(vertices, faces, lambda v: (v > widths[0]).any(axis=1) | (-v > widths[1]).any(axis=1))
+    return vertices * (1 + 0.01 * np.random.default_rng(1).standard_normal((len(vertices), 1))), faces
 
 
 def ply_arrays(path):
@@ -70,7 +82,14 @@ def check_same(program, folder, scan, words, options):
     return result
 
 
-@pytest.mark.parametrize("words, options", FILLS, ids=[" ".join(words) for words, _ in FILLS])
+@pytest.mark.parametrize("words, options", BALL_FILLS, ids=[" ".join(words) for words, _ in BALL_FILLS])
+def test_a_ball_with_six_holes(ball, program, tmp_path, words, options):
+    loopmend.write(tmp_path / "ball.ply", *ball)
+    result = check_same(program, tmp_path, tmp_path / "ball.ply", words, options)
+    assert len(result.holes) == 6 and any(hole.is_filled for hole in result.holes)
+
+
+@pytest.mark.parametrize("words, options", SAMPLE_FILLS, ids=[" ".join(words) for words, _ in SAMPLE_FILLS])
 def test_the_sample(program, tmp_path, words, options):
     scan = tmp_path / "scan.ply"
     program("sample", "-o", scan)
@@ -83,6 +102,19 @@ def test_the_sample_itself(program, tmp_path):
     vertices, faces = ply_arrays(tmp_path / "scan.ply")
     sample = loopmend.sample()
     assert sample.vertices.tobytes() == vertices.tobytes() and sample.faces.tobytes() == faces.tobytes()
+
+
+def test_a_sheet_with_its_outer_rim(program, tmp_path):
+    across = 12
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(across + 1), np.arange(across + 1)))
+    vertices = np.column_stack([x, y, 0.05 * (x - 6) ** 2 - 0.03 * (y - 5) ** 2])
+    first = (x + y * (across + 1))[(x < across) & (y < across)]
+    squares = np.column_stack([first, first + 1, first + across + 2, first + across + 1])
+    faces = np.vstack([squares[:, [0, 1, 2]], squares[:, [0, 2, 3]]])
+    loopmend.write(tmp_path / "sheet.ply", *without(vertices, faces, lambda v: np.hypot(v[:, 0] - 6, v[:, 1] - 6) < 2))
+    result = check_same(program, tmp_path, tmp_path / "sheet.ply", ["--flow", "none", "--density", "1.5", "--include-outer-rim"],
+                        {"flow": "none", "density": 1.5, "include_outer_rim": True})
+    assert {hole.kind for hole in result.holes} == {"hole", "outer rim"} and all(hole.is_filled for hole in result.holes)
 
 
 @pytest.mark.parametrize("islands", ["join", "cover"])

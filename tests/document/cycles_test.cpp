@@ -35,7 +35,7 @@ int number_from(const char* name, int otherwise) {
   const char* asked = std::getenv(name);
   return asked ? std::max(0, std::atoi(asked)) : otherwise;
 }
-int cycles() { return number_from("LOOPMEND_CYCLES", 50); }
+int cycles() { return number_from("LOOPMEND_CYCLES", 15); }
 
 constexpr int actions_per_cycle = 12;
 

@@ -22,7 +22,7 @@ namespace {
 /// How many moments each test tries; the nightly run sets more.
 long moments() {
   const char* asked = std::getenv("LOOPMEND_FAULTS");
-  return asked ? std::max(1L, std::atol(asked)) : 100;
+  return asked ? std::max(1L, std::atol(asked)) : 40;
 }
 
 /// A smooth sphere with two holes, or one in a rough sphere: the one is solved as it is, of the other a split is made.

@@ -93,17 +93,17 @@ void AccessTest::whatever_takes_input_has_a_name() {
   };
   for (const char* dock : {"holesDock", "sceneDock", "patchDock", "toolsDock", "lookDock"}) {
     part<QDockWidget>(window, dock)->raise();
-    settle(100);
+    settle();
     look(&window);
   }
   for (const char* tool : {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolMeasureAction"}) {
     window.findChild<QAction*>(QLatin1String(tool), Qt::FindDirectChildrenOnly)->trigger();
-    settle(60);
+    settle();
     look(&window);
   }
   for (const char* action : {"preferences", "screenshot", "shortcuts", "help", "repairAction"}) {
     window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
-    settle(200);
+    settle();
     for (QWidget* dialog : QApplication::topLevelWidgets())
       if (dialog != &window && dialog->isVisible() && dialog->isWindow() && dialog->inherits("QWidget") &&
           !dialog->inherits("QMenu")) {
@@ -127,7 +127,7 @@ void AccessTest::keys_belong_to_what_has_the_focus() {
   islands->setFocus();
   const bool ticked = islands->isChecked();
   QTest::keyClick(islands, Qt::Key_Space);
-  settle(200);
+  settle();
   QCOMPARE(islands->isChecked(), !ticked);
   QVERIFY(!window.controller().busy());
   QVERIFY(window.document().patches().front().state == before);
@@ -137,7 +137,7 @@ void AccessTest::keys_belong_to_what_has_the_focus() {
   QCOMPARE(islands->isChecked(), ticked);
   QVERIFY(islands->hasFocus());
   QTest::keyClick(islands, Qt::Key_Space);
-  settle(200);
+  settle();
   QCOMPARE(islands->isChecked(), !ticked);
   QVERIFY(!window.controller().busy() && window.document().patches().front().state == before);
 
@@ -160,22 +160,22 @@ void AccessTest::keys_belong_to_what_has_the_focus() {
     QVERIFY2(at, name);
     for (QWidget* dock = at; dock; dock = dock->parentWidget())
       if (qobject_cast<QDockWidget*>(dock)) dock->raise();
-    settle(50);
+    settle();
     at->setFocus();
     QTest::keyClick(at, Qt::Key_Space);
-    settle(150);
+    settle();
     if (QWidget* list = QApplication::activePopupWidget()) list->close();
     QVERIFY2(!window.controller().busy() && window.document().patches().front().state == before, name);
   }
   // A row of the list is shown or hidden by Space.
   part<QDockWidget>(window, "sceneDock")->raise();
-  settle(100);
+  settle();
   auto* tree = part<QTreeWidget>(window, "sceneTree");
   tree->setFocus();
   tree->setCurrentItem(tree->topLevelItem(0));
   const Qt::CheckState shown_before = tree->topLevelItem(0)->checkState(0);
   QTest::keyClick(tree, Qt::Key_Space);
-  settle(200);
+  settle();
   QVERIFY(tree->topLevelItem(0)->checkState(0) != shown_before);
   QVERIFY(!window.controller().busy() && window.document().patches().front().state == before);
 

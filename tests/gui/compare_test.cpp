@@ -63,7 +63,7 @@ void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
     const QPoint at = from + (to - from) * step / 4;
     QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
     QApplication::sendEvent(widget, &move);
-    settle(20);
+    settle();
   }
   QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
 }
@@ -142,20 +142,20 @@ void CompareTest::views_are_linked_until_unlinked() {
   CompareWindow* window = shown.window.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
-  settle(600);
+  settle();
   for (int k = 0; k < 4; ++k) QVERIFY(count_colors(window->flow_view(k).canvas().picture(QSize(320, 240))) >= 40);
   const auto position = [&](int k) { return window->flow_view(k).canvas().pose().position; };
   QVERIFY((position(0) - position(3)).norm() < 1e-9);
   const auto before = position(3);
   QWidget* canvas = window->flow_view(0).canvas().canvas();
   drag(canvas, canvas->rect().center(), canvas->rect().center() + QPoint(60, 20));
-  QVERIFY(wait_until([&] { return (position(3) - before).norm() > 0.05; }, 10));
-  settle(200);
+  QVERIFY(wait_until([&] { return (position(3) - before).norm() > 0.05; }));
+  settle();
   QVERIFY((position(0) - position(3)).norm() < 1e-6);
   QTest::mouseClick(in<QCheckBox>(*window, "compareLinked"), Qt::LeftButton, {}, QPoint(8, 8));
   const auto held = position(3);
   drag(canvas, canvas->rect().center(), canvas->rect().center() + QPoint(-80, 30));
-  settle(300);
+  settle();
   QVERIFY((position(3) - held).norm() < 1e-9);
   QVERIFY((position(0) - held).norm() > 0.05);
 }
@@ -167,13 +167,13 @@ void CompareTest::the_line_wipes() {
   QVERIFY(run_all(*window));
   in<QComboBox>(*window, "compareShading")->setCurrentIndex(3);  // zebra: the start's kink shows
   QTest::mouseClick(in<QCheckBox>(*window, "compareWipe"), Qt::LeftButton, {}, QPoint(8, 8));
-  settle(500);
+  settle();
   QWidget* canvas = window->wipe().canvas();
   const QSize size(600, 400);
   const auto wiped_to = [&](double share) {
     const QPoint from(static_cast<int>(window->wipe().line() * canvas->width()), canvas->height() / 3);
     drag(canvas, from, QPoint(static_cast<int>(share * canvas->width()), canvas->height() / 3));
-    settle(200);
+    settle();
     return window->wipe().picture(size);
   };
   const auto eye = window->wipe().pose().position;
@@ -192,7 +192,7 @@ void CompareTest::pictures_of_any_size() {
   CompareWindow* window = shown.window.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "comparePicture")->isEnabled(); }));
-  settle(500);
+  settle();
   const QImage picture = window->picture({QSize(1600, 1000)});
   QCOMPARE(picture.size(), QSize(1600, 1000));
   QVERIFY(count_colors(picture) >= 64);
@@ -258,7 +258,7 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
   CompareWindow* window = shown.window.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
-  settle(600);
+  settle();
   FlowCanvas& canvas = window->flow_view(0).canvas();
   const auto start = window->flow_comparison().start()->shape;
   auto other = std::make_shared<SurfaceShape>(*start);
@@ -267,19 +267,22 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
   const QImage before = seen();
   canvas.show_patch(0, other, Arrival::with_the_next);
   const int frames = canvas.frames();
-  QVERIFY(wait_until([&] { return canvas.frames() >= frames + 2; }, 10));
-  QVERIFY(canvas.is_moving());
-  QVERIFY(wait_until([&] { return !canvas.is_moving(); }, 10));
-  settle(200);
+  bool moved = false;
+  QVERIFY(wait_until([&] {
+    moved = moved || canvas.is_moving();
+    return canvas.frames() >= frames + 2 && !canvas.is_moving();
+  }));
+  QVERIFY(moved);
+  settle();
   QVERIFY(canvas.neighborhood_drawn() > 0);
   const QImage after = seen();
   QVERIFY(share_apart(before, after) > 0.01);
   canvas.show_patch(0, start);
-  settle(400);
+  settle();
   QVERIFY(share_apart(seen(), before) < 1e-4);
   const int drawn = canvas.neighborhood_drawn();
   canvas.show_patch(0, std::make_shared<SurfaceShape>(*other));
-  settle(400);
+  settle();
   QVERIFY(share_apart(seen(), after) < 1e-4);
   QCOMPARE(canvas.neighborhood_drawn(), drawn);  // kept, since the camera rests
   const CameraPose pose = canvas.pose();
@@ -287,7 +290,7 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
   nearer.position = 0.9 * pose.position + 0.1 * pose.focus;
   for (const CameraPose& to : {nearer, pose}) {
     canvas.set_pose(to);
-    settle(400);
+    settle();
   }
   QVERIFY(share_apart(seen(), after) < 1e-4);  // everything drawn anew
 }

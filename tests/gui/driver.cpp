@@ -23,6 +23,8 @@
 
 namespace loopmend::testing {
 
+bool at_length() { return qEnvironmentVariableIntValue("LOOPMEND_AT_LENGTH") == 1; }
+
 void prepare_application() {
   MeshView::prepare_graphics();
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
@@ -60,18 +62,24 @@ QString write_sheet_with_holes(const QString& path, int across) {
 
 double share_changed(const QImage& a, const QImage& b) {
   if (a.size() != b.size()) return 1;
+  const QImage one = a.convertToFormat(QImage::Format_ARGB32), other = b.convertToFormat(QImage::Format_ARGB32);
   int changed = 0, all = 0;
-  for (int y = 0; y < a.height(); y += 2)
-    for (int x = 0; x < a.width(); x += 2, ++all) changed += a.pixel(x, y) != b.pixel(x, y);
+  for (int y = 0; y < one.height(); y += 2) {
+    const auto *left = reinterpret_cast<const QRgb*>(one.constScanLine(y)),
+               *right = reinterpret_cast<const QRgb*>(other.constScanLine(y));
+    for (int x = 0; x < one.width(); x += 2, ++all) changed += left[x] != right[x];
+  }
   return static_cast<double>(changed) / std::max(1, all);
 }
 
 bool picture_changes(MainWindow& window, const QImage& before, double share) {
-  return wait_until([&] { return share_changed(before, window.view().picture()) > share; }, 15);
+  settle();
+  return wait_until([&] { return share_changed(before, window.view().picture()) > share; });
 }
 
 bool picture_returns(MainWindow& window, const QImage& before) {
-  return wait_until([&] { return share_changed(before, window.view().picture()) < 0.001; }, 15);
+  settle();
+  return wait_until([&] { return share_changed(before, window.view().picture()) < 0.001; });
 }
 
 namespace {
@@ -80,6 +88,50 @@ double thread_cpu_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// Notes when a window was last drawn, moved, shown or laid out.
+class Unrest : public QObject {
+ public:
+  Unrest() {
+    clock_.start();
+    QCoreApplication::instance()->installEventFilter(this);
+  }
+  qint64 quiet_for() const { return clock_.elapsed(); }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    switch (event->type()) {
+      case QEvent::Resize:
+      case QEvent::Move:
+      case QEvent::Show:
+      case QEvent::Hide:
+      case QEvent::Expose:
+      case QEvent::LayoutRequest:
+      case QEvent::UpdateRequest:
+      case QEvent::WindowActivate:
+      case QEvent::WindowDeactivate:
+      case QEvent::WindowStateChange: clock_.restart(); break;
+      default: break;
+    }
+    return false;
+  }
+
+ private:
+  QElapsedTimer clock_;
+};
+
+/// Whether a window has put something off for a moment: its picture, a flight, a table, a preview. What waits longer waits
+/// for a person.
+bool something_is_due() {
+  constexpr int moment_ms = 300;
+  for (const QWidget* top : QApplication::topLevelWidgets()) {
+    for (const QTimer* timer : top->findChildren<QTimer*>())
+      if (timer->isActive() && timer->interval() <= moment_ms) return true;
+    for (const auto* view : top->findChildren<MeshView*>())
+      if (view->isVisible() && view->is_rough()) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -96,15 +148,15 @@ GapMeter::GapMeter() {
   clock_.start();
 }
 
-qint64 GapMeter::report(const char* what) {
+double GapMeter::report(const char* what) {
   QCoreApplication::processEvents();
   const qint64 worst = std::max(std::exchange(worst_, 0), clock_.elapsed());
-  std::printf("gap %5lld ms, of these %4.0f ms own work  %s\n", static_cast<long long>(worst), worst_cpu_, what);
-  worst_cpu_ = 0;
+  const double work = std::exchange(worst_cpu_, 0);
+  std::printf("gap %5lld ms, of these %4.0f ms own work  %s\n", static_cast<long long>(worst), work, what);
   cpu_ = thread_cpu_ms();
   std::fflush(stdout);
   clock_.restart();
-  return worst;
+  return work;
 }
 
 bool wait_until(const std::function<bool()>& holds, double seconds) {
@@ -129,7 +181,27 @@ bool fly(MainWindow& window, int loop) {
   return there;
 }
 
-void settle(int milliseconds) { QTest::qWait(milliseconds); }
+bool settle() {
+  constexpr qint64 quiet_ms = 40;  // longer than the pause between two pictures of one movement
+  Unrest unrest;
+  const bool still = wait_until([&] { return unrest.quiet_for() >= quiet_ms && !something_is_due(); });
+  if (!still) qWarning("the window did not come to rest");
+  return still;
+}
+
+void linger(int milliseconds) { QTest::qWait(milliseconds); }
+
+WhenAsked::WhenAsked(std::function<void(QDialog&)> answer) {
+  connect(&timer_, &QTimer::timeout, this, [this, answer = std::move(answer)] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (!dialog || !dialog->isVisible()) return;
+    timer_.stop();
+    if (!QTest::qWaitForWindowExposed(dialog, 60000)) qWarning("the dialog is not on the screen");
+    answer(*dialog);
+    if (dialog->isVisible()) dialog->reject();
+  });
+  timer_.start(20);
+}
 
 void trigger(MainWindow& window, const char* action) {
   window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();

@@ -5,6 +5,7 @@
 #include "views/main_window.h"
 #include "views/mesh_view.h"
 
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QTemporaryDir>
@@ -14,17 +15,34 @@
 
 namespace loopmend::testing {
 
+/// Whether LOOPMEND_AT_LENGTH asks for what takes long and proves little more each day: large scans, every shared scan.
+bool at_length();
+constexpr const char* for_the_night = "takes long: .ci/nightly runs it, with LOOPMEND_AT_LENGTH=1";
+
 /// To be called before and after QApplication is made, as main.cpp does.
 void prepare_application();
 void settle_application();
 
-/// Runs the event loop until `holds`, at most `seconds`. @returns whether it holds.
-bool wait_until(const std::function<bool()>& holds, double seconds = 60);
-bool wait_idle(MainWindow& window, double seconds = 120);
+/// Runs the event loop until `holds`, at most `seconds`, which is for a machine with much else to do. @returns whether it holds.
+bool wait_until(const std::function<bool()>& holds, double seconds = 120);
+bool wait_idle(MainWindow& window, double seconds = 240);
 /// Flies to a loop and waits until the camera is there.
 bool fly(MainWindow& window, int loop);
-/// Lets drawing catch up.
-void settle(int milliseconds = 120);
+/// Runs the event loop until nothing is due in any window: pictures, flights, tables and layouts have come to rest. While a
+/// flow runs they do not. @returns false after two minutes.
+bool settle();
+/// As long as a person looks. For pictures and measurements; a test waits for what it needs.
+void linger(int milliseconds);
+
+/// Does this with the next modal dialog as soon as it is on the screen, and closes it if it is still there: exec() would
+/// wait for ever.
+class WhenAsked : public QObject {
+ public:
+  explicit WhenAsked(std::function<void(QDialog&)> answer);
+
+ private:
+  QTimer timer_;
+};
 
 template <class T>
 T* part(MainWindow& window, const char* name) {
@@ -74,8 +92,9 @@ bool picture_returns(MainWindow& window, const QImage& before);
 class GapMeter : public QObject {
  public:
   GapMeter();
-  /// Prints the longest gap since the last report. @returns it, in ms.
-  qint64 report(const char* what);
+  /// Prints the longest gap since the last report. @returns the longest work of this thread in one, ms of the processor: a busy machine
+  /// makes gaps, too.
+  double report(const char* what);
 
  private:
   QTimer timer_;

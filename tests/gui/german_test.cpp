@@ -114,7 +114,7 @@ void GermanTest::no_english_message_is_shown() {
   part<QComboBox>(window, "boundary")->setCurrentIndex(boundary);
   press(window, button.toLatin1().constData());
   QVERIFY(wait_idle(window));
-  settle(200);
+  settle();
   const QString english = english_texts(window);
   QVERIFY2(english.isEmpty(), qPrintable(english));
   QStringList places;  // the log, and the state of the hole
@@ -133,7 +133,7 @@ void GermanTest::a_file_that_cannot_be_read_is_told_in_german() {
   bad.close();
   window.open(path);
   QVERIFY(wait_idle(window));
-  settle(100);
+  settle();
   const QString english = english_texts(window);
   QVERIFY2(english.isEmpty(), qPrintable(english));
 }

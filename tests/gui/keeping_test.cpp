@@ -168,11 +168,11 @@ void KeepingTest::closing_saves_first_if_wanted() {
     QVERIFY(wait_idle(window));
     QVERIFY2(!window.close(), "unsaved work: it should ask");
     press(window, "answerCancel");
-    settle(100);
+    settle();
     QVERIFY(window.isVisible());
     QVERIFY(!window.close());
     press(window, "answerSave");
-    QVERIFY2(wait_until([&] { return !window.isVisible(); }, 20), "it should save, then close");
+    QVERIFY2(wait_until([&] { return !window.isVisible(); }), "it should save, then close");
   }
   Shown shown({path});
   QVERIFY(shown.ready);
@@ -215,7 +215,7 @@ void KeepingTest::export_offers_to_smooth_initial_patches() {
   // Smooth patches are exported without a question.
   QFile::remove(path);
   files->export_to(path);
-  QVERIFY(wait_until([&] { return QFile::exists(path); }, 60));
+  QVERIFY(wait_until([&] { return QFile::exists(path); }));
   QVERIFY(wait_idle(window));
   // The status bar counts what is written, and says what is still open: four holes and the outline.
   const TriangleSoup written = read_mesh(path.toStdString()).soup;
@@ -262,7 +262,7 @@ void KeepingTest::a_session_is_looked_at_as_before() {
   QCOMPARE(window.view().look().edges, Edges::shown);
   QCOMPARE(window.view().look().seams, Seams::hidden);
   QVERIFY(part<QAction>(window, "zebra")->isChecked());
-  QVERIFY2(wait_until([&] { return share_changed(picture, window.view().picture()) < 0.01; }, 15),
+  QVERIFY2(wait_until([&] { return share_changed(picture, window.view().picture()) < 0.01; }),
            "the picture is another one");
 }
 
@@ -301,13 +301,13 @@ void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
     part<QDockWidget>(shown.window, "inspectDock")->hide();
     trigger(shown.window, "zebra");
     trigger(shown.window, "wireframe");
-    settle(200);
+    settle();
     shown.window.keep_layout();
   }
   MainWindow next;
   next.restore_layout();
   next.show();
-  settle(200);
+  settle();
   QCOMPARE(next.size(), QSize(1200, 700));
   QVERIFY(part<QDockWidget>(next, "inspectDock")->isHidden());
   QVERIFY(next.findChild<QAction*>(QStringLiteral("zebra"), Qt::FindDirectChildrenOnly)->isChecked());
@@ -336,8 +336,9 @@ void KeepingTest::a_window_that_was_elsewhere_comes_back() {
   window.restore_layout();
   window.show();
   QVERIFY(QTest::qWaitForWindowExposed(&window));
-  settle(200);
-  const QRect screen = QGuiApplication::primaryScreen()->availableGeometry(), now = window.frameGeometry();
+  const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+  wait_until([&] { return settle() && screen.contains(window.frameGeometry()); }, 10);
+  const QRect now = window.frameGeometry();
   const QString words = QStringLiteral("%1 x %2 at %3, %4 on %5 x %6")
                             .arg(now.width())
                             .arg(now.height())
@@ -367,7 +368,7 @@ void KeepingTest::no_button_moves_under_the_mouse() {
   QStringList moved;
   std::map<QByteArray, QPoint> first;
   const auto look = [&](const char* when) {
-    settle(150);
+    settle();
     for (const char* name :
          {"fillAndSmooth", "fill", "trim", "stitch", "repair", "run", "step", "accept", "reject", "cancel",
           "compareFlows", "sigma", "selectAllHoles", "holesTable", "seamTable", "inspectTabs", "meshCanvas"}) {
@@ -416,7 +417,7 @@ void KeepingTest::states_are_whole_with_every_column() {
   auto* table = part<QTableView>(window, "holesTable");
   for (int column = 0; column < HoleTable::column_count; ++column) table->setColumnHidden(column, false);
   window.resize(1260, 680);
-  settle(200);
+  settle();
   QVERIFY(table->horizontalHeader()->length() > table->viewport()->width());
   const auto whole = [&](HoleState state) {
     return table->columnWidth(HoleTable::state) > table->fontMetrics().horizontalAdvance(labels::state(state)) + 16;

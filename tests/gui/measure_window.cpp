@@ -89,7 +89,7 @@ void measure_hover(MainWindow& window) {
 void measure_opening(const QString& path) {
   Shown shown;
   MainWindow& window = shown.window;
-  settle(2500);
+  linger(2500);
   GapMeter gaps;
   QElapsedTimer clock;
   clock.start();
@@ -100,10 +100,10 @@ void measure_opening(const QString& path) {
   std::printf("holes can be picked and filled after %.2f s\n", seconds(clock));
   wait_idle(window);
   std::printf("open, with holes and curvature, after %.2f s\n", seconds(clock));
-  settle(500);
+  linger(500);
   gaps.report("opening");
   window.view().fly_to(0);
-  settle(1500);
+  linger(1500);
   gaps.report("flying");
   measure_hover(window);
   gaps.report("hovering");
@@ -112,7 +112,7 @@ void measure_opening(const QString& path) {
   press(window, "fillAndSmooth");
   wait_idle(window);
   std::printf("a hole filled and smoothed after %.2f s\n", seconds(clock));
-  settle(500);
+  linger(500);
   gaps.report("filled and smoothed");
 }
 
@@ -127,7 +127,7 @@ void measure_gaps(const QString& path, Start start) {
   MainWindow& window = shown.window;
   gaps.report("the window appears");
   if (start == Start::after_a_moment) {
-    settle(3000);
+    linger(3000);
     gaps.report("nothing is done for 3 s");
   }
   window.open(path);
@@ -141,14 +141,14 @@ void measure_gaps(const QString& path, Start start) {
   gaps.report("to steady state");
   for (Qt::Key digit : {Qt::Key_4, Qt::Key_2, Qt::Key_3, Qt::Key_5, Qt::Key_1}) {
     key(window, digit);
-    settle(300);
+    linger(300);
     gaps.report("shading");
   }
   key(window, Qt::Key_W);
-  settle(300);
+  linger(300);
   gaps.report("wireframe");
   for (int k = 0; k < 2; ++k) key(window, Qt::Key_Z, Qt::ControlModifier);
-  settle(200);
+  linger(200);
   gaps.report("undo");
 }
 
@@ -159,7 +159,7 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   Shown shown({path});
   MainWindow& window = shown.window;
   window.view().fly_to(0);
-  settle(2000);
+  linger(2000);
   press(window, "fill");
   wait_idle(window, 600);
   part<QSlider>(window, "sigma")->setValue(-20);
@@ -274,7 +274,7 @@ void measure_compare(const QTemporaryDir& folder, Part part_of_it) {
   auto* run = window->findChild<QPushButton*>(QStringLiteral("compareRun"));
   wait_until([&] { return run->isEnabled(); }, 240);
   if (const int width = qEnvironmentVariableIntValue("LOOPMEND_WIDTH")) window->resize(width, width * 2 / 3);
-  settle(1500);
+  linger(1500);
   const QSize size = window->flow_view(0).canvas().size();
   std::printf("four views of %d x %d pixels; %s\n", size.width(), size.height(),
               qPrintable(window->findChild<QLabel*>(QStringLiteral("compareWait"))->text()));
@@ -332,17 +332,17 @@ void measure_memory(const QTemporaryDir& folder) {
   wait_idle(window, 200);
   const long filled = megabytes();
   while (window.undo().can_undo()) window.undo().undo();
-  settle(300);
+  linger(300);
   const long undone = megabytes();
   // Undone is not forgotten: it can be done again, until something else is.
   window.selection().select({first_hole(window.document())});
   press(window, "fill");
   wait_idle(window);
-  settle(300);
+  linger(300);
   const long forgotten = megabytes();
   window.controller().open({sample_file(folder)}, OpenMode::replace);
   wait_idle(window);
-  settle(300);
+  linger(300);
   std::printf(
       "memory in MB: sample %ld, sheet with 900 holes %ld, all filled and at rest %ld, undone %ld, undone and "
       "something "

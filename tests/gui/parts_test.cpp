@@ -116,16 +116,14 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
   QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, visible_point(window, 0));
   QAction* offered = window.findChild<QAction*>(QStringLiteral("toolFillPartAction"));
   QMenu* menu = nullptr;
-  QVERIFY(wait_until(
-      [&] {
-        for (QMenu* found : window.findChildren<QMenu*>(QStringLiteral("holeMenu")))
-          if (found->isVisible()) menu = found;
-        return menu != nullptr;
-      },
-      5));
+  QVERIFY(wait_until([&] {
+    for (QMenu* found : window.findChildren<QMenu*>(QStringLiteral("holeMenu")))
+      if (found->isVisible()) menu = found;
+    return menu != nullptr;
+  }));
   QVERIFY(menu->actions().contains(offered));
   QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(offered).center());
-  QVERIFY(wait_until([&] { return window.tools().panel()->tool() == Tool::fill_part; }, 5));
+  QVERIFY(wait_until([&] { return window.tools().panel()->tool() == Tool::fill_part; }));
 
   // Across the oblong hole, at a third of its length.
   const OpenedScan& scan = *document.scan(0);
@@ -142,7 +140,7 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
   click_vertex(window, near({0.3, 0.16, 0.94}));
   QVERIFY(window.tools().bridge().is_begun());
   click_vertex(window, near({0.3, -0.16, 0.94}));
-  QVERIFY(wait_until([&] { return document.scans() == std::vector<int>{1}; }, 30));
+  QVERIFY(wait_until([&] { return document.scans() == std::vector<int>{1}; }));
   QVERIFY(wait_idle(window));
   QVERIFY(last_scan(window).model->soup.triangles.size() > before);  // the strip
   QCOMPARE(document.patches().size(), std::size_t(2));
@@ -176,7 +174,7 @@ void PartsTest::ctrl_fills_the_longer_part() {
   const int left = extreme_point(window, 0, {-1, 0.7, 0}), right = extreme_point(window, 0, {1, 0.7, 0});
   click_vertex(window, left);
   click_vertex(window, right, Qt::ControlModifier);
-  QVERIFY(wait_until([&] { return window.document().patches().size() == 1; }, 60));
+  QVERIFY(wait_until([&] { return window.document().patches().size() == 1; }));
   QVERIFY(wait_idle(window));
   const Document& document = window.document();
   const int filled = document.patches().front().loops.front();
@@ -207,7 +205,7 @@ void PartsTest::a_spike_is_erased_and_filled() {
   QCOMPARE(document.loop_count(), 0);
   QVERIFY(farthest(window) > 1.2);
   window.view().set_viewpoint({Vec3::Zero(), 4 * peak, Vec3::UnitX()});  // no side of it is hidden
-  settle(300);
+  settle();
   trigger(window, "toolRegionAction");
   QVERIFY(!part<QPushButton>(window, "regionRefill")->isEnabled());
   // As wide as the spike.
@@ -216,7 +214,7 @@ void PartsTest::a_spike_is_erased_and_filled() {
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, at);
   QVERIFY(window.tools().region().count() > 20);
   press(window, "regionRefill");
-  QVERIFY(wait_until([&] { return document.patches().size() == 1; }, 60));
+  QVERIFY(wait_until([&] { return document.patches().size() == 1; }));
   QVERIFY(wait_idle(window));
   QCOMPARE(open_loops(window), 0);
   QVERIFY2(farthest(window) < 1.02, qPrintable(QString::number(farthest(window))));
@@ -236,7 +234,7 @@ void PartsTest::the_brush_trims_a_boundary() {
   QVERIFY(fly(window, 0));
   key(window, Qt::Key_R);
   part<QSlider>(window, "regionRadius")->setValue(40);
-  settle(300);  // the dock takes its place
+  settle();  // the dock takes its place
   const int end = extreme_point(window, 0, {1, 0, 0});
   const Vec3 place = document.scan(0)->model->soup.points[static_cast<std::size_t>(end)];
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, on_canvas(window, place));

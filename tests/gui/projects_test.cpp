@@ -68,17 +68,14 @@ void ProjectsTest::a_session_may_hold_its_scans() {
     press(window, "fillAndSmooth");
     QVERIFY(wait_idle(window));
     patch = window.document().patches().front().state;
-    QTimer::singleShot(500, [&] {
-      auto* dialog = qobject_cast<SessionDialog*>(QApplication::activeModalWidget());
-      if (!dialog) return;
-      dialog->findChild<QCheckBox*>(QStringLiteral("keepScans"))->click();
-      auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    const WhenAsked asked([&](QDialog& dialog) {
+      dialog.findChild<QCheckBox*>(QStringLiteral("keepScans"))->click();
+      auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
       name->setText(path);
       QTest::keyClick(name, Qt::Key_Return);
-      if (dialog->isVisible()) dialog->reject();  // it is modal: the test would hang
     });
     window.findChild<FileController*>()->save_session();
-    QVERIFY(wait_until([&] { return QFile::exists(path); }, 20));
+    QVERIFY(wait_until([&] { return QFile::exists(path); }));
     QVERIFY(wait_idle(window));
     QVERIFY(!window.isWindowModified());
   }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Reads and drives the program over AT-SPI (read_by_atspi.py), on a message bus and with a home of its own.
-# Usage: xvfb-run ... read_by_atspi.sh LOOPMEND_GUI LOOPMEND
+# Usage: on_display.sh ... read_by_atspi.sh LOOPMEND_GUI LOOPMEND
 # Exit code: 77 where AT-SPI, its Python module or dbus is not installed, or Qt does not reach the bus (see there).
 set -euo pipefail
 

@@ -47,12 +47,12 @@ QMenu* open_menu(MainWindow& window, const char* name) {
 
 /// @returns whether the menu opened and had it.
 bool choose(MainWindow& window, const char* menu, const char* entry) {
-  if (!wait_until([&] { return open_menu(window, menu) != nullptr; }, 5)) return false;
+  if (!wait_until([&] { return open_menu(window, menu) != nullptr; })) return false;
   for (QAction* action : open_menu(window, menu)->actions())
     if (action->objectName() == QLatin1String(entry) && action->isEnabled()) {
       QTest::mouseClick(open_menu(window, menu), Qt::LeftButton, {},
                         open_menu(window, menu)->actionGeometry(action).center());
-      return wait_until([&] { return open_menu(window, menu) == nullptr; }, 5);
+      return wait_until([&] { return open_menu(window, menu) == nullptr; });
     }
   return false;
 }
@@ -110,7 +110,7 @@ void SceneTest::a_piece_is_hidden_and_isolated_by_menu() {
   MainWindow& window = shown.window;
   QVERIFY(count_colors(window.view().picture()) >= 40);
   window.view().look_from(NamedView::top);
-  settle(300);
+  settle();
   QCOMPARE(window.visibility().piece_count(0), 2);
   const QImage whole = window.view().picture();
   QWidget* canvas = window.view().canvas();
@@ -146,18 +146,18 @@ void SceneTest::a_piece_is_hidden_by_key() {
   Shown shown({balls_});
   MainWindow& window = shown.window;
   window.view().look_from(NamedView::top);
-  settle(300);
+  settle();
   QWidget* canvas = window.view().canvas();
   QTest::mouseMove(canvas, on_canvas(window, nearest_to_eye(window, large_center, 1)));
-  settle(100);
+  settle();
   QTest::keyClick(&window, Qt::Key_H);
   QVERIFY(window.visibility().is_hidden(PieceId{0, 0}) && !window.visibility().is_hidden(PieceId{0, 1}));
   QTest::keyClick(&window, Qt::Key_H, Qt::ControlModifier);
   QCOMPARE(window.visibility().hidden_count(), 0);
-  settle(300);
+  settle();
   // Without a surface under the mouse: the piece of the selected hole; without one, it is said what to do.
   QTest::mouseMove(canvas, QPoint(3, 3));
-  settle(100);
+  settle();
   QTest::keyClick(&window, Qt::Key_H);
   QCOMPARE(window.visibility().hidden_count(), 0);
   QVERIFY(part<QLabel>(window, "bannerText")->text().contains(QStringLiteral("Move the mouse over")));
@@ -174,7 +174,7 @@ void SceneTest::the_list_has_scans_pieces_and_patches() {
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window));
   part<QDockWidget>(window, "sceneDock")->raise();
-  QVERIFY(wait_until([&] { return row(window, QStringLiteral("2 patches")) != nullptr; }, 5));
+  QVERIFY(wait_until([&] { return row(window, QStringLiteral("2 patches")) != nullptr; }));
   QTreeWidgetItem* scan = row(window, QStringLiteral("balls.ply"));
   QVERIFY(scan && row(window, QStringLiteral("Piece 2,")));
   QCOMPARE(scan->childCount(), 3);
@@ -212,17 +212,17 @@ void SceneTest::what_is_hidden_cannot_be_picked_or_painted() {
   Shown shown({balls_});
   MainWindow& window = shown.window;
   window.view().look_from(NamedView::top);
-  settle(300);
+  settle();
   const int small_hole = window.visibility().piece_of_loop(0).piece == 1 ? 0 : 1;
   const QPoint on_hole = visible_point(window, small_hole);
   QVERIFY(on_hole.x() >= 0);
   const QPoint on_ball = on_canvas(window, nearest_to_eye(window, small_center, 0.5));
   window.visibility().set_pieces({PieceId{0, 1}}, SceneVisibility::Visible::hidden);
-  settle(300);
+  settle();
   QWidget* canvas = window.view().canvas();
   QCOMPARE(window.selection().hovered(), no_loop);
   QTest::mouseMove(canvas, on_hole + QPoint(1, 0));
-  settle(100);
+  settle();
   QCOMPARE(window.selection().hovered(), no_loop);
   QTest::mouseClick(canvas, Qt::LeftButton, {}, on_hole);
   QVERIFY(window.selection().selected().empty());
@@ -231,7 +231,7 @@ void SceneTest::what_is_hidden_cannot_be_picked_or_painted() {
   QTest::mouseClick(canvas, Qt::LeftButton, {}, on_ball);
   QCOMPARE(window.tools().region().count(), 0);
   window.visibility().show_all();
-  settle(300);
+  settle();
   QTest::mouseClick(canvas, Qt::LeftButton, {}, on_ball);
   QVERIFY(window.tools().region().count() > 0);
 }

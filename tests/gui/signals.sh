@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A signal or a crash ends the window with a sentence that says where the copy of its work is.
-# Usage: xvfb-run ... signals.sh LOOPMEND_GUI
+# Usage: on_display.sh ... signals.sh LOOPMEND_GUI
 # Exit code: 0 all well, 1 something is not.
 set -uo pipefail
 

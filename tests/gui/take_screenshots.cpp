@@ -49,26 +49,26 @@ void save(const QPixmap& picture, const char* name) {
 
 /// What the person would see: from the screen, composed.
 void shoot(MainWindow& window, const char* name) {
-  settle(350);
+  linger(350);
   save(window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height()), name);
 }
 
 void shoot_part(MainWindow& window, QWidget* part, const char* name) {
-  settle(350);
+  linger(350);
   const QPoint at = part->mapToGlobal(QPoint(0, 0));
   save(window.screen()->grabWindow(0, at.x(), at.y(), part->width(), part->height()), name);
 }
 
 void shoot_dialog(MainWindow& window, const char* action, const char* dialog, const char* name) {
   window.findChild<QAction*>(QLatin1String(action))->trigger();
-  settle(400);
+  linger(400);
   auto* shown = window.findChild<QWidget*>(QLatin1String(dialog));
   if (!shown) return;
   shown->move(10, 10);
-  settle(300);
+  linger(300);
   save(shown->grab(), name);
   shown->close();
-  settle(100);
+  linger(100);
 }
 
 void trigger(MainWindow& window, const char* action) {
@@ -92,19 +92,19 @@ void show_story(MainWindow& window, const QString& file) {
   wait_idle(window);
   shoot(window, "filled");
   window.view().fly_to(0);
-  settle(800);
+  linger(800);
   window.selection().select({0});
   part<QSlider>(window, "sigma")->setValue(-10);
   press(window, "run");
-  settle(300);
+  linger(300);
   shoot(window, "running");
   window.controller().cancel();
-  settle(200);
+  linger(200);
   window.selection().select({});
   press(window, "fillAndSmooth");
   wait_idle(window, 300);
   window.selection().select({0});
-  settle(200);
+  linger(200);
   shoot(window, "window");
   shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");
   shoot_part(window, part<QDockWidget>(window, "patchDock"), "patch");
@@ -131,7 +131,7 @@ void show_looks(MainWindow& window) {
   shoot(window, "gaussian");
   trigger(window, "plain");
   trigger(window, "wireframe");
-  settle(1500);  // the graphics take their time over edges, the first time
+  linger(1500);  // the graphics take their time over edges, the first time
   shoot(window, "wireframe");
   trigger(window, "wireframe");
   trigger(window, "clip");
@@ -155,7 +155,7 @@ void show_the_rest(MainWindow& window) {
 
 /// Any window of the program, from the screen.
 void shoot_window(MainWindow& main, QWidget* window, const char* name) {
-  settle(500);
+  linger(500);
   save(main.screen()->grabWindow(0, window->x(), window->y(), window->width(), window->height()), name);
 }
 
@@ -176,7 +176,7 @@ void show_compare(MainWindow& window) {
   compare->findChild<QCheckBox*>(QStringLiteral("compareWipe"))->setChecked(true);
   shoot_window(window, compare, "wipe");
   compare->close();
-  settle(200);
+  linger(200);
 }
 
 void show_tools(MainWindow& window) {
@@ -190,7 +190,7 @@ void show_tools(MainWindow& window) {
     QApplication::sendEvent(canvas, &move);
   }
   QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(108, 0));
-  settle(1500);  // the graphics take their time over edges, the first time
+  linger(1500);  // the graphics take their time over edges, the first time
   shoot(window, "region");
   press(window, "trialEvolve");
   wait_until([&] { return window.tools().trial().stage() == ProblemController::Stage::solved; }, 120);
@@ -204,7 +204,7 @@ void show_tools(MainWindow& window) {
 void show_example(MainWindow& window, const TriangleSoup& soup, const QString& name) {
   window.controller().open_made({made_scan(soup, name, scene_origin(soup))});
   wait_idle(window);
-  settle(300);
+  linger(300);
 }
 
 /// Small pictures for the start page.
@@ -215,7 +215,7 @@ void show_gallery(MainWindow& window) {
     window.controller().open_made(parts);
     window.view().frame();
     trigger(window, "plain");
-    settle(700);
+    linger(700);
     PictureOptions options;
     options.size = QSize(336, 234);
     options.ground = PictureOptions::Ground::transparent;
@@ -337,7 +337,7 @@ void show_mending(MainWindow& window) {
   auto* repair = window.findChild<RepairDialog*>();
   if (!repair) return;
   wait_until([&] { return repair->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled(); }, 60);
-  settle(300);
+  linger(300);
   save(repair->grab(), "repair");
   repair->close();
   QTimer::singleShot(1500, &window, [] {
@@ -347,7 +347,7 @@ void show_mending(MainWindow& window) {
     dialog->close();
   });
   window.findChild<FileController*>()->ask_export();
-  settle(200);
+  linger(200);
 }
 
 }  // namespace

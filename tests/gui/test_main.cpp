@@ -28,7 +28,7 @@ int be_a_victim(const QString& scan) {
   if (!wait_idle(window) || !wait_until([&] { return written; }, 30)) return 1;
   std::puts("saved");
   std::fflush(stdout);
-  settle(60000);
+  linger(60000);
   return 1;
 }
 

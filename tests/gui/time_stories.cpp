@@ -36,7 +36,7 @@ class Story {
   /// What has been done, when, and how it looks.
   void tell(const char* what) {
     const qint64 begun = clock_.elapsed(), taken = begun - paused_;
-    settle(500);
+    linger(500);
     std::printf("%-7s %6.1f s  %-28s %s | %s\n", name_, static_cast<double>(taken) / 1000, what,
                 qPrintable(part<QLabel>(window(), "statusWatertight")->text()),
                 qPrintable(part<QLabel>(window(), "seamSentence")->text()));
@@ -68,7 +68,7 @@ class Story {
     waiting.start(50);
     key(window(), letter, Qt::ControlModifier);
     wait_until([&] { return !waiting.isActive(); }, 20);
-    settle(100);
+    linger(100);
   }
   void open(const QString& path) {
     type_file(Qt::Key_O, path);
@@ -82,7 +82,7 @@ class Story {
         QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
                           table->visualRect(table->model()->index(row, 1)).center());
       }
-    settle(100);
+    linger(100);
   }
   /// Right click on the row that is selected, then on the menu's entry.
   void choose(const char* action) {
@@ -103,7 +103,7 @@ class Story {
     if (!menu) return;
     auto* entry = window().findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly);
     QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
-    settle(50);
+    linger(50);
     idle();
   }
 

@@ -45,7 +45,7 @@ void drag(QWidget* widget, const QVector<QPoint>& way, Qt::KeyboardModifiers wit
       QApplication::sendEvent(widget, &move);
     }
   QTest::mouseRelease(widget, Qt::LeftButton, with, way.last());
-  settle(60);
+  settle();
 }
 
 bool reach(MainWindow& window, ProblemController::Stage stage) {
@@ -260,7 +260,7 @@ void ToolsTest::a_bridge_parts_a_hole_in_two() {
   Shown shown({path});
   MainWindow& window = shown.window;
   window.view().frame();
-  settle(300);
+  settle();
   key(window, Qt::Key_G);
   QVERIFY(window.tools().panel()->tool() == Tool::bridge);
   QVERIFY(!part<QPushButton>(window, "trialEvolve")->isVisible());
@@ -343,7 +343,7 @@ void ToolsTest::a_part_is_placed_by_its_handle() {
   Shown shown({file("tee1.ply", make_tube(tubes[0])), file("tee2.ply", make_tube(tubes[1]))});
   MainWindow& window = shown.window;
   window.view().frame();
-  settle(300);
+  settle();
   key(window, Qt::Key_B);
   press(window, "blendFacing");
   const std::size_t chosen = window.selection().selected().size();
@@ -363,7 +363,7 @@ void ToolsTest::a_part_is_placed_by_its_handle() {
     const std::size_t scans = window.document().scans().size();
     const int newest = window.document().scans().back();
     drag(canvas, {from, from + by});
-    return wait_until([&] { return window.document().scans().back() != newest; }, 20) &&
+    return wait_until([&] { return window.document().scans().back() != newest; }) &&
            window.document().scans().size() == scans;
   };
   const Vec3 before = middle();
@@ -418,7 +418,7 @@ void ToolsTest::the_gallery_opens_and_runs() {
   QTest::mouseClick(part<QToolButton>(window, "example_fig5.4"), Qt::LeftButton);
   QVERIFY(wait_until([&] { return window.document().has_scan(); }));
   QVERIFY(!window.isWindowModified());
-  settle(200);
+  settle();
   press(window, "exampleRun");
   QVERIFY(reach(window, ProblemController::Stage::solved));
   press(window, "trialAccept");
@@ -427,7 +427,7 @@ void ToolsTest::the_gallery_opens_and_runs() {
   Shown other;
   QTest::mouseClick(part<QToolButton>(other.window, "example_fig5.1a"), Qt::LeftButton);
   QVERIFY(wait_until([&] { return other.window.document().has_scan(); }));
-  settle(200);
+  settle();
   press(other.window, "exampleRun");
   QVERIFY(wait_until(
       [&] {

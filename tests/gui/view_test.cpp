@@ -128,7 +128,7 @@ void ViewTest::sides_projection_and_zoom_to_the_cursor() {
   QVERIFY(std::abs(right.dot(direction())) < 1e-9);
 
   trigger(window, "lookFront");
-  settle(400);
+  settle();
   const QImage perspective = window.view().picture();
   trigger(window, "orthographic");
   QVERIFY(picture_changes(window, perspective, 0.001));
@@ -139,13 +139,13 @@ void ViewTest::sides_projection_and_zoom_to_the_cursor() {
   for (const bool orthographic : {false, true}) {
     if (orthographic) trigger(window, "orthographic");
     trigger(window, "lookFront");
-    settle(300);
+    settle();
     QWidget* canvas = window.view().canvas();
     const QPoint at(canvas->width() / 4, canvas->height() / 3);
     const Viewpoint before = window.view().viewpoint();
     QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(canvas, &wheel);
-    settle(300);
+    settle();
     const Viewpoint after = window.view().viewpoint();
     const double closer = (before.eye - before.focus).norm() / (after.eye - after.focus).norm();
     QVERIFY2(closer > 1.05, qPrintable(QString::number(closer)));
@@ -181,7 +181,7 @@ void ViewTest::frame_keeps_clear_of_the_legend() {
   for (const char* side : {"lookFront", "lookTop"}) {
     trigger(window, side);
     key(window, Qt::Key_F);
-    settle(400);
+    settle();
     const double least = nearest_to_legend(window);
     QVERIFY2(least > 4, qPrintable(QStringLiteral("%1: %2 pixels").arg(QLatin1String(side)).arg(least)));
     QVERIFY2(count_colors(window.view().picture()) >= 40, "it is not seen at all");
@@ -197,7 +197,7 @@ void ViewTest::each_scan_may_have_its_own_range() {
   key(window, Qt::Key_1);
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window));
-  settle(300);
+  settle();
   const double shared = view.range();
   QCOMPARE(view.range_of(0), shared);
   QCOMPARE(view.range_of(1), shared);
@@ -230,7 +230,7 @@ void ViewTest::a_distance_is_measured() {
   Shown shown({path});
   MainWindow& window = shown.window;
   window.view().frame();
-  settle(300);
+  settle();
   key(window, Qt::Key_D);
   QVERIFY(window.tools().panel()->tool() == Tool::measure);
   QVERIFY(!part<QPushButton>(window, "trialEvolve")->isVisible());
@@ -272,9 +272,9 @@ void ViewTest::a_plane_cuts_the_picture_open() {
   Shown shown({file("whole.ply", make_icosphere(4))});
   MainWindow& window = shown.window;
   window.view().frame();
-  settle(300);
+  settle();
   const auto depth = [&] {
-    settle(100);
+    settle();
     const ViewSpace space = window.view().space();
     return space.depth_at(space.width / 2, space.height / 2);
   };
@@ -308,8 +308,8 @@ void ViewTest::a_large_scan_is_reduced_at_first() {
   QVERIFY(window.document().scan(0)->shape->reduced);
   QVERIFY(reduced > 0);
   const auto finished = [&] {
-    settle(300);
-    return wait_until([&] { return !view.is_rough(); }, 30);
+    settle();
+    return wait_until([&] { return !view.is_rough(); });
   };
   QVERIFY(finished());
   const QImage first = view.picture();
@@ -328,7 +328,7 @@ void ViewTest::a_large_scan_is_reduced_at_first() {
 
   // A boundary that is chosen is lit without another picture of the scan.
   drawn = 0;
-  QVERIFY(wait_until([&] { return drawn > 0; }, 10));
+  QVERIFY(wait_until([&] { return drawn > 0; }));
   QVERIFY(finished());
   reduced = 0;
   window.selection().select({first_hole(window.document())});
@@ -340,16 +340,16 @@ void ViewTest::a_large_scan_is_reduced_at_first() {
 void ViewTest::the_first_picture_is_framed() {
   Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6)});
   MainWindow& window = shown.window;
-  settle(600);
+  settle();
   const QImage first = window.view().picture();
   key(window, Qt::Key_F);
-  settle(600);
+  settle();
   QVERIFY2(share_changed(first, window.view().picture()) < 0.002, "F frames it in another way");
   window.resize(window.width() - 200, window.height());
-  settle(600);
+  settle();
   const QImage narrow = window.view().picture();
   key(window, Qt::Key_F);
-  settle(600);
+  settle();
   QVERIFY2(share_changed(narrow, window.view().picture()) < 0.002, "a narrower window is not framed again");
 }
 

@@ -39,14 +39,6 @@ void add_languages() {
   QTest::newRow("German") << QStringLiteral("de");
 }
 
-/// A dialog of this class that is open; it is the one that the window waits for.
-template <class Dialog>
-Dialog* open_dialog() {
-  for (QWidget* widget : QApplication::topLevelWidgets())
-    if (auto* dialog = qobject_cast<Dialog*>(widget); dialog && dialog->isVisible()) return dialog;
-  return nullptr;
-}
-
 }  // namespace
 
 class WordsTest : public QObject {
@@ -104,25 +96,22 @@ void WordsTest::dialogs_of_qt_are_in_german() {
   {
     Shown shown({sample_file(folder_)});
     MainWindow& window = shown.window;
-    const auto read = [](QStringList& into) {
-      QTimer::singleShot(600, [&into] {
-        auto* dialog = open_dialog<QFileDialog>();
-        if (!dialog) return;
-        for (const QPushButton* button : dialog->findChildren<QPushButton*>())
-          into << button->text().remove(QLatin1Char('&'));
-        for (const QLabel* label : dialog->findChildren<QLabel*>()) into << label->text().remove(QLatin1Char('&'));
-        if (const auto* tree = dialog->findChild<QTreeView*>())
-          for (int column = 0; column < tree->model()->columnCount(); ++column)
-            into << tree->model()->headerData(column, Qt::Horizontal).toString();
-        dialog->reject();
-      });
+    QStringList* into = &opening;
+    const auto read = [&](const QDialog& dialog) {
+      for (const QPushButton* button : dialog.findChildren<QPushButton*>())
+        *into << button->text().remove(QLatin1Char('&'));
+      for (const QLabel* label : dialog.findChildren<QLabel*>()) *into << label->text().remove(QLatin1Char('&'));
+      if (const auto* tree = dialog.findChild<QTreeView*>())
+        for (int column = 0; column < tree->model()->columnCount(); ++column)
+          *into << tree->model()->headerData(column, Qt::Horizontal).toString();
     };
-    read(opening);
+    const WhenAsked asked_to_open(read);
     trigger(window, "open");
-    QVERIFY(wait_until([&] { return !opening.isEmpty(); }, 10));
-    read(exporting);
+    QVERIFY(wait_until([&] { return !opening.isEmpty(); }));
+    into = &exporting;
+    const WhenAsked asked_to_export(read);
     trigger(window, "export");
-    QVERIFY(wait_until([&] { return !exporting.isEmpty(); }, 10));
+    QVERIFY(wait_until([&] { return !exporting.isEmpty(); }));
   }
   install_language(QStringLiteral("en"));
   for (const QStringList& words : {opening, exporting}) {
@@ -156,7 +145,7 @@ void WordsTest::no_word_of_the_workshop_is_shown() {
   look(window);  // the start page with the paper's examples
   QTest::mouseClick(part<QToolButton>(window, "example_fig5.2a"), Qt::LeftButton);
   QVERIFY(wait_until([&] { return window.document().has_scan(); }));
-  settle(200);
+  settle();
   look(window);
   window.open(sample_file(folder_));
   QVERIFY(wait_idle(window));
@@ -165,12 +154,12 @@ void WordsTest::no_word_of_the_workshop_is_shown() {
   for (const char* tool :
        {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction", "toolMeasureAction"}) {
     trigger(window, tool);
-    settle(60);
+    settle();
     look(window);
   }
   for (const char* action : {"compare", "preferences", "screenshot", "shortcuts", "repairAction", "about"}) {
     trigger(window, action);
-    settle(200);
+    settle();
     for (QWidget* other : QApplication::topLevelWidgets())
       if (other != &window && other->isVisible() && !other->inherits("QMenu")) {
         look(*other);
@@ -299,7 +288,7 @@ void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
       if (menu->isVisible()) return menu;
     return nullptr;
   };
-  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
+  QVERIFY(wait_until([&] { return open_menu() != nullptr; }));
   QCOMPARE(window.selection().selected(), std::set<int>{hole});
   QMenu* menu = open_menu();
   const QList<QAction*> offered = menu->actions();
@@ -316,7 +305,7 @@ void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
   // The same menu in the table; the header keeps the columns.
   auto* table = part<QTableView>(window, "holesTable");
   Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
-  QVERIFY(wait_until([&] { return open_menu() != nullptr; }, 5));
+  QVERIFY(wait_until([&] { return open_menu() != nullptr; }));
   open_menu()->close();
 }
 
@@ -338,14 +327,14 @@ void WordsTest::accept_and_discard_have_the_same_words() {
     discard << plain(part<QPushButton>(window, "reject")->text());
     for (const char* tool : {"toolRegionAction", "toolPointsAction", "toolBlendAction"}) {
       trigger(window, tool);
-      settle(60);
+      settle();
       for (const auto& [name, words] : {std::pair{"trialAccept", &accept}, {"trialDiscard", &discard}})
         if (const auto* button = part<QPushButton>(window, name); button->isVisible()) *words << plain(button->text());
     }
     discard << plain(window.findChild<QAction*>(QStringLiteral("rejectAction"), Qt::FindDirectChildrenOnly)->text());
     menu_accept = plain(window.findChild<QAction*>(QStringLiteral("acceptAction"), Qt::FindDirectChildrenOnly)->text());
     trigger(window, "compare");
-    settle(300);
+    settle();
     for (QWidget* other : QApplication::topLevelWidgets())
       if (auto* button = other->findChild<QPushButton*>(QStringLiteral("paneAccept0")); button && other != &window) {
         accept << plain(button->text());
@@ -355,8 +344,11 @@ void WordsTest::accept_and_discard_have_the_same_words() {
     press(window, "accept");
     accept << plain(window.undo().undo_text()).section(QLatin1Char(' '), 0, 0).remove(QLatin1Char(':'));
     reopen << plain(part<QPushButton>(window, "accept")->text());
-    settle(QApplication::doubleClickInterval() + 100);  // a double click is one
+    const int interval = QApplication::doubleClickInterval();
+    QApplication::setDoubleClickInterval(1);  // or the second press counts as a double click, which is one
+    settle();
     press(window, "accept");
+    QApplication::setDoubleClickInterval(interval);
     undo_reopen = window.undo().undo_text();
     press(window, "reject");
     discard << plain(window.undo().undo_text()).section(QLatin1Char(' '), 0, 0).remove(QLatin1Char(':'));
@@ -383,7 +375,7 @@ void WordsTest::no_two_controls_share_a_letter() {
     Shown shown({sample_file(folder_)});
     MainWindow& window = shown.window;
     const auto look = [&] {
-      settle(60);
+      settle();
       QMultiMap<QString, QString> controls;
       const auto add = [&](const QString& text) {
         const QString letter = QKeySequence::mnemonic(text).toString();
@@ -447,27 +439,31 @@ void WordsTest::numbers_are_written_in_one_locale() {
     wait_idle(window);
     window.view().setFocus();
     key(window, Qt::Key_P);
-    settle(300);
+    settle();
     look(window);
     for (const char* dock : {"sceneDock", "toolsDock", "lookDock"}) {
       part<QDockWidget>(window, dock)->raise();
-      settle(100);
+      settle();
       look(window);
     }
     for (const char* tool : {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolMeasureAction"}) {
       trigger(window, tool);
-      settle(60);
+      settle();
       look(window);
     }
     for (const char* action : {"compare", "preferences", "screenshot", "repairAction"}) {
       trigger(window, action);
-      settle(300);
+      settle();
       for (QWidget* other : QApplication::topLevelWidgets())
         if (other != &window && other->isVisible() && !other->inherits("QMenu")) {
           if (qstrcmp(action, "compare") == 0) {
             if (auto* run = other->findChild<QPushButton*>(QStringLiteral("compareRun"))) {
+              wait_until([&] { return run->isEnabled(); });
               run->click();
-              settle(2000);
+              const auto* accept = other->findChild<QPushButton*>(QStringLiteral("paneAccept0"));
+              wait_until([&] { return accept->isEnabled() || run->isEnabled(); });
+              other->findChild<QPushButton*>(QStringLiteral("compareStop"))->click();
+              wait_until([&] { return run->isEnabled(); });
             }
           }
           look(*other);
