@@ -351,7 +351,7 @@ void CompareTest::stop_comes_back_at_once() {
   window->close();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   QVERIFY(compare_window(shown.window) == nullptr);
-  QVERIFY(shown.window.comparisons().shut_down(std::chrono::seconds(60)));
+  QVERIFY(shown.window.comparisons().shut_down(std::chrono::minutes(4)));
 }
 
 void CompareTest::says_why_it_cannot() {

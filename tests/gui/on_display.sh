@@ -24,9 +24,9 @@ finish() {
 trap finish EXIT
 trap 'exit 143' TERM INT HUP
 
-# The server chooses a number that is free, and writes it.
+# The server chooses a number that is free, and writes it. Both end with this script, even if ctest kills it.
 mkfifo "$home/number"
-Xvfb -displayfd 3 -screen 0 "${size}x24" -nolisten tcp -noreset 3>"$home/number" >"$home/log" 2>&1 &
+setpriv --pdeathsig TERM Xvfb -displayfd 3 -screen 0 "${size}x24" -nolisten tcp -noreset 3>"$home/number" >"$home/log" 2>&1 &
 running+=($!)
 if ! read -r -t 60 number <"$home/number"; then
   echo "Xvfb does not start:" >&2
@@ -37,7 +37,7 @@ export DISPLAY=:$number
 unset WAYLAND_DISPLAY XAUTHORITY
 if [[ -n $manager ]]; then
   if command -v openbox >/dev/null; then
-    XDG_CONFIG_HOME=$home XDG_CACHE_HOME=$home XDG_DATA_HOME=$home openbox --sm-disable >/dev/null 2>&1 &
+    XDG_CONFIG_HOME=$home XDG_CACHE_HOME=$home XDG_DATA_HOME=$home setpriv --pdeathsig TERM openbox --sm-disable >/dev/null 2>&1 &
     running+=($!)
   else
     echo "openbox is not installed: the tests run without a window manager" >&2

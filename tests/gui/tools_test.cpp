@@ -472,7 +472,7 @@ void ToolsTest::cancel_comes_back_at_once() {
   std::printf("cancel: %lld ms\n", static_cast<long long>(clock.elapsed()));
   press(window, "trialDiscard");
   QVERIFY(window.tools().trial().stage() == ProblemController::Stage::none);
-  QVERIFY(window.tools().shut_down(std::chrono::seconds(60)));
+  QVERIFY(window.tools().shut_down(std::chrono::minutes(4)));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<ToolsTest>(); }

@@ -236,7 +236,7 @@ void WindowTest::cancel_gives_control_back_at_once() {
   const PatchStatePtr kept = window.document().patches().front().state;
   QVERIFY(kept->steps >= 1);
   QCOMPARE(part<QPushButton>(window, "run")->text(), QStringLiteral("Run"));
-  QVERIFY(window.controller().shut_down(std::chrono::seconds(20)));  // until its thread has ended
+  QVERIFY(window.controller().shut_down(std::chrono::minutes(4)));  // until its thread has ended
   settle();
   QVERIFY2(window.document().patches().front().state == kept, "a job that was given up still changed the patch");
   part<QAction>(window, "undo")->trigger();
@@ -278,7 +278,7 @@ void WindowTest::closing_while_it_runs_is_clean() {
   QVERIFY(window->isVisible());
   press(*window, "answerLose");
   QVERIFY(!window->isVisible());
-  QVERIFY(window->shut_down(std::chrono::seconds(20)));
+  QVERIFY(window->shut_down(std::chrono::minutes(4)));
   window.reset();
 }
 
