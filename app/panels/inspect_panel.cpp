@@ -118,7 +118,7 @@ QWidget* InspectPanel::build_seam() {
   seam_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 9);
   sentence_ = new SteadyLabel;
   sentence_->setObjectName(QStringLiteral("seamSentence"));
-  sentence_->keep_room_for({QStringLiteral("1\n2")});  // the table stays where it is under one line as well
+  sentence_->keep_room_for({QStringLiteral("1\n2\n3")});  // the table stays where it is under one line as well
   sentence_->setAlignment(Qt::AlignTop);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* content = new QWidget;
