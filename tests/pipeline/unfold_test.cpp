@@ -39,7 +39,7 @@ TEST(Unfold, OpensAFoldAndMovesNothingFarFromIt) {
   const Vec3 center = patch.to_frame(Vec3(0, 0, 1));
   const Points exact = patch.positions;
   const Vec3 outward = patch.positions[near] - center;
-  patch.positions[near] += 1.2 * outward;
+  patch.positions[near] = patch.to_frame(patch.to_mesh(patch.positions[near] + 0.6 * outward).normalized());
   ASSERT_GT(largest_bend_deg(patch), 150);
   const Points folded = patch.positions;
   EXPECT_TRUE(unfold(patch, 140, {}));
