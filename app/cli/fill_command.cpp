@@ -40,7 +40,7 @@ std::string before_and_after(double before, double after) {
   return short_number(before) + " -> " + short_number(after);
 }
 
-/// Mesh units; "-" where nothing is told.
+/// Mesh units; "-" without an estimate.
 std::string likely_off(const ExpectedDeviation& deviation) {
   if (!deviation.is_known()) return "-";
   char text[32];

@@ -99,7 +99,7 @@ Json verdict_json(const Verdict& verdict) {
           {"folds", verdict.folds}};
 }
 
-/// Null where nothing is told.
+/// Null without an estimate.
 Json deviation_json(const ExpectedDeviation& deviation) {
   if (!deviation.is_known()) return nullptr;
   return {{"half", deviation.half}, {"likely", deviation.likely}, {"most", deviation.most}};

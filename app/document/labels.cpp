@@ -212,7 +212,7 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
 QString notice(const Notice& notice) {
   const auto value = [&](std::size_t k) { return k < notice.arguments.size() ? notice.arguments[k] : std::nan(""); };
   const auto whole = [&](std::size_t k) { return in_digits(std::round(value(k)), 'f', 0); };
-  const auto digits = [&](std::size_t k) { return in_digits(value(k), 'g', 2); };
+  const auto digits = [&](std::size_t k) { return std::abs(value(k)) < 100 ? in_digits(value(k), 'g', 2) : whole(k); };
   const int n = notice.arguments.empty() ? 0 : static_cast<int>(std::lround(notice.arguments.front()));
   // By themselves: lupdate does not see them within the call.
   const char* const crossings =

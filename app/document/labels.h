@@ -43,7 +43,7 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
 QString notice(const Notice& notice);
 /// The first finding of the verdict as a sentence; empty where it is good.
 QString sentence_of(const Verdict& verdict);
-/// How far the patch is likely from what was there, mesh units; empty where nothing is told.
+/// How far the patch is likely from what was there, mesh units; empty without an estimate.
 QString deviation_sentence(const ExpectedDeviation& deviation);
 
 /// "3", or "3 of bunny.ply" when several scans are open.

@@ -23,7 +23,7 @@ constexpr qint32 version_without_verdicts = 6;
 constexpr qint32 version_without_relief = 5;  ///< and without units
 constexpr qint32 version_without_bridges = 4;
 constexpr qint32 version_without_boundary = 3;
-constexpr qint32 first_version = 1;  ///< without the view and without surfaces that were made here
+constexpr qint32 never_written = 2, first_version = 1;  ///< without the view and without surfaces that were made here
 
 using Writer = SessionWriter;
 using Reader = SessionReader;
@@ -225,8 +225,8 @@ void put(Writer& out, const PatchState& state) {
   out.put(static_cast<quint64>(state.verdicts.size()));
   for (const Verdict& verdict : state.verdicts) put(out, verdict);
   out.put(static_cast<quint64>(state.deviation.loops.size()));
-  for (const ExpectedDeviation& of_loop : state.deviation.loops)
-    for (double bound : {of_loop.half, of_loop.likely, of_loop.most, of_loop.second_order}) out.put(bound);
+  for (const auto& e : state.deviation.loops)
+    for (double figure : {e.half, e.likely, e.most, e.second_order}) out.put(figure);
 }
 
 Verdict verdict(Reader& in) {
@@ -276,9 +276,8 @@ PatchStatePtr state(Reader& in) {
   if (in.version > version_without_deviation) {
     const int count = in.count(4 * sizeof(double));
     for (int i = 0; i < count; ++i) {
-      ExpectedDeviation& of_loop = s->deviation.loops.emplace_back();
-      for (double* bound : {&of_loop.half, &of_loop.likely, &of_loop.most, &of_loop.second_order})
-        *bound = in.number<double>();
+      ExpectedDeviation& e = s->deviation.loops.emplace_back();
+      for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
     }
   }
   return s;
@@ -411,9 +410,7 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 namespace {
 
 bool is_known(qint32 version) {
-  return version == format_version || version == version_without_deviation || version == version_without_verdicts ||
-         version == version_without_relief || version == version_without_bridges ||
-         version == version_without_boundary || version == first_version;
+  return version >= first_version && version <= format_version && version != never_written;
 }
 
 SessionPatch session_patch(Reader& in, int scans) {

@@ -14,8 +14,9 @@ double argument(const Notice& notice, std::size_t k) {
 
 std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
-/// Two digits: "0.42", "12".
+/// Two digits, or all before the point: "0.42", "12", "964".
 std::string two_digits(double value) {
+  if (std::abs(value) >= 100) return rounded(value);
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
   return text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a patch is likely from what was there, told by how far it is from a fairing of second order
+// How far a patch is likely from what was there, estimated from its distance to a fairing of second order
 // (docs/math/expected_deviation.md).
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace loopmend {
 
 /// Rms distance of the part of a patch that one loop bounds from the surface that was there, mesh units: bounds that held for
-/// 50, 80 and 90 % of the holes of the calibration. NaN where nothing is told: no free vertices, or another treatment of the
+/// 50, 80 and 90 % of the holes of the calibration. NaN without an estimate: no free vertices, or another treatment of the
 /// boundary than the default.
 struct ExpectedDeviation {
   double half = std::numeric_limits<double>::quiet_NaN();
@@ -24,7 +24,7 @@ struct ExpectedDeviation {
 };
 
 struct DeviationEstimate {
-  std::vector<ExpectedDeviation> loops;  ///< one for each loop of the patch; empty where nothing is told
+  std::vector<ExpectedDeviation> loops;  ///< one for each loop of the patch; empty without an estimate
   std::vector<double> vertices;          ///< of each free vertex, mesh units: the rms over a loop's part is `likely`
 };
 

@@ -34,7 +34,7 @@ struct PatchResult {
     double initial = 0, final = 0;
   } energy;  ///< units as in StepRecord
   Validity validity;
-  DeviationEstimate deviation;  ///< empty where nothing is told
+  DeviationEstimate deviation;  ///< empty without an estimate
   // One for each loop of the patch; empty where nobody measured.
   std::vector<Verdict> verdicts;
   std::vector<SeamReport> seams_before;  ///< of the initial patch

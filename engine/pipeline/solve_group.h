@@ -40,7 +40,7 @@ struct HoleResult {
   /// Good where there is no patch: its status says more.
   Proportion proportion() const { return verdict().proportion; }
   Verdict verdict() const { return is_filled(status) ? entry(&PatchResult::verdicts) : Verdict(); }
-  /// Not known where there is no patch, or where nothing is told of it.
+  /// Not known where there is no patch, or no estimate.
   ExpectedDeviation deviation() const {
     const std::vector<ExpectedDeviation>& all = outcome().deviation.loops;
     return is_filled(status) && place < static_cast<int>(all.size()) ? all[place] : ExpectedDeviation();
@@ -56,7 +56,7 @@ struct HoleResult {
 };
 
 /// What is expected of each vertex that the patches of these holes add to the surface, in its order there (pipeline/paste.h), mesh
-/// units; NaN where nothing is told of it.
+/// units; NaN without an estimate.
 std::vector<double> expected_deviations(const std::vector<HoleResult>& holes);
 
 /// A hole that was left open.

@@ -7,7 +7,7 @@
 
 namespace loopmend {
 
-/// Turns triangles at edges that are bent by more than `limit_deg` about these edges, as far as their third vertex is free, until
+/// Turns triangles at edges that are bent by more than `limit_deg` about these edges, where their third vertex is free, until
 /// no such edge is left or turning helps no more. @returns whether anything was moved. The caller judges the result.
 bool unfold(Patch& patch, double limit_deg, const CancelToken& cancel);
 

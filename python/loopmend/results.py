@@ -153,7 +153,7 @@ class HoleResult:
     method: what shaped the patch, such as "mmcvf"; empty where there is none.
     reason: why that was not the flow that was asked for, and how to get it; empty if it was.
     verdict: what a person sees of the patch; None where there is none.
-    expected_deviation: how far the patch is likely from what was there; None where nothing is told: no patch, no new vertex,
+    expected_deviation: how far the patch is likely from what was there; None without an estimate: no patch, no new vertex,
         a cap over a cut, or options other than the default flow's.
     steps: accepted steps.
     energy_before, energy_after: of the flow, at the initial patch and at the end; MMCVF 1/length², WF none, SDF and MCF
@@ -201,7 +201,7 @@ class FillResult:
         are the vertices and faces of the mesh that was prepared so. With patches_only: the vertices of the mesh that the
         patches use, and no faces.
     expected_deviation: (k,) float64, one for each of new_vertices, mesh units: how far it is likely from what was there; NaN
-        where nothing is told.
+        without an estimate.
     turned_faces: how many were turned round.
     stopped: whether max_time, or Ctrl-C with keep_partial, ended the work before all was done.
     prepared: what stitch and repair did, in numbers: {"stitched": {...}, "repaired": {...}}.

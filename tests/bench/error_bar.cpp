@@ -95,19 +95,19 @@ double rank_correlation(const std::vector<double>& x, const std::vector<double>&
 /// How often the engine's bounds hold.
 std::vector<std::string> coverage(const std::string& name, const std::vector<const Hole*>& holes) {
   int half = 0, likely = 0, most = 0, near = 0;
-  std::vector<double> told, found;
+  std::vector<double> bounds, distances;
   for (const Hole* hole : holes) {
     const ExpectedDeviation bar = expected_deviation(hole->second_order);
     half += hole->distance <= bar.half;
     likely += hole->distance <= bar.likely;
     most += hole->distance <= bar.most;
     near += std::abs(std::log(hole->distance / bar.half)) <= std::log(2);
-    told.push_back(bar.half);
-    found.push_back(hole->distance);
+    bounds.push_back(bar.half);
+    distances.push_back(hole->distance);
   }
   const auto percent = [&](int count) { return number(100.0 * count / static_cast<double>(holes.size())); };
-  return {name,          number(static_cast<int>(holes.size())), percent(half), percent(likely), percent(most),
-          percent(near), number(rank_correlation(told, found))};
+  return {name,          number(static_cast<int>(holes.size())),     percent(half), percent(likely), percent(most),
+          percent(near), number(rank_correlation(bounds, distances))};
 }
 
 std::string tables(const std::vector<Hole>& holes) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -241,18 +242,22 @@ TEST(SurfaceModel, AtAnEdgeOfFourFacesTheFlattestPairsStayTogether) {
   for (const BoundaryLoop& loop : loops) EXPECT_EQ(loop.edges(), 4);
 }
 
-/// Shallow beside its length, and as long as the part: yet all of the part's surface lies behind it.
+/// Shallow beside its length, and as long as the part: yet all of the part's surface lies behind it. Of a shell it does not.
 TEST(BoundaryLoops, ALongSlotInALongClosedPartIsAHole) {
   TriangleSoup soup = make_icosphere(6);
   for (Vec3& p : soup.points) p.z() *= 15;
-  const auto opened = [&](double half_width) {
-    return find_boundary_loops(make_surface_model(trim_boundaries(cut(
-        soup, [=](const Vec3& p) { return p.x() > 0 && std::abs(p.y()) < half_width && std::abs(p.z()) < 13.5; }))));
+  const auto opened = [&](const std::function<bool(const Vec3&)>& gone) {
+    const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(trim_boundaries(cut(soup, gone))));
+    EXPECT_EQ(loops.size(), 1U);
+    EXPECT_GT(loops.front().extent, 0.84);
+    return loops.front().kind;
   };
-  const std::vector<BoundaryLoop> slot = opened(0.1);
-  ASSERT_EQ(slot.size(), 1U);
-  EXPECT_GT(slot[0].extent, 0.84);
-  EXPECT_EQ(slot[0].kind, LoopKind::hole);
+  for (double half_width : {0.05, 0.1, 0.3})
+    EXPECT_EQ(
+        opened([=](const Vec3& p) { return p.x() > 0 && std::abs(p.y()) < half_width && std::abs(p.z()) < 13.5; }),
+        LoopKind::hole)
+        << half_width;
+  EXPECT_EQ(opened([](const Vec3& p) { return p.x() > -0.5; }), LoopKind::outer_rim);
 }
 
 TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {

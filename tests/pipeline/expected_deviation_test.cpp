@@ -64,7 +64,7 @@ TEST(ExpectedDeviation, OnASphereTheBoundHolds) {
   EXPECT_LT(std::sqrt(squares), hole.deviation().half);
 }
 
-/// The bend of a patch over a long limb is told by little around it; that of a shallow cap by all.
+/// A fairing of second order differs much from a cap over half a sphere, and little from a shallow one.
 TEST(ExpectedDeviation, IsLargerForAnOpeningThatLeavesLess) {
   const auto share = [](double height) {
     const TriangleSoup soup = trim_boundaries(cut(make_icosphere(4), [=](const Vec3& p) { return p.z() > height; }));
