@@ -106,6 +106,7 @@ int main(int argc, char** argv) {
                                         "; it is offered at the next start\n";
   loopmend::handle_signals(last_words.c_str());
   loopmend::deliver_interrupts();
+  loopmend::restart_without_blas_threads(argv);
   // Not exit(): where `ulimit -v` is tight, OpenBLAS would wait for a thread of its own that asks for memory for ever.
   if (const int code = answer_options(argc, argv); code >= 0) {
     std::fflush(stdout);

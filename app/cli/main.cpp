@@ -20,6 +20,7 @@ int run_program(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   loopmend::handle_signals();
   loopmend::deliver_interrupts();
+  loopmend::restart_without_blas_threads(argv);
   const int code = loopmend::dispatch(argc, argv);
   // Not exit(): OpenBLAS would then wait for a thread of its own that, where `ulimit -v` is tight, asks for memory for ever.
   std::fflush(nullptr);
