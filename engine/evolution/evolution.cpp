@@ -47,6 +47,7 @@ std::string method_name(Method method, FlowKind flow) {
     case Method::split_flow: return name + "_split";
     case Method::mixed_order: return name + "_mixed_order";
     case Method::robust_fairing: return "robust_fairing";
+    case Method::sharp_edges: return "sharp_edges";
     case Method::linear_fairing: return "linear_fairing";
   }
   return "";

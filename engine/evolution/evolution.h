@@ -47,6 +47,12 @@ enum class BoundaryTrust {
   robust,     ///< as on rough scans, whatever it is: robust fairing in place of the flow (weighted_fairing.h)
 };
 
+/// What a patch does with sharp edges that end at its hole.
+enum class SharpEdges {
+  continued,  ///< they run on, where the sides of the neighborhood say how (edges/sharp_patch.h)
+  rounded,    ///< one smooth patch
+};
+
 struct EvolutionOptions {
   FlowKind flow = FlowKind::mmcvf;
   EvolutionMode mode = EvolutionMode::steady;
@@ -69,6 +75,7 @@ struct EvolutionOptions {
       split;  ///< of the neighborhood, where the caller has it; else it is made where it is wanted
   /// Of holes, to the steady state: added when the patch is done (pipeline/patch_relief.h). An Evolution by itself has no use for it.
   ReliefChoice relief;
+  SharpEdges edges = SharpEdges::continued;  ///< of holes, with `automatic` boundary (pipeline/candidates.h)
 };
 
 /// @throws InvalidArgument if an option is out of range.
@@ -84,6 +91,7 @@ enum class Method {
   split_flow,     ///< MMCVF on the smooth part of the scan, relief and noise split off: SplitProblem
   mixed_order,  ///< MMCVF with bending energy mixed in: ∫‖∇H‖² + β/R² ∫H², see EvolutionOptions::bending
   robust_fairing,  ///< a few linear fairings that weigh the boundary data; no flow
+  sharp_edges,     ///< sharp edges continued, each side on its own surface (edges/sharp_patch.h); no flow
   linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, up to twelve times; no flow
 };
 

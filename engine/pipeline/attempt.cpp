@@ -108,6 +108,17 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   return true;
 }
 
+void take_patch(const AttemptContext& context, const Judge& judge, FlowKind flow, Patch patch, PatchResult& result) {
+  CheckedPatch found = checked(context.problem, std::move(patch), context.cancel);
+  result.patch = std::move(found.patch);
+  result.validity = std::move(found.validity);
+  result.seams = std::move(found.seams);
+  result.energy.initial = energy_of(context.problem.initial, flow);
+  result.energy.final = energy_of(result.patch, flow);
+  if (found.is_bent) add_message(result, bent_message);
+  result.verdicts = judge(result.patch, result.validity, result.seams);
+}
+
 void open_folds(const AttemptContext& context, FlowKind flow, PatchResult& result) {
   if (faults(result.verdicts)[1] == 0) return;
   Patch patch = result.patch;

@@ -34,6 +34,9 @@ struct AttemptContext {
 /// when cancelled.
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result);
 
+/// Makes the patch the result's: validated, and judged by `judge`.
+void take_patch(const AttemptContext& context, const Judge& judge, FlowKind flow, Patch patch, PatchResult& result);
+
 /// Opens folds of the patch (unfold.h) where it then has fewer faults.
 void open_folds(const AttemptContext& context, FlowKind flow, PatchResult& result);
 

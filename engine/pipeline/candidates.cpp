@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/candidates.h"
 
+#include "edges/sharp_patch.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/multi_start.h"
 
@@ -21,6 +22,7 @@ struct Situation {
       clean_neighborhood;              ///< where single vertices stand off a neighborhood that is smooth without them
   std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
   std::vector<LoopEnd> ends;           ///< of each loop; empty where the loops bound no holes
+  std::optional<SharpPatch> sharp;     ///< where sharp edges run on into the hole
 
   const Patch& initial() const { return context.problem.initial; }
   bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
@@ -101,6 +103,20 @@ bool flow(const Situation& s, PatchResult& result) {
   return result.status != PatchStatus::filled;
 }
 
+bool sharp_edges(const Situation& s, PatchResult& result) {
+  const PatchProblem& problem = s.context.problem;
+  Patch patch = make_patch(problem.scan.model, problem.loops, {s.sharp->patch});
+  patch.grading = problem.initial.grading;
+  take_patch(s.context, s.context.judge.expecting_creases({s.sharp->creased}), s.options.flow, std::move(patch), result);
+  result.status = PatchStatus::faired;
+  result.method = Method::sharp_edges;
+  const auto edges = s.sharp->edges.size();
+  result.reason = edges == 0 ? "the surface of one side alone runs on here; --edges round runs the flow"
+                             : std::to_string(edges) + (edges == 1 ? " sharp edge runs" : " sharp edges run") +
+                                   " on across the hole; --edges round runs the flow";
+  return true;
+}
+
 bool split(const Situation& s, PatchResult& result) { return run_once(s.context, s.start(), s.options, result); }
 
 bool robust(const Situation& s, PatchResult& result) {
@@ -119,6 +135,7 @@ bool tangent(const Situation& s, PatchResult& result) {
 bool is_exact(const Situation& s) { return !s.is_rough(); }
 bool is_rough(const Situation& s) { return s.is_rough(); }
 bool is_cut(const Situation& s) { return s.is_cut(); }
+bool has_sharp_edges(const Situation& s) { return s.sharp.has_value(); }
 /// The flow for which there is anything else to fall back on.
 bool can_fall_back(const Situation& s) {
   return s.options.flow == FlowKind::mmcvf && s.options.mode == EvolutionMode::steady && !s.options.bending;
@@ -135,6 +152,7 @@ struct Candidate {
 const Candidate candidates[] = {
     {"minimal surface over a cut", is_cut, position},
     {"initial patch over a cut", is_cut, initial_patch},
+    {"sharp edges", has_sharp_edges, sharp_edges},
     {"flow", is_exact, flow},
     {"split flow", is_rough, split},
     {"robust fairing", of_curvature, robust},
@@ -237,8 +255,10 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   const std::vector<LoopEnd> ends = ends_of(problem);
   const Judge judge = judge_for(problem, options, ends);
   Situation situation{
-      {problem, nullptr, judge, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt, ends};
+      {problem, nullptr, judge, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt, ends, std::nullopt};
   if (is_judged(options)) {
+    if (options.edges == SharpEdges::continued && problem.loops.size() == 1 && !situation.is_cut())
+      situation.sharp = continue_sharp_edges(problem.initial, cancel);
     if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {
       const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {

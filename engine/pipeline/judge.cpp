@@ -215,6 +215,7 @@ void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double u
   const std::vector<double>& before = initial_bends_[l];
   Run torn, was, crease;
   for (std::size_t k = 0; k < bends.size(); ++k) {
+    if (expects_crease(l, k)) continue;
     verdict.crease_deg = std::max(verdict.crease_deg, bends[k]);
     if (k < before.size() && bends[k] > torn_deg && bends[k] > before[k] + torn_more_deg) {
       torn.add(bends[k]);

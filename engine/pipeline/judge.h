@@ -56,6 +56,13 @@ class Judge {
   /// @param creases  `asked_for`: position alone was asked for at the seam.
   Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases);
 
+  /// The same judge for patches that crease these edges of their loops on purpose. @param edges  per loop and edge, from place i to i + 1
+  Judge expecting_creases(std::vector<std::vector<char>> edges) const {
+    Judge judge = *this;
+    judge.expected_creases_ = std::move(edges);
+    return judge;
+  }
+
   /// @param validity  of the patch against scan and itself, with intersections per loop.
   /// @param seams     of the patch, one for each loop.
   /// @returns one verdict for each loop of the patch.
@@ -68,12 +75,16 @@ class Judge {
   void judge_seam(std::size_t loop, const std::vector<double>& bends, double usual, Verdict& verdict) const;
   void judge_curvature(std::size_t loop, const std::vector<SeamReport>& seams, Verdict& verdict) const;
   void judge_height(std::size_t loop, Verdict& verdict) const;
+  bool expects_crease(std::size_t loop, std::size_t edge) const {
+    return loop < expected_creases_.size() && edge < expected_creases_[loop].size() && expected_creases_[loop][edge];
+  }
   bool ends_at(std::size_t loop) const { return loop < ends_.size() && ends_[loop] != LoopEnd::runs_on; }
 
   const Patch& initial_;
   std::vector<LoopEnd> ends_;
   Creases creases_;
   std::vector<LoopPlace> places_;
+  std::vector<std::vector<char>> expected_creases_;  ///< per loop and edge; empty: none
   std::vector<std::vector<double>> initial_bends_;  ///< degrees, per loop and edge
   std::vector<SeamReport> initial_seams_;
 };

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edges/seams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+using Edge = std::pair<int, int>;
+
+constexpr int smoothing_rounds = 20;
+
+/// Vertices of the domain along a seam between two sides, from one node to another.
+struct Chain {
+  std::vector<int> vertices;
+  std::set<int> sides;
+  std::vector<int> points;  ///< of the layout, instead of them
+};
+
+class SeamTracer {
+ public:
+  SeamTracer(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
+             const std::function<double(const Vec3&)>& size)
+      : domain_(domain),
+        labels_(labels),
+        sides_(sides),
+        size_(size) {
+    for (int f = 0; f < static_cast<int>(domain.triangles.size()); ++f)
+      for (int k = 0; k < 3; ++k) face_at_[{domain.triangles[f][k], domain.triangles[f][(k + 1) % 3]}] = f;
+    for (const auto& [edge, face] : face_at_) {
+      const int beyond = face_beyond(edge);
+      if (beyond < 0 || labels_[beyond] == labels_[face]) continue;
+      beside_[edge.first].insert(edge.second);
+      sides_at_[edge.first].insert(labels_[face]);
+      sides_at_[edge.first].insert(labels_[beyond]);
+    }
+  }
+
+  std::optional<SeamLayout> run() {
+    layout_.points.assign(domain_.points.begin(), domain_.points.begin() + domain_.loop);
+    for (int i = 0; i < domain_.loop; ++i) point_of_node_[i] = i;
+    trace_chains();
+    for (Chain& chain : chains_)
+      if (!lay(chain)) return std::nullopt;
+    for (int i = 0; i < domain_.loop; ++i)
+      layout_.side_inside.push_back(labels_[face_at_.at({i, (i + 1) % domain_.loop})]);
+    if (!find_parts()) return std::nullopt;
+    return std::move(layout_);
+  }
+
+ private:
+  int face_beyond(const Edge& edge) const {
+    const auto found = face_at_.find({edge.second, edge.first});
+    return found == face_at_.end() ? -1 : found->second;
+  }
+  bool is_node(int v) const { return v < domain_.loop || beside_.at(v).size() != 2; }
+
+  void trace_chains() {
+    for (const auto& [v, neighbors] : beside_) {
+      if (!is_node(v)) continue;
+      for (int w : neighbors) {
+        Chain chain{{v, w}, {}, {}};
+        while (!is_node(chain.vertices.back())) {
+          const std::set<int>& next = beside_.at(chain.vertices.back());
+          const int previous = chain.vertices[chain.vertices.size() - 2];
+          chain.vertices.push_back(*next.begin() == previous ? *next.rbegin() : *next.begin());
+        }
+        if (chain_at_.contains({v, w})) continue;
+        const int number = static_cast<int>(chains_.size());
+        const auto last = chain.vertices.end();
+        chain_at_[{v, w}] = number;
+        chain_at_[{*(last - 1), *(last - 2)}] = number;
+        chain.sides = {labels_[face_at_.at({v, w})], labels_[face_at_.at({w, v})]};
+        chains_.push_back(std::move(chain));
+      }
+    }
+  }
+
+  std::vector<const SideSurface*> surfaces(const std::set<int>& numbers) const {
+    std::vector<const SideSurface*> result;
+    for (int s : numbers) result.push_back(&sides_.surfaces[s]);
+    return result;
+  }
+
+  /// The point of the layout for a node: one of the loop's, or where the surfaces of all sides around it meet.
+  int node(int v) {
+    const auto [entry, is_new] = point_of_node_.emplace(v, static_cast<int>(layout_.points.size()));
+    if (is_new) layout_.points.push_back(common_point(surfaces(sides_at_.at(v)), domain_.points[v]));
+    return entry->second;
+  }
+
+  /// Puts the seam onto the intersection of both surfaces, evenly spaced.
+  bool lay(Chain& chain) {
+    const int from = node(chain.vertices.front()), to = node(chain.vertices.back());
+    if (from == to) return false;
+    const std::vector<const SideSurface*> both = surfaces(chain.sides);
+    Points line{layout_.points[from]};
+    for (std::size_t k = 1; k + 1 < chain.vertices.size(); ++k) line.push_back(domain_.points[chain.vertices[k]]);
+    line.push_back(layout_.points[to]);
+    for (int round = 0; round < smoothing_rounds; ++round) {
+      line = evenly_spaced(line, std::max<std::size_t>(line.size(), 4));
+      Points smooth = line;
+      for (std::size_t k = 1; k + 1 < line.size(); ++k)
+        smooth[k] = common_point(both, (line[k - 1] + 2 * line[k] + line[k + 1]) / 4);
+      line = std::move(smooth);
+    }
+    line = evenly_spaced(line, 1 + std::max<std::size_t>(1, segments(line)));
+    chain.points.push_back(from);
+    for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+      chain.points.push_back(static_cast<int>(layout_.points.size()));
+      layout_.points.push_back(common_point(both, line[k]));
+    }
+    chain.points.push_back(to);
+    layout_.seams.push_back(chain.points);
+    return true;
+  }
+
+  std::size_t segments(const Points& line) const {
+    double count = 0;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+      count += (line[k + 1] - line[k]).norm() / size_((line[k] + line[k + 1]) / 2);
+    return static_cast<std::size_t>(std::lround(count));
+  }
+
+  static Points evenly_spaced(const Points& line, std::size_t count) {
+    std::vector<double> way{0};
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) way.push_back(way.back() + (line[k + 1] - line[k]).norm());
+    Points result{line.front()};
+    std::size_t k = 0;
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+      const double wanted = way.back() * static_cast<double>(i) / static_cast<double>(count - 1);
+      while (k + 2 < way.size() && way[k + 1] < wanted) ++k;
+      const double length = way[k + 1] - way[k], share = length > 0 ? (wanted - way[k]) / length : 0;
+      result.push_back(line[k] + share * (line[k + 1] - line[k]));
+    }
+    result.push_back(line.back());
+    return result;
+  }
+
+  /// Connected triangles of one side, each with a single outline.
+  bool find_parts() {
+    std::vector<int> part(labels_.size(), -1);
+    for (int seed = 0; seed < static_cast<int>(labels_.size()); ++seed) {
+      if (part[seed] >= 0) continue;
+      const int number = static_cast<int>(layout_.parts.size());
+      std::vector<int> faces{seed};
+      part[seed] = number;
+      std::map<int, int> next;  // along the outline
+      for (std::size_t k = 0; k < faces.size(); ++k)
+        for (int c = 0; c < 3; ++c) {
+          const Triangle& t = domain_.triangles[faces[k]];
+          const Edge edge{t[c], t[(c + 1) % 3]};
+          const int beyond = face_beyond(edge);
+          if (beyond < 0 || labels_[beyond] != labels_[seed]) {
+            if (!next.emplace(edge.first, edge.second).second) return false;  // touches itself
+          } else if (part[beyond] < 0) {
+            part[beyond] = number;
+            faces.push_back(beyond);
+          }
+        }
+      layout_.parts.push_back({labels_[seed], {}});
+      if (!walk(next, layout_.parts.back().outline)) return false;
+    }
+    return true;
+  }
+
+  bool walk(const std::map<int, int>& next, std::vector<int>& outline) const {
+    const auto start = std::find_if(next.begin(), next.end(), [&](const auto& step) { return is_on_node(step.first); });
+    if (start == next.end()) return false;  // an island
+    std::size_t walked = 0;
+    int v = start->first;
+    do {
+      const int w = next.at(v);
+      outline.push_back(point_of_node_.at(v));
+      const auto found = chain_at_.find({v, w});
+      if (found == chain_at_.end()) {  // along the loop
+        v = w;
+        ++walked;
+        continue;
+      }
+      const Chain& chain = chains_[found->second];
+      std::vector<int> points = chain.points, vertices = chain.vertices;
+      if (vertices.front() != v || vertices[1] != w) {
+        std::reverse(points.begin(), points.end());
+        std::reverse(vertices.begin(), vertices.end());
+      }
+      outline.insert(outline.end(), points.begin() + 1, points.end() - 1);
+      v = vertices.back();
+      walked += vertices.size() - 1;
+    } while (v != start->first);
+    return walked == next.size() && outline.size() >= 3;
+  }
+  bool is_on_node(int v) const { return v < domain_.loop || (beside_.contains(v) && is_node(v)); }
+
+  const Domain& domain_;
+  const std::vector<int>& labels_;
+  const Sides& sides_;
+  const std::function<double(const Vec3&)>& size_;
+  std::map<Edge, int> face_at_;
+  std::map<int, std::set<int>> beside_;    ///< along seams
+  std::map<int, std::set<int>> sides_at_;  ///< of vertices on seams
+  std::map<int, int> point_of_node_;
+  std::vector<Chain> chains_;
+  std::map<Edge, int> chain_at_;  ///< by the directed edges with which a chain begins
+  SeamLayout layout_;
+};
+
+}  // namespace
+
+std::optional<SeamLayout> lay_out_seams(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
+                                        const std::function<double(const Vec3&)>& size) {
+  return SeamTracer(domain, labels, sides, size).run();
+}
+
+}  // namespace loopmend

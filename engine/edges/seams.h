@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From labelled triangles to seams on the surfaces' intersections, and the outlines of the parts between them.
+#pragma once
+
+#include "edges/face_labels.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+/// A disc of the patch that continues one side.
+struct Part {
+  int side = 0;
+  std::vector<int> outline;  ///< numbers of points, oriented like the patch's triangles
+};
+
+struct SeamLayout {
+  Points points;  ///< the loop's, then those of the seams
+  std::vector<std::vector<int>> seams;
+  std::vector<Part> parts;
+  std::vector<int> side_inside;  ///< of each loop edge
+};
+
+/// @param labels  a side for each triangle of the domain
+/// @param size    wanted edge length at a place
+/// @returns nothing where a part is no disc.
+std::optional<SeamLayout> lay_out_seams(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
+                                        const std::function<double(const Vec3&)>& size);
+
+}  // namespace loopmend

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edges/sharp_patch.h"
+
+#include "edges/face_labels.h"
+#include "edges/seams.h"
+#include "filling/fairing.h"
+#include "filling/triangulate_loop.h"
+#include "mesh/triangulate_polygon.h"
+#include "remeshing/double_edges.h"
+#include "remeshing/patch_remesh.h"
+#include "remeshing/size_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+/// A neighborhood in sides leaves so much of the distance from one polynomial at most.
+constexpr double most_rms_ratio = 0.4;
+constexpr double most_misfit = 0.012, most_misfit_anywhere = 0.06;  ///< of the loop from the surfaces, diameters
+constexpr double domain_triangles = 2500;
+constexpr int remesh_rounds = 5;
+constexpr double carry =
+    0.05;  ///< weight of the squared displacement beside that of its differences: it fades over 1/√0.05 edges
+
+/// The interior of the patch, fine enough for the labels to follow the seams.
+Domain domain_of(const Patch& initial) {
+  ConstrainedRemesher mesh = open_for_remeshing(initial);
+  const auto triangles = static_cast<double>(initial.patch_triangles);
+  if (triangles < domain_triangles) mesh.scale_sizes(std::max(0.2, std::sqrt(triangles / domain_triangles)));
+  for (int round = 0; round < 2; ++round) {
+    mesh.split_long_edges();
+    mesh.flip_to_delaunay();
+  }
+  return {mesh.points(), mesh.triangles(), mesh.locked()};
+}
+
+/// Edge lengths of the neighborhood at the loop, over the patch.
+SizeField size_field(const Patch& initial) {
+  const int n = initial.free_count, loop = static_cast<int>(initial.loops[0].size());
+  std::vector<double> sum(loop, 0), count(loop, 0);
+  for (std::size_t f = initial.patch_triangles; f < initial.triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = initial.triangles[f][k], b = initial.triangles[f][(k + 1) % 3];
+      const double length = (initial.positions[a] - initial.positions[b]).norm();
+      for (int v : {a, b})
+        if (v - n < loop) {
+          sum[v - n] += length;
+          count[v - n] += 1;
+        }
+    }
+  for (int i = 0; i < loop; ++i) sum[i] /= std::max(1.0, count[i]);
+  return {Points(initial.positions.begin() + n, initial.positions.begin() + n + loop), sum, initial.grading};
+}
+
+/// All parts in one mesh: the loop's points first, then new ones; each with the sides that it lies on.
+struct Assembly {
+  int loop = 0;
+  Points points;
+  Triangles triangles;
+  std::vector<std::set<int>> sides;
+};
+
+/// Triangles of a part over places of its outline; none where it is not to be had.
+Triangles triangulated(const Points& outline, const SideSurface& surface) {
+  std::vector<int> all(outline.size());
+  std::iota(all.begin(), all.end(), 0);
+  Points flat;
+  for (const Vec3& p : outline) flat.push_back(surface.in_plane(p));
+  Triangles triangles = triangulate_seen_flat(flat, all);
+  if (triangles.empty()) triangles = triangulate_loop(outline, {}, all, {}, TriangulationMethod::cubic);
+  return triangles;
+}
+
+Points feet_of(const Points& points, int locked, const SideSurface& surface) {
+  Points feet = points;
+  for (std::size_t i = locked; i < feet.size(); ++i) feet[i] = surface.foot(feet[i]);
+  return feet;
+}
+
+/// Meshes one part. @param joined  edges that are there already, between numbers of the assembly; takes up those of the part that have both ends on outlines.
+bool add_part(const Part& part, const SideSurface& surface, const SizeField& size,
+              std::set<std::pair<int, int>>& joined, Assembly& all) {
+  Points points;
+  for (int v : part.outline) points.push_back(all.points[v]);
+  const int locked = static_cast<int>(points.size());
+  Triangles triangles = triangulated(points, surface);
+  if (triangles.empty()) return false;
+  ConstrainedRemesher mesh(points, triangles, locked, {}, [&size](const Vec3& p) { return size.at(p); });
+  for (int round = 0; round < remesh_rounds; ++round) {
+    const bool goes_on = remesh_once(mesh);
+    mesh.move_towards(feet_of(mesh.points(), locked, surface));
+    if (!goes_on) break;
+  }
+  points = feet_of(mesh.points(), locked, surface);
+  triangles = mesh.triangles();
+
+  std::set<std::pair<int, int>> chords;
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3], apart = std::abs(a - b);
+      if (a >= locked || b >= locked || apart == 1 || apart == locked - 1) continue;
+      if (joined.contains(std::minmax(part.outline[a], part.outline[b]))) chords.insert(std::minmax(a, b));
+    }
+  split_beside(chords, points, triangles);
+
+  std::vector<int> number = part.outline;
+  for (int v : number) all.sides[v].insert(part.side);
+  for (std::size_t i = locked; i < points.size(); ++i) {
+    number.push_back(static_cast<int>(all.points.size()));
+    all.points.push_back(points[i]);
+    all.sides.push_back({part.side});
+  }
+  for (const Triangle& t : triangles) {
+    all.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    for (int k = 0; k < 3; ++k)
+      if (t[k] < locked && t[(k + 1) % 3] < locked) joined.insert(std::minmax(number[t[k]], number[t[(k + 1) % 3]]));
+  }
+  return true;
+}
+
+/// Carries what the loop is off the surfaces into the patch: displacements d with Σ ‖d_i − d_j‖² + carry Σ ‖d_i‖² least.
+/// @returns the displacements of the loop.
+Points carry_in(const Sides& sides, Assembly& all) {
+  const auto n = static_cast<int>(all.points.size());
+  Points moves(n, Vec3::Zero());
+  for (int i = 0; i < all.loop; ++i) {
+    std::vector<const SideSurface*> surfaces;
+    for (int s : all.sides[i]) surfaces.push_back(&sides.surfaces[s]);
+    moves[i] = all.points[i] - common_point(surfaces, all.points[i]);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Triangle& t : all.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
+        entries.emplace_back(i, i, 0.5);
+        entries.emplace_back(i, j, -0.5);
+      }
+    }
+  for (int i = 0; i < n; ++i) entries.emplace_back(i, i, carry);
+  SparseMatrix Q(n, n);
+  Q.setFromTriplets(entries.begin(), entries.end());
+  minimise_quadratic_form(Q, moves, all.loop, n);
+  for (int i = all.loop; i < n; ++i) all.points[i] += moves[i];
+  moves.resize(all.loop);
+  return moves;
+}
+
+/// Edges of the neighborhood between vertices of the loop.
+std::set<std::pair<int, int>> chords_outside(const Patch& initial, int loop) {
+  std::set<std::pair<int, int>> chords;
+  const auto on_loop = [&](int v) { return v >= initial.free_count && v < initial.free_count + loop; };
+  for (std::size_t f = initial.patch_triangles; f < initial.triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = initial.triangles[f][k], b = initial.triangles[f][(k + 1) % 3];
+      if (on_loop(a) && on_loop(b)) chords.insert(std::minmax(a - initial.free_count, b - initial.free_count));
+    }
+  return chords;
+}
+
+/// Whether the loop's vertices are distinct, and come first of the fixed ones in its own order.
+bool is_plain(const Patch& patch) {
+  for (std::size_t i = 0; i < patch.loops[0].size(); ++i)
+    if (patch.loops[0][i] != patch.free_count + static_cast<int>(i)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel) {
+  if (initial.loops.size() != 1 || !is_plain(initial)) return std::nullopt;
+  const std::optional<Sides> sides = find_sides(initial, 0);
+  if (!sides || !(sides->rms < most_rms_ratio * sides->rms_of_one)) return std::nullopt;
+  const Domain domain = domain_of(initial);
+  if (domain.loop != static_cast<int>(initial.loops[0].size())) return std::nullopt;
+  const std::vector<int> labels = label_faces(domain, *sides, cancel);
+  if (labels.empty()) return std::nullopt;
+  const SizeField size = size_field(initial);
+  const std::optional<SeamLayout> layout =
+      lay_out_seams(domain, labels, *sides, [&](const Vec3& p) { return size.at(p); });
+  if (!layout) return std::nullopt;
+
+  Assembly all{domain.loop, layout->points, {}, {}};
+  all.sides.resize(all.points.size());
+  std::set<std::pair<int, int>> joined = chords_outside(initial, domain.loop);
+  for (const Part& part : layout->parts)
+    if (!add_part(part, sides->surfaces[part.side], size, joined, all) || cancel.cancelled()) return std::nullopt;
+  const Points moves = carry_in(*sides, all);
+  const double diameter = loop_diameter(initial, 0);
+  double sum = 0, largest = 0;
+  for (const Vec3& move : moves) {
+    sum += move.squaredNorm() / static_cast<double>(moves.size());
+    largest = std::max(largest, move.norm());
+  }
+  SharpPatch result;
+  result.misfit = std::sqrt(sum) / diameter;
+  if (result.misfit > most_misfit || largest > most_misfit_anywhere * diameter) return std::nullopt;
+  std::set<int> used;
+  for (const Part& part : layout->parts) used.insert(part.side);
+  result.sides = static_cast<int>(used.size());
+  result.edges = layout->seams;
+  for (int i = 0; i < domain.loop; ++i) {
+    const int outside = sides->of_edge[i], inside = layout->side_inside[i];
+    result.creased.push_back(outside >= 0 && outside != inside);
+  }
+  for (const Vec3& p : all.points) result.patch.points.push_back(initial.to_mesh(p));
+  result.patch.triangles = std::move(all.triangles);
+  return result;
+}
+
+}  // namespace loopmend

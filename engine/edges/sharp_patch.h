@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A patch in which the sharp edges of the neighborhood run on (docs/math/sharp_edges.md).
+#pragma once
+
+#include "core/cancel.h"
+#include "edges/sides.h"
+#include "mesh/patch.h"
+
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+struct SharpPatch {
+  LoopPatch patch;  ///< mesh units
+  int sides = 0;    ///< whose surfaces the patch continues
+  /// Sharp edges within the patch: indices into patch.points, from one end to the other.
+  std::vector<std::vector<int>> edges;
+  std::vector<char> creased;  ///< of each loop edge: whether the patch continues another side than the one across it
+  double misfit = 0;          ///< rms distance of the loop from the continued surfaces, diameters
+};
+
+/// Parts the patch where the continued surfaces of two sides meet, meshes each part with the seams as edges, puts it onto its
+/// side's surface, and carries what the loop is off that surface over some four edges into it.
+/// @param initial  patch of one loop
+/// @returns nothing where no sharp edge runs on: one surface explains the neighborhood as well, the loop is off the surfaces, or
+/// the parts are no discs.
+std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edges/sides.h"
+
+#include "core/quantile.h"
+#include "mesh/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double sharp_deg = 25, sharp_medians = 4;
+constexpr int small_group = 6;  ///< faces: such a group is noise, unless its faces are large
+constexpr std::size_t most_sides = 8;
+constexpr double least_coverage = 0.9;  ///< share of the loop's edges that belong to sides
+constexpr double steep = 0.45;  ///< cosine: faces that lean farther from their side's normal are left out of its fit
+constexpr double one_surface =
+    1.3;                        ///< two sides are one where the common fit is no worse than so many times their own
+constexpr double exact = 1e-5;  ///< diameters: below that, fits are exact
+
+struct FaceGroups {
+  Triangles triangles;
+  std::vector<Vec3> normals;  ///< unit, by triangle
+  std::vector<double> areas;
+  std::vector<int> group;  ///< by triangle
+};
+
+double angle_deg(const Bend& bend) { return std::acos(std::clamp(bend.cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
+/// Triangles of the neighborhood with all corners within `reach` of the loop.
+Triangles triangles_near(const Patch& patch, const std::vector<int>& loop, double reach) {
+  std::vector<char> is_near(patch.vertex_count(), 0);
+  for (int v = patch.free_count; v < patch.vertex_count(); ++v)
+    is_near[v] = std::any_of(loop.begin(), loop.end(), [&](int w) {
+      return (patch.positions[v] - patch.positions[w]).squaredNorm() < reach * reach;
+    });
+  Triangles near;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
+    const Triangle& t = patch.triangles[f];
+    if (is_near[t[0]] && is_near[t[1]] && is_near[t[2]]) near.push_back(t);
+  }
+  return near;
+}
+
+int root_of(std::vector<int>& parent, int f) {
+  while (parent[f] != f) f = parent[f] = parent[parent[f]];
+  return f;
+}
+
+/// Small groups join the neighbor to which they bend least, weighted by the length of the common edges.
+void join_small_groups(const Patch& patch, const std::vector<Bend>& edges, FaceGroups& groups) {
+  const double mean_area =
+      std::accumulate(groups.areas.begin(), groups.areas.end(), 0.0) / static_cast<double>(groups.areas.size());
+  for (int round = 0; round < 3; ++round) {
+    std::map<int, std::pair<int, double>> size;  // faces, area
+    for (std::size_t f = 0; f < groups.group.size(); ++f) {
+      ++size[groups.group[f]].first;
+      size[groups.group[f]].second += groups.areas[f];
+    }
+    std::map<int, std::map<int, double>> beside;
+    for (const Bend& edge : edges) {
+      const int a = groups.group[edge.face], b = groups.group[edge.other];
+      if (a == b) continue;
+      const double weight = (patch.positions[edge.low] - patch.positions[edge.high]).norm() / (5 + angle_deg(edge));
+      beside[a][b] += weight;
+      beside[b][a] += weight;
+    }
+    std::map<int, int> joins;
+    for (const auto& [group, extent] : size) {
+      if (extent.first >= small_group || extent.second >= small_group * mean_area || beside[group].empty()) continue;
+      const auto& neighbors = beside[group];
+      joins[group] = std::max_element(neighbors.begin(), neighbors.end(), [](const auto& a, const auto& b) {
+                       return a.second < b.second;
+                     })->first;
+    }
+    if (joins.empty()) break;
+    for (int& g : groups.group)
+      for (int hops = 0; hops < 2; ++hops)
+        if (const auto found = joins.find(g); found != joins.end() && (hops == 0 || found->second < g))
+          g = found->second;
+  }
+}
+
+FaceGroups group_faces(const Patch& patch, Triangles triangles) {
+  FaceGroups groups;
+  groups.triangles = std::move(triangles);
+  for (const Triangle& t : groups.triangles) {
+    const Vec3 &a = patch.positions[t[0]], &b = patch.positions[t[1]], &c = patch.positions[t[2]];
+    groups.normals.push_back(unit_normal(a, b, c));
+    groups.areas.push_back((b - a).cross(c - a).norm() / 2);
+  }
+  const std::vector<Bend> edges = bends(patch.positions, groups.triangles, static_cast<int>(groups.triangles.size()));
+  std::vector<double> angles;
+  for (const Bend& edge : edges) angles.push_back(angle_deg(edge));
+  const double limit = std::max(sharp_deg, sharp_medians * median(angles));
+  std::vector<int> parent(groups.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (angles[e] <= limit) {
+      const int a = root_of(parent, edges[e].face), b = root_of(parent, edges[e].other);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  for (int f = 0; f < static_cast<int>(parent.size()); ++f) groups.group.push_back(root_of(parent, f));
+  join_small_groups(patch, edges, groups);
+  return groups;
+}
+
+struct Side {
+  std::set<int> vertices;
+  Vec3 normal = Vec3::Zero();
+};
+
+Points positions_of(const Patch& patch, const std::set<int>& vertices) {
+  Points points;
+  for (int v : vertices) points.push_back(patch.positions[v]);
+  return points;
+}
+
+/// The vertices of a group, without faces that lean far from it, and its normal near the loop.
+Side side_of(const Patch& patch, const FaceGroups& groups, int group) {
+  constexpr int near_rings = 4;
+  Side side;
+  for (const bool near : {true, false}) {
+    for (std::size_t f = 0; f < groups.triangles.size(); ++f) {
+      const Triangle& t = groups.triangles[f];
+      const int ring = std::max({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]});
+      if (groups.group[f] == group && (!near || ring <= near_rings)) side.normal += groups.areas[f] * groups.normals[f];
+    }
+    if (side.normal.norm() > 0) break;
+  }
+  side.normal.normalize();
+  for (std::size_t f = 0; f < groups.triangles.size(); ++f)
+    if (groups.group[f] == group && groups.normals[f].dot(side.normal) > steep)
+      side.vertices.insert(groups.triangles[f].begin(), groups.triangles[f].end());
+  return side;
+}
+
+/// Joins sides whose faces lie on one surface, as those of a plane that the hole cuts in two.
+void join_sides_of_one_surface(const Patch& patch, double diameter, std::vector<Side>& sides,
+                               std::vector<SideSurface>& surfaces, std::vector<int>& side_of_group) {
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; j < sides.size(); ++j) {
+      if (sides[i].normal.dot(sides[j].normal) < steep) continue;
+      Side both = sides[i];
+      both.vertices.insert(sides[j].vertices.begin(), sides[j].vertices.end());
+      both.normal = (sides[i].normal + sides[j].normal).normalized();
+      const auto surface = SideSurface::fit(positions_of(patch, both.vertices), both.normal, diameter);
+      if (!surface || surface->rms() > one_surface * std::max(surfaces[i].rms(), surfaces[j].rms()) + exact * diameter)
+        continue;
+      sides[i] = both;
+      surfaces[i] = *surface;
+      sides.erase(sides.begin() + static_cast<long>(j));
+      surfaces.erase(surfaces.begin() + static_cast<long>(j));
+      for (int& s : side_of_group)
+        s = s == static_cast<int>(j) ? static_cast<int>(i) : s > static_cast<int>(j) ? s - 1 : s;
+      j = i;  // what the joined side takes in is asked again
+    }
+}
+
+}  // namespace
+
+std::optional<Sides> find_sides(const Patch& patch, std::size_t l) {
+  const std::vector<int>& loop = patch.loops[l];
+  const double diameter = loop_diameter(patch, l);
+  Triangles near = triangles_near(patch, loop, diameter);
+  if (!(diameter > 0) || near.size() < 3) return std::nullopt;
+  const FaceGroups groups = group_faces(patch, std::move(near));
+
+  Sides result;
+  result.groups = static_cast<int>(std::set<int>(groups.group.begin(), groups.group.end()).size());
+  if (result.groups < 2) return std::nullopt;
+  std::map<std::pair<int, int>, int> group_at;  // of directed edges
+  for (std::size_t f = 0; f < groups.triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) group_at[{groups.triangles[f][k], groups.triangles[f][(k + 1) % 3]}] = groups.group[f];
+  std::vector<int> numbers;  // groups at the loop
+  int covered = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const int a = loop[i], b = loop[(i + 1) % loop.size()];
+    auto found = group_at.find({b, a});
+    if (found == group_at.end()) found = group_at.find({a, b});
+    result.of_edge.push_back(-1);
+    if (found == group_at.end()) continue;
+    const auto number = std::find(numbers.begin(), numbers.end(), found->second);
+    result.of_edge.back() = static_cast<int>(number - numbers.begin());
+    if (number == numbers.end()) numbers.push_back(found->second);
+    ++covered;
+  }
+  if (numbers.empty() || numbers.size() > most_sides || covered < least_coverage * static_cast<double>(loop.size()))
+    return std::nullopt;
+  std::vector<Side> sides;
+  std::vector<int> side_of_number(numbers.size());
+  std::iota(side_of_number.begin(), side_of_number.end(), 0);
+  for (int number : numbers) {
+    sides.push_back(side_of(patch, groups, number));
+    const auto surface = SideSurface::fit(positions_of(patch, sides.back().vertices), sides.back().normal, diameter);
+    if (!surface) return std::nullopt;
+    result.surfaces.push_back(*surface);
+  }
+  join_sides_of_one_surface(patch, diameter, sides, result.surfaces, side_of_number);
+  for (int& s : result.of_edge)
+    if (s >= 0) s = side_of_number[s];
+
+  double sum = 0, count = 0;
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto n = static_cast<double>(sides[s].vertices.size());
+    sum += result.surfaces[s].rms() * result.surfaces[s].rms() * n;
+    count += n;
+    normal += n * sides[s].normal;
+  }
+  result.rms = std::sqrt(sum / count);
+  std::set<int> all;
+  for (const Triangle& t : groups.triangles) all.insert(t.begin(), t.end());
+  const auto one = SideSurface::fit(positions_of(patch, all), normal.normalized(), diameter);
+  if (!one) return std::nullopt;
+  result.rms_of_one = one->rms();
+  return result;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The neighborhood of a hole in sides, parted at sharp edges (docs/math/sharp_edges.md, "Sides").
+#pragma once
+
+#include "edges/side_surface.h"
+#include "mesh/patch.h"
+
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+/// What a neighborhood without sharp edges is: one side, and nothing else.
+struct Sides {
+  std::vector<SideSurface> surfaces;  ///< of each side that bounds the hole
+  std::vector<int> of_edge;           ///< of each loop edge (from place i to i + 1): its side
+  int groups = 0;                     ///< of faces between sharp edges, also of those away from the hole
+  double rms = 0;                     ///< of the vertices from the surfaces of their sides, patch frame
+  double rms_of_one = 0;              ///< of all vertices from one polynomial
+};
+
+/// Faces within six rings and one diameter of the loop are grouped across edges below max(25°, 4 medians) of bend; small groups join the most similar
+/// neighbor. Sides that continue one another are one.
+/// @param loop  which of patch.loops
+/// @returns nothing where no edge is sharp, or where the sides do not say how they go on.
+std::optional<Sides> find_sides(const Patch& patch, std::size_t loop);
+
+}  // namespace loopmend
