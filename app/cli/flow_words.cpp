@@ -11,8 +11,20 @@ namespace loopmend {
 
 namespace {
 
-/// @returns the option --relief.
-CLI::Option* add_relief_options(CLI::App& command, FlowWords& words) {
+/// Of the patches of holes.
+struct HoleOptions {
+  CLI::Option *relief = nullptr, *edges = nullptr;
+};
+
+HoleOptions add_hole_options(CLI::App& command, FlowWords& words) {
+  CLI::Option* edges =
+      command
+          .add_option(
+              "--edges", words.edges,
+              "Sharp edges that end at the hole, for mmcvf: auto, they run on across it where both sides say how; "
+              "round, one smooth patch")
+          ->check(CLI::IsMember({"auto", "round"}))
+          ->capture_default_str();
   CLI::Option* relief =
       command
           .add_option(
@@ -24,7 +36,7 @@ CLI::Option* add_relief_options(CLI::App& command, FlowWords& words) {
   command.add_option("--relief-seed", words.relief_seed, "Another seed gives other relief of the same strength")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  return relief;
+  return {relief, edges};
 }
 
 }  // namespace
@@ -66,18 +78,18 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
     command.add_option("--density", words.density, "Vertices along a length, relative to the mesh around")
         ->check(between(0.1, 10))
         ->capture_default_str();
-  CLI::Option* relief_option = relief == ReliefOption::offer ? add_relief_options(command, words) : nullptr;
+  const HoleOptions of_holes = relief == ReliefOption::offer ? add_hole_options(command, words) : HoleOptions();
   command.add_option("--report", words.report, "Write a JSON report to FILE, or to standard output for -")
       ->type_name("FILE|-");
   command.add_flag("--ascii", words.ascii, "Write PLY or STL as text");
   command.add_flag("--quiet", words.quiet, "No progress and no summary");
-  command.parse_complete_callback([&words, boundary, continuity, relief_option] {
-    if (relief_option && words.relief == "continued" && (words.flow == "none" || words.mode != "steady"))
+  command.parse_complete_callback([&words, boundary, continuity, of_holes] {
+    if (of_holes.relief && words.relief == "continued" && (words.flow == "none" || words.mode != "steady"))
       throw CLI::ValidationError("--relief", "has no effect with --flow " + words.flow + " --mode " + words.mode +
                                                  ": it is for flows with --mode steady");
     if (words.flow == "mmcvf" && words.mode == "steady") return;
-    for (const CLI::Option* option : {boundary, continuity})
-      if (option->count() > 0)
+    for (const CLI::Option* option : {boundary, continuity, of_holes.edges})
+      if (option && option->count() > 0)
         throw CLI::ValidationError(option->get_name(), "has no effect with --flow " + words.flow + " --mode " +
                                                            words.mode + ": it is for mmcvf with --mode steady");
   });
@@ -102,6 +114,7 @@ EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow) {
   options.sigma = words.sigma;
   options.relief = {words.relief == "continued" ? ReliefChoice::Kind::continued : ReliefChoice::Kind::smooth,
                     words.relief_seed};
+  options.edges = words.edges == "round" ? SharpEdges::rounded : SharpEdges::continued;
   if (words.steps > 0) options.max_steps = words.steps;
   return options;
 }

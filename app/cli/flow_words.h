@@ -17,7 +17,7 @@ namespace loopmend {
 
 struct FlowWords {
   std::string flow = "mmcvf", mode = "steady", solver = "auto", boundary = "auto", continuity = "curvature",
-              relief = "smooth";
+              relief = "smooth", edges = "auto";
   std::uint64_t relief_seed = 1;
   int steps = 0;  ///< 0: the default
   double sigma = 10;

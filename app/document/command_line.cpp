@@ -22,7 +22,8 @@ QString options_of(const PatchRecipe& recipe) {
   text += QStringLiteral(" --flow ") + shell::word(run.flow);
   if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + shell::exact(run.sigma);
   if (run.mode == EvolutionMode::steady)
-    text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief);
+    text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief) +
+            shell::edges_option(run.edges);
   if (run.mode == EvolutionMode::steps || run.end == RunRecipe::End::after_steps)
     text += QStringLiteral(" --steps ") + QString::number(run.steps);
   return text;

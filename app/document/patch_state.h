@@ -22,6 +22,7 @@ struct RunRecipe {
   BoundaryTrust boundary = BoundaryTrust::automatic;      ///< of EvolutionMode::steady
   SeamContinuity continuity = SeamContinuity::curvature;  ///< likewise
   ReliefChoice relief;                                    ///< likewise
+  SharpEdges edges = SharpEdges::continued;               ///< likewise
   int steps = 0;                                          ///< taken
   enum class End {
     whole,        ///< as far as it goes
@@ -32,8 +33,9 @@ struct RunRecipe {
 
 /// The run that these options lead to, before its first step.
 inline RunRecipe recipe_of(const EvolutionOptions& options) {
-  RunRecipe run{options.flow,         options.mode, options.sigma, options.boundary, options.continuity, {}, 0,
+  RunRecipe run{options.flow,         options.mode, options.sigma, options.boundary, options.continuity, {}, {}, 0,
                 RunRecipe::End::whole};
+  run.edges = options.edges;
   if (options.mode == EvolutionMode::steady) run.relief = options.relief;
   return run;
 }

@@ -161,10 +161,11 @@ void put(Writer& out, const PatchRecipe& recipe) {
     out.put(run.sigma);
     out.put(static_cast<qint32>(run.steps));
     out.put(static_cast<qint32>(run.end));
-    out.put(static_cast<qint32>(run.boundary));
-    out.put(static_cast<qint32>(run.continuity));
-    out.put(static_cast<qint32>(run.relief.kind));
+    for (const int word :
+         {static_cast<int>(run.boundary), static_cast<int>(run.continuity), static_cast<int>(run.relief.kind)})
+      out.put(static_cast<qint32>(word));
     out.put(static_cast<quint64>(run.relief.seed));
+    out.put(static_cast<qint32>(run.edges));
   }
 }
 
@@ -189,6 +190,7 @@ PatchRecipe recipe(Reader& in) {
       run.relief.kind = word(in, ReliefChoice::Kind::continued);
       run.relief.seed = in.number<quint64>();
     }
+    if (in.version > version_without_deviation) run.edges = word(in, SharpEdges::rounded);
     r.runs.push_back(run);
   }
   return r;

@@ -34,6 +34,10 @@ QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity) {
   return text;
 }
 
+QString edges_option(SharpEdges edges) {
+  return edges == SharpEdges::rounded ? QStringLiteral(" --edges round") : QString();
+}
+
 QString relief_options(const ReliefChoice& relief) {
   if (relief.kind == ReliefChoice::Kind::smooth) return {};
   const QString seed =

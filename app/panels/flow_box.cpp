@@ -60,6 +60,11 @@ void FlowBox::build() {
   explain(relief_, tr("Continue relief"),
           tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
              "continues the smooth surface under the scan."));
+  edges_ = new QCheckBox(tr("Continue sharp edges"));
+  edges_->setObjectName(QStringLiteral("edges"));
+  edges_->setChecked(true);
+  explain(edges_, tr("Continue sharp edges"),
+          tr("Sharp edges that end at the hole run on across it, where both sides say how. Off: one smooth patch."));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("sigma"));
   sigma_->setRange(sigma_low, sigma_high);
@@ -85,7 +90,8 @@ void FlowBox::build() {
   grid->addWidget(boundary_, 3, 1);
   grid->addWidget(continuity_label, 4, 0);
   grid->addWidget(continuity_, 4, 1);
-  grid->addWidget(relief_, 5, 0, 1, 2);
+  grid->addWidget(relief_, 5, 0);
+  grid->addWidget(edges_, 5, 1);
   grid->addWidget(run_, 6, 0);
   grid->addWidget(compare_, 6, 1);
   grid->addWidget(sigma_label, 7, 0);
@@ -115,6 +121,7 @@ EvolutionOptions FlowBox::options() const {
   options.boundary = static_cast<BoundaryTrust>(boundary_->currentData().toInt());
   options.continuity = static_cast<SeamContinuity>(continuity_->currentData().toInt());
   if (relief_->isChecked()) options.relief.kind = ReliefChoice::Kind::continued;
+  options.edges = edges_->isChecked() ? SharpEdges::continued : SharpEdges::rounded;
   return options;
 }
 
@@ -140,6 +147,7 @@ void FlowBox::update_state() {
   boundary_->setEnabled(of_mmcvf);
   continuity_->setEnabled(of_mmcvf);
   relief_->setEnabled(idle);
+  edges_->setEnabled(of_mmcvf);
   sigma_->setEnabled(idle);
   step_->setEnabled(idle && !to_move.empty());
   compare_->setEnabled(document_.has_scan());

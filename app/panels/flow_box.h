@@ -44,7 +44,7 @@ class FlowBox : public QGroupBox {
   QLabel *target_ = nullptr, *sigma_value_ = nullptr;
   QuietLabel* help_ = nullptr;
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
-  QCheckBox* relief_ = nullptr;
+  QCheckBox *relief_ = nullptr, *edges_ = nullptr;
   QSlider* sigma_ = nullptr;
   QPushButton *step_ = nullptr, *run_ = nullptr, *compare_ = nullptr;
 };

@@ -24,11 +24,12 @@ struct Chain {
 class SeamTracer {
  public:
   SeamTracer(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
-             const std::function<double(const Vec3&)>& size)
+             const std::function<double(const Vec3&)>& size, double reach)
       : domain_(domain),
         labels_(labels),
         sides_(sides),
-        size_(size) {
+        size_(size),
+        reach_(reach) {
     for (int f = 0; f < static_cast<int>(domain.triangles.size()); ++f)
       for (int k = 0; k < 3; ++k) face_at_[{domain.triangles[f][k], domain.triangles[f][(k + 1) % 3]}] = f;
     for (const auto& [edge, face] : face_at_) {
@@ -40,15 +41,15 @@ class SeamTracer {
     }
   }
 
-  std::optional<SeamLayout> run() {
+  SeamLayout run() {
     layout_.points.assign(domain_.points.begin(), domain_.points.begin() + domain_.loop);
-    for (int i = 0; i < domain_.loop; ++i) point_of_node_[i] = i;
-    trace_chains();
-    for (Chain& chain : chains_)
-      if (!lay(chain)) return std::nullopt;
-    for (int i = 0; i < domain_.loop; ++i)
+    for (int i = 0; i < domain_.loop; ++i) {
+      point_of_node_[i] = i;
       layout_.side_inside.push_back(labels_[face_at_.at({i, (i + 1) % domain_.loop})]);
-    if (!find_parts()) return std::nullopt;
+    }
+    trace_chains();
+    for (Chain& chain : chains_) lay(chain);
+    find_parts();
     return std::move(layout_);
   }
 
@@ -89,14 +90,20 @@ class SeamTracer {
   /// The point of the layout for a node: one of the loop's, or where the surfaces of all sides around it meet.
   int node(int v) {
     const auto [entry, is_new] = point_of_node_.emplace(v, static_cast<int>(layout_.points.size()));
-    if (is_new) layout_.points.push_back(common_point(surfaces(sides_at_.at(v)), domain_.points[v]));
+    if (is_new) layout_.points.push_back(place(surfaces(sides_at_.at(v)), domain_.points[v]));
     return entry->second;
   }
 
+  Vec3 place(const std::vector<const SideSurface*>& surfaces, const Vec3& near) {
+    const Vec3 point = common_point(surfaces, near, reach_);
+    layout_.gap = std::max(layout_.gap, distance(surfaces, point));
+    return point;
+  }
+
   /// Puts the seam onto the intersection of both surfaces, evenly spaced.
-  bool lay(Chain& chain) {
+  void lay(Chain& chain) {
     const int from = node(chain.vertices.front()), to = node(chain.vertices.back());
-    if (from == to) return false;
+    if (from == to) return;
     const std::vector<const SideSurface*> both = surfaces(chain.sides);
     Points line{layout_.points[from]};
     for (std::size_t k = 1; k + 1 < chain.vertices.size(); ++k) line.push_back(domain_.points[chain.vertices[k]]);
@@ -105,18 +112,17 @@ class SeamTracer {
       line = evenly_spaced(line, std::max<std::size_t>(line.size(), 4));
       Points smooth = line;
       for (std::size_t k = 1; k + 1 < line.size(); ++k)
-        smooth[k] = common_point(both, (line[k - 1] + 2 * line[k] + line[k + 1]) / 4);
+        smooth[k] = common_point(both, (line[k - 1] + 2 * line[k] + line[k + 1]) / 4, reach_);
       line = std::move(smooth);
     }
     line = evenly_spaced(line, 1 + std::max<std::size_t>(1, segments(line)));
     chain.points.push_back(from);
     for (std::size_t k = 1; k + 1 < line.size(); ++k) {
       chain.points.push_back(static_cast<int>(layout_.points.size()));
-      layout_.points.push_back(common_point(both, line[k]));
+      layout_.points.push_back(place(both, line[k]));
     }
     chain.points.push_back(to);
     layout_.seams.push_back(chain.points);
-    return true;
   }
 
   std::size_t segments(const Points& line) const {
@@ -127,50 +133,52 @@ class SeamTracer {
   }
 
   static Points evenly_spaced(const Points& line, std::size_t count) {
-    std::vector<double> way{0};
-    for (std::size_t k = 0; k + 1 < line.size(); ++k) way.push_back(way.back() + (line[k + 1] - line[k]).norm());
+    std::vector<double> lengths{0};
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+      lengths.push_back(lengths.back() + (line[k + 1] - line[k]).norm());
     Points result{line.front()};
     std::size_t k = 0;
     for (std::size_t i = 1; i + 1 < count; ++i) {
-      const double wanted = way.back() * static_cast<double>(i) / static_cast<double>(count - 1);
-      while (k + 2 < way.size() && way[k + 1] < wanted) ++k;
-      const double length = way[k + 1] - way[k], share = length > 0 ? (wanted - way[k]) / length : 0;
+      const double wanted = lengths.back() * static_cast<double>(i) / static_cast<double>(count - 1);
+      while (k + 2 < lengths.size() && lengths[k + 1] < wanted) ++k;
+      const double length = lengths[k + 1] - lengths[k], share = length > 0 ? (wanted - lengths[k]) / length : 0;
       result.push_back(line[k] + share * (line[k + 1] - line[k]));
     }
     result.push_back(line.back());
     return result;
   }
 
-  /// Connected triangles of one side, each with a single outline.
-  bool find_parts() {
-    std::vector<int> part(labels_.size(), -1);
+  /// Connected triangles of one side.
+  void find_parts() {
+    std::vector<char> found(labels_.size(), 0);
     for (int seed = 0; seed < static_cast<int>(labels_.size()); ++seed) {
-      if (part[seed] >= 0) continue;
-      const int number = static_cast<int>(layout_.parts.size());
-      std::vector<int> faces{seed};
-      part[seed] = number;
+      if (found[seed]) continue;
+      found[seed] = 1;
+      Part part{labels_[seed], {seed}, {}};
       std::map<int, int> next;  // along the outline
-      for (std::size_t k = 0; k < faces.size(); ++k)
+      bool touches_itself = false;
+      for (std::size_t k = 0; k < part.triangles.size(); ++k)
         for (int c = 0; c < 3; ++c) {
-          const Triangle& t = domain_.triangles[faces[k]];
+          const Triangle& t = domain_.triangles[part.triangles[k]];
           const Edge edge{t[c], t[(c + 1) % 3]};
           const int beyond = face_beyond(edge);
-          if (beyond < 0 || labels_[beyond] != labels_[seed]) {
-            if (!next.emplace(edge.first, edge.second).second) return false;  // touches itself
-          } else if (part[beyond] < 0) {
-            part[beyond] = number;
-            faces.push_back(beyond);
+          if (beyond < 0 || labels_[beyond] != part.side) {
+            touches_itself = !next.emplace(edge.first, edge.second).second || touches_itself;
+          } else if (!found[beyond]) {
+            found[beyond] = 1;
+            part.triangles.push_back(beyond);
           }
         }
-      layout_.parts.push_back({labels_[seed], {}});
-      if (!walk(next, layout_.parts.back().outline)) return false;
+      if (!touches_itself) part.outline = outline_of(next);
+      layout_.parts.push_back(std::move(part));
     }
-    return true;
   }
 
-  bool walk(const std::map<int, int>& next, std::vector<int>& outline) const {
+  /// @returns the points of the outline; none where it is in several cycles, or a seam's ends are one.
+  std::vector<int> outline_of(const std::map<int, int>& next) const {
     const auto start = std::find_if(next.begin(), next.end(), [&](const auto& step) { return is_on_node(step.first); });
-    if (start == next.end()) return false;  // an island
+    if (start == next.end()) return {};  // an island
+    std::vector<int> outline;
     std::size_t walked = 0;
     int v = start->first;
     do {
@@ -182,8 +190,8 @@ class SeamTracer {
         ++walked;
         continue;
       }
-      const Chain& chain = chains_[found->second];
-      std::vector<int> points = chain.points, vertices = chain.vertices;
+      std::vector<int> points = chains_[found->second].points, vertices = chains_[found->second].vertices;
+      if (points.empty()) return {};
       if (vertices.front() != v || vertices[1] != w) {
         std::reverse(points.begin(), points.end());
         std::reverse(vertices.begin(), vertices.end());
@@ -192,7 +200,7 @@ class SeamTracer {
       v = vertices.back();
       walked += vertices.size() - 1;
     } while (v != start->first);
-    return walked == next.size() && outline.size() >= 3;
+    return walked == next.size() && outline.size() >= 3 ? outline : std::vector<int>();
   }
   bool is_on_node(int v) const { return v < domain_.loop || (beside_.contains(v) && is_node(v)); }
 
@@ -200,6 +208,7 @@ class SeamTracer {
   const std::vector<int>& labels_;
   const Sides& sides_;
   const std::function<double(const Vec3&)>& size_;
+  double reach_;
   std::map<Edge, int> face_at_;
   std::map<int, std::set<int>> beside_;    ///< along seams
   std::map<int, std::set<int>> sides_at_;  ///< of vertices on seams
@@ -211,9 +220,9 @@ class SeamTracer {
 
 }  // namespace
 
-std::optional<SeamLayout> lay_out_seams(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
-                                        const std::function<double(const Vec3&)>& size) {
-  return SeamTracer(domain, labels, sides, size).run();
+SeamLayout lay_out_seams(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
+                         const std::function<double(const Vec3&)>& size, double reach) {
+  return SeamTracer(domain, labels, sides, size, reach).run();
 }
 
 }  // namespace loopmend

@@ -5,7 +5,6 @@
 #include "edges/face_labels.h"
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace loopmend {
@@ -13,7 +12,9 @@ namespace loopmend {
 /// A disc of the patch that continues one side.
 struct Part {
   int side = 0;
-  std::vector<int> outline;  ///< numbers of points, oriented like the patch's triangles
+  std::vector<int> triangles;  ///< of the domain
+  std::vector<int>
+      outline;  ///< numbers of points, oriented like the patch's triangles; empty where the part is no disc
 };
 
 struct SeamLayout {
@@ -21,12 +22,13 @@ struct SeamLayout {
   std::vector<std::vector<int>> seams;
   std::vector<Part> parts;
   std::vector<int> side_inside;  ///< of each loop edge
+  double gap = 0;                ///< largest distance of a seam's point from one of the surfaces that should meet there
 };
 
 /// @param labels  a side for each triangle of the domain
 /// @param size    wanted edge length at a place
-/// @returns nothing where a part is no disc.
-std::optional<SeamLayout> lay_out_seams(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
-                                        const std::function<double(const Vec3&)>& size);
+/// @param reach   farthest that seams are from where the labels change
+SeamLayout lay_out_seams(const Domain& domain, const std::vector<int>& labels, const Sides& sides,
+                         const std::function<double(const Vec3&)>& size, double reach);
 
 }  // namespace loopmend

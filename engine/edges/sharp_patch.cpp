@@ -23,10 +23,10 @@ namespace {
 /// A neighborhood in sides leaves so much of the distance from one polynomial at most.
 constexpr double most_rms_ratio = 0.4;
 constexpr double most_misfit = 0.012, most_misfit_anywhere = 0.06;  ///< of the loop from the surfaces, diameters
+constexpr double most_rms_of_lone_side = 0.002;                     ///< diameters, where it is no plane
+constexpr double farthest_seam = 0.6;                               ///< from where the labels change, diameters
 constexpr double domain_triangles = 2500;
 constexpr int remesh_rounds = 5;
-constexpr double carry =
-    0.05;  ///< weight of the squared displacement beside that of its differences: it fades over 1/√0.05 edges
 
 /// The interior of the patch, fine enough for the labels to follow the seams.
 Domain domain_of(const Patch& initial) {
@@ -124,15 +124,15 @@ bool add_part(const Part& part, const SideSurface& surface, const SizeField& siz
   return true;
 }
 
-/// Carries what the loop is off the surfaces into the patch: displacements d with Σ ‖d_i − d_j‖² + carry Σ ‖d_i‖² least.
+/// Carries what the loop is off the surfaces into the patch: displacements d with Σ ‖d_i − d_j‖² over its edges least.
 /// @returns the displacements of the loop.
-Points carry_in(const Sides& sides, Assembly& all) {
+Points carry_in(const Sides& sides, double reach, Assembly& all) {
   const auto n = static_cast<int>(all.points.size());
   Points moves(n, Vec3::Zero());
   for (int i = 0; i < all.loop; ++i) {
     std::vector<const SideSurface*> surfaces;
     for (int s : all.sides[i]) surfaces.push_back(&sides.surfaces[s]);
-    moves[i] = all.points[i] - common_point(surfaces, all.points[i]);
+    moves[i] = all.points[i] - common_point(surfaces, all.points[i], reach);
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (const Triangle& t : all.triangles)
@@ -143,7 +143,6 @@ Points carry_in(const Sides& sides, Assembly& all) {
         entries.emplace_back(i, j, -0.5);
       }
     }
-  for (int i = 0; i < n; ++i) entries.emplace_back(i, i, carry);
   SparseMatrix Q(n, n);
   Q.setFromTriplets(entries.begin(), entries.end());
   minimise_quadratic_form(Q, moves, all.loop, n);
@@ -171,29 +170,80 @@ bool is_plain(const Patch& patch) {
   return true;
 }
 
+bool have_sharp_edges(const Sides& sides) { return sides.rms < most_rms_ratio * sides.rms_of_one; }
+
+/// Whether the side says by itself how it goes on: no edge is continued then, and the flow would do well enough.
+bool is_plain_side(const SideSurface& surface, double diameter) {
+  return surface.kind() == SideSurface::Kind::plane || surface.rms() < most_rms_of_lone_side * diameter;
+}
+
+/// Gives the triangles of a part to the side beside it with the longest common border. @returns false where there is none.
+bool give_away(const Domain& domain, const Part& part, std::vector<int>& labels) {
+  std::map<std::pair<int, int>, int> face_at;
+  for (int f = 0; f < static_cast<int>(domain.triangles.size()); ++f)
+    for (int k = 0; k < 3; ++k) face_at[{domain.triangles[f][k], domain.triangles[f][(k + 1) % 3]}] = f;
+  std::map<int, double> border;
+  for (int f : part.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const int a = domain.triangles[f][k], b = domain.triangles[f][(k + 1) % 3];
+      const auto beyond = face_at.find({b, a});
+      if (beyond != face_at.end() && labels[beyond->second] != part.side)
+        border[labels[beyond->second]] += (domain.points[a] - domain.points[b]).norm();
+    }
+  if (border.empty()) return false;
+  const int side = std::max_element(border.begin(), border.end(), [](const auto& a, const auto& b) {
+                     return a.second < b.second;
+                   })->first;
+  for (int f : part.triangles) labels[f] = side;
+  return true;
+}
+
+struct Meshed {
+  SeamLayout layout;
+  Assembly all;
+};
+
+/// Parts that are no discs, or have no triangulation, are given away.
+std::optional<Meshed> mesh_parts(const Patch& initial, const Domain& domain, const Sides& sides,
+                                 std::vector<int> labels, double reach, const CancelToken& cancel) {
+  constexpr int most_rounds = 12;
+  const SizeField size = size_field(initial);
+  for (int round = 0; round < most_rounds && !cancel.cancelled(); ++round) {
+    Meshed result;
+    result.layout = lay_out_seams(
+        domain, labels, sides, [&](const Vec3& p) { return size.at(p); }, reach);
+    result.all = {domain.loop, result.layout.points, {}, std::vector<std::set<int>>(result.layout.points.size())};
+    std::set<std::pair<int, int>> joined = chords_outside(initial, domain.loop);
+    const auto bad = std::find_if(result.layout.parts.begin(), result.layout.parts.end(), [&](const Part& part) {
+      return part.outline.empty() || !add_part(part, sides.surfaces[part.side], size, joined, result.all);
+    });
+    if (bad == result.layout.parts.end()) return result;
+    if (!give_away(domain, *bad, labels)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool ends_at_sharp_edges(const Patch& patch) {
+  const std::optional<Sides> sides = patch.loops.size() == 1 ? find_sides(patch, 0) : std::nullopt;
+  return sides && have_sharp_edges(*sides);
+}
 
 std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel) {
   if (initial.loops.size() != 1 || !is_plain(initial)) return std::nullopt;
   const std::optional<Sides> sides = find_sides(initial, 0);
-  if (!sides || !(sides->rms < most_rms_ratio * sides->rms_of_one)) return std::nullopt;
+  if (!sides || !have_sharp_edges(*sides)) return std::nullopt;
   const Domain domain = domain_of(initial);
   if (domain.loop != static_cast<int>(initial.loops[0].size())) return std::nullopt;
   const std::vector<int> labels = label_faces(domain, *sides, cancel);
   if (labels.empty()) return std::nullopt;
-  const SizeField size = size_field(initial);
-  const std::optional<SeamLayout> layout =
-      lay_out_seams(domain, labels, *sides, [&](const Vec3& p) { return size.at(p); });
-  if (!layout) return std::nullopt;
-
-  Assembly all{domain.loop, layout->points, {}, {}};
-  all.sides.resize(all.points.size());
-  std::set<std::pair<int, int>> joined = chords_outside(initial, domain.loop);
-  for (const Part& part : layout->parts)
-    if (!add_part(part, sides->surfaces[part.side], size, joined, all) || cancel.cancelled()) return std::nullopt;
-  const Points moves = carry_in(*sides, all);
-  const double diameter = loop_diameter(initial, 0);
-  double sum = 0, largest = 0;
+  const double diameter = loop_diameter(initial, 0), reach = farthest_seam * diameter;
+  std::optional<Meshed> meshed = mesh_parts(initial, domain, *sides, labels, reach, cancel);
+  if (!meshed) return std::nullopt;
+  Assembly& all = meshed->all;
+  const Points moves = carry_in(*sides, reach, all);
+  double sum = 0, largest = meshed->layout.gap;
   for (const Vec3& move : moves) {
     sum += move.squaredNorm() / static_cast<double>(moves.size());
     largest = std::max(largest, move.norm());
@@ -202,12 +252,13 @@ std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const Cance
   result.misfit = std::sqrt(sum) / diameter;
   if (result.misfit > most_misfit || largest > most_misfit_anywhere * diameter) return std::nullopt;
   std::set<int> used;
-  for (const Part& part : layout->parts) used.insert(part.side);
+  for (const Part& part : meshed->layout.parts) used.insert(part.side);
+  if (used.size() == 1 && !is_plain_side(sides->surfaces[*used.begin()], diameter)) return std::nullopt;
   result.sides = static_cast<int>(used.size());
-  result.edges = layout->seams;
+  result.edges = meshed->layout.seams;
   for (int i = 0; i < domain.loop; ++i) {
-    const int outside = sides->of_edge[i], inside = layout->side_inside[i];
-    result.creased.push_back(outside >= 0 && outside != inside);
+    const int outside = sides->of_edge[i];
+    result.creased.push_back(outside >= 0 && outside != meshed->layout.side_inside[i]);
   }
   for (const Vec3& p : all.points) result.patch.points.push_back(initial.to_mesh(p));
   result.patch.triangles = std::move(all.triangles);

@@ -21,10 +21,14 @@ struct SharpPatch {
 };
 
 /// Parts the patch where the continued surfaces of two sides meet, meshes each part with the seams as edges, puts it onto its
-/// side's surface, and carries what the loop is off that surface over some four edges into it.
+/// side's surface, and carries what the loop is off that surface into it.
 /// @param initial  patch of one loop
 /// @returns nothing where no sharp edge runs on: one surface explains the neighborhood as well, the loop is off the surfaces, or
 /// the parts are no discs.
 std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel);
+
+/// Whether sides with sharp edges between them explain the neighborhood of a patch of one loop: fast, and true where
+/// continue_sharp_edges() may still find nothing.
+bool ends_at_sharp_edges(const Patch& patch);
 
 }  // namespace loopmend

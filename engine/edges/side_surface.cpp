@@ -193,7 +193,13 @@ Vec3 SideSurface::normal_at(const Vec3& on_surface) const {
   return axes_ * normal.normalized();
 }
 
-Vec3 common_point(std::span<const SideSurface* const> surfaces, const Vec3& p) {
+double distance(std::span<const SideSurface* const> surfaces, const Vec3& p) {
+  double largest = 0;
+  for (const SideSurface* surface : surfaces) largest = std::max(largest, (surface->foot(p) - p).norm());
+  return largest;
+}
+
+Vec3 common_point(std::span<const SideSurface* const> surfaces, const Vec3& p, double reach) {
   constexpr int rounds = 12;
   constexpr double parallel = 0.05;  // sine of the angle below which two surfaces count as one
   Vec3 x = p;
@@ -210,7 +216,10 @@ Vec3 common_point(std::span<const SideSurface* const> surfaces, const Vec3& p) {
     solver.compute(normals);
     x += solver.solve(away);
   }
-  return x;
+  if ((x - p).norm() <= reach) return x;
+  Vec3 mean = Vec3::Zero();
+  for (const SideSurface* surface : surfaces) mean += surface->foot(p) / static_cast<double>(surfaces.size());
+  return mean;
 }
 
 }  // namespace loopmend

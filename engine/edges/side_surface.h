@@ -48,7 +48,11 @@ class SideSurface {
   Coefficients c_ = Coefficients::Zero();
 };
 
-/// A point near p that lies on all surfaces, as far as they meet there: Newton's method for the least displacement.
-Vec3 common_point(std::span<const SideSurface* const> surfaces, const Vec3& p);
+/// A point near p that lies on all surfaces: Newton's method for the least displacement. Where they do not meet within `reach` of
+/// p, the mean of the feet of p.
+Vec3 common_point(std::span<const SideSurface* const> surfaces, const Vec3& p, double reach);
+
+/// The largest distance of p from one of them.
+double distance(std::span<const SideSurface* const> surfaces, const Vec3& p);
 
 }  // namespace loopmend

@@ -2,6 +2,7 @@
 #include "pipeline/initial_patch.h"
 
 #include "core/threads.h"
+#include "edges/sharp_patch.h"
 #include "mesh/by_position.h"
 #include "pipeline/flat_cut.h"
 #include "pipeline/seconds_since.h"
@@ -57,10 +58,8 @@ Patch without_patches(const SurfaceModel& model, const std::vector<BoundaryLoop>
   return make_patch(model, loops, empty);
 }
 
-/// What a loop asks for: 0 the flow itself. −1 where it is split, since every loop has a split of its own.
-int treatment_of(const SplitEstimate& estimate) { return estimate.is_exact() ? 0 : -1; }
-
-constexpr int treatment_of_a_flat_cut = 1;
+/// What a loop asks for. `apart`: a split of its own, or sharp edges that run on.
+enum class Treatment { apart, exact, flat_cut };
 
 template <class T>
 std::vector<T> picked(const std::vector<T>& all, const std::vector<int>& which) {
@@ -200,22 +199,23 @@ InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const
   return part;
 }
 
-std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group) {
+std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges) {
   const auto treatment = [&](const std::vector<int>& members) {
     if (std::all_of(members.begin(), members.end(),
                     [&](int k) { return loop_end(model, group.loops[k]) != LoopEnd::runs_on; }))
-      return treatment_of_a_flat_cut;
+      return Treatment::flat_cut;
     const std::optional<Patch> patch =
         joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);
-    return patch ? treatment_of(estimate_split(*patch)) : -1;
+    if (!patch || (edges == SharpEdges::continued && ends_at_sharp_edges(*patch))) return Treatment::apart;
+    return estimate_split(*patch).is_exact() ? Treatment::exact : Treatment::apart;
   };
-  std::map<int, std::vector<int>> of_treatment;
+  std::map<Treatment, std::vector<int>> of_treatment;
   for (int k = 0; k < static_cast<int>(group.loops.size()); ++k) of_treatment[treatment({k})].push_back(k);
   std::vector<std::vector<int>> result;
   for (const auto& [asked, loops] : of_treatment)
     for (const std::vector<int>& members : group_loops(model, picked(group.loops, loops))) {
       const std::vector<int> together = picked(loops, members);
-      if (together.size() == 1 || (asked >= 0 && treatment(together) == asked))
+      if (together.size() == 1 || (asked != Treatment::apart && treatment(together) == asked))
         result.push_back(together);
       else
         for (int k : together) result.push_back({k});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "evolution/evolution.h"
 #include "filling/loop_patch.h"
 #include "mesh/boundary_loops.h"
 #include "neighborhood/boundary_survey.h"
@@ -52,7 +53,8 @@ InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const
                      const InitialPatchOptions& options);
 
 /// Parts a group into groups whose loops, each looked at alone, ask for the same treatment of the boundary data: one rough
-/// hole does not decide for its neighbors. @returns groups of indices into the group's loops, whose outcomes are known.
-std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group);
+/// hole does not decide for its neighbors. Loops at which sharp edges end that run on are parts of their own.
+/// @returns groups of indices into the group's loops, whose outcomes are known.
+std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges);
 
 }  // namespace loopmend

@@ -257,7 +257,7 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
   std::vector<InitialPatch> parts;
   if (options.evolution && is_judged(*options.evolution)) {
     try {
-      const std::vector<std::vector<int>> groups = groups_alike(scan.model, known);
+      const std::vector<std::vector<int>> groups = groups_alike(scan.model, known, options.evolution->edges);
       if (groups.size() > 1)
         for (const std::vector<int>& members : groups)
           parts.push_back(part_of(scan.model, known, members, options.initial));

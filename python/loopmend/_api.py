@@ -52,9 +52,9 @@ def _arrays(vertices: ArrayLike, faces: ArrayLike) -> Tuple[np.ndarray, np.ndarr
 
 
 def _flow(flow: str, boundary: str, continuity: str, density: float, mode: str, steps: Optional[int], sigma: float,
-          solver: str, relief: str = "smooth", relief_seed: int = 1) -> Dict[str, Any]:
+          solver: str, relief: str = "smooth", relief_seed: int = 1, edges: str = "auto") -> Dict[str, Any]:
     return {"flow": flow, "boundary": boundary, "continuity": continuity, "density": density, "mode": mode, "steps": steps,
-            "sigma": sigma, "solver": solver, "relief": relief, "relief_seed": relief_seed}
+            "sigma": sigma, "solver": solver, "relief": relief, "relief_seed": relief_seed, "edges": edges}
 
 
 def fill(
@@ -73,6 +73,7 @@ def fill(
     continuity: str = "curvature",
     relief: str = "smooth",
     relief_seed: int = 1,
+    edges: str = "auto",
     density: float = 1.0,
     mode: str = "steady",
     steps: Optional[int] = None,
@@ -117,6 +118,8 @@ def fill(
         relief: "smooth": the patch continues the smooth surface under the scan; "continued": and has random relief as strong
             as that around the hole. For flows in the mode "steady".
         relief_seed: 0 or more; another seed gives other relief of the same strength.
+        edges: sharp edges that end at a hole, for "mmcvf": "auto" they run on across it where both sides say how, "round" one
+            smooth patch.
         density: vertices along a length, relative to the mesh around; 0.1 to 10.
         mode: "steady" goes straight to the steady state, "steps" takes the flow's own steps.
         steps: at most so many, 1 or more; None: 60.
@@ -160,7 +163,7 @@ def fill(
         ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'early_stop']
     """
     options = {
-        **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed), "loops": _numbers(loops),
+        **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed, edges), "loops": _numbers(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "all_but_largest": all_but_largest,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "auto": auto, "repair": repair,

@@ -34,6 +34,8 @@ GroupOptions group_options(const pybind11::dict& options) {
       worded<ReliefChoice::Kind>(
           options, "relief", {{"smooth", ReliefChoice::Kind::smooth}, {"continued", ReliefChoice::Kind::continued}}),
       option<std::uint64_t>(options, "relief_seed")};
+  evolution.edges =
+      worded<SharpEdges>(options, "edges", {{"auto", SharpEdges::continued}, {"round", SharpEdges::rounded}});
   check(evolution);
   result.evolution.reset();
   if (flow) result.evolution = evolution;

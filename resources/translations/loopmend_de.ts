@@ -2959,6 +2959,34 @@
             <source>no step lowers the energy of the split any further</source>
             <translation>kein Schritt senkt die Energie der Zerlegung noch weiter</translation>
         </message>
+        <message>
+            <source>%1 sharp edge runs on across the hole</source>
+            <translation>%1 scharfe Kante läuft über das Loch weiter</translation>
+        </message>
+        <message>
+            <source>%1 sharp edges run on across the hole</source>
+            <translation>%1 scharfe Kanten laufen über das Loch weiter</translation>
+        </message>
+        <message>
+            <source>the surface of one side alone runs on here</source>
+            <translation>hier läuft die Fläche einer Seite allein weiter</translation>
+        </message>
+        <message>
+            <source>without Continue sharp edges the flow runs</source>
+            <translation>ohne „Scharfe Kanten fortsetzen“ läuft der Fluss</translation>
+        </message>
+        <message>
+            <source>sharp edges continued in place of the flow</source>
+            <translation>scharfe Kanten fortgesetzt statt des Flusses</translation>
+        </message>
+        <message>
+            <source>initial patch over a cut</source>
+            <translation>erster Flicken über einem Schnitt</translation>
+        </message>
+        <message>
+            <source>sharp edges</source>
+            <translation>scharfe Kanten</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>
@@ -3763,6 +3791,14 @@
         <message>
             <source>Pause</source>
             <translation>Pause</translation>
+        </message>
+        <message>
+            <source>Continue sharp edges</source>
+            <translation>Scharfe Kanten fortsetzen</translation>
+        </message>
+        <message>
+            <source>Sharp edges that end at the hole run on across it, where both sides say how. Off: one smooth patch.</source>
+            <translation>Scharfe Kanten, die am Loch enden, laufen darüber weiter, wo beide Seiten zeigen, wie. Aus: ein glatter Flicken.</translation>
         </message>
     </context>
     <context>

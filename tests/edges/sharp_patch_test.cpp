@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edges/sharp_patch.h"
+
+#include "core/random.h"
+#include "filling/loop_patch.h"
+#include "mesh/boundary_loops.h"
+#include "pipeline/fill_holes.h"
+#include "samples/analytic_surfaces.h"
+#include "support/sharp_surfaces.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace loopmend {
+namespace {
+
+using testing::Contains;
+using testing::Not;
+
+/// Distance from the surface of the cube [0, 1]³.
+double off_cube(const Vec3& p) {
+  const Vec3 q = (p - Vec3::Constant(0.5)).cwiseAbs() - Vec3::Constant(0.5);
+  return std::abs(q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0));
+}
+
+/// Distance from the closed cylinder of radius 1 about z, −1 ≤ z ≤ 1.
+double off_cylinder(const Vec3& p) {
+  const double r = p.head<2>().norm() - 1, z = std::abs(p.z()) - 1;
+  return std::max(r, z) < 0 ? -std::max(r, z) : std::hypot(std::max(r, 0.0), std::max(z, 0.0));
+}
+
+struct Filled {
+  SurfaceModel model;
+  std::size_t points = 0;  ///< of the scan
+  std::vector<HoleResult> holes;
+
+  const PatchResult& patch() const { return holes.front().outcome(); }
+  double farthest(double (*distance)(const Vec3&)) const {
+    double largest = 0;
+    for (std::size_t i = points; i < model.soup.points.size(); ++i)
+      largest = std::max(largest, distance(model.soup.points[i]));
+    return largest;
+  }
+};
+
+Filled fill(const TriangleSoup& scan, const FillOptions& options = {}) {
+  Filled filled{make_surface_model(scan), scan.points.size(), {}};
+  filled.holes = fill_all_holes(filled.model, options);
+  for (std::size_t i = 0; i < scan.points.size(); ++i) EXPECT_EQ(filled.model.soup.points[i], scan.points[i]);
+  EXPECT_TRUE(find_boundary_loops(filled.model).empty());
+  return filled;
+}
+
+TriangleSoup without_ball(const TriangleSoup& soup, const Vec3& center, double radius) {
+  return cut(soup, [&](const Vec3& p) { return (p - center).norm() < radius; });
+}
+
+TriangleSoup with_noise(TriangleSoup soup, double height) {
+  Random random(7);
+  for (Vec3& p : soup.points) p += height * Vec3(random.bell(), random.bell(), random.bell());
+  return soup;
+}
+
+TEST(SharpEdges, AHoleAcrossAnEdgeOfACubeComesBack) {
+  const Filled filled = fill(without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2));
+  ASSERT_EQ(filled.holes.size(), 1U);
+  EXPECT_EQ(filled.patch().made_by, "sharp edges");
+  EXPECT_EQ(filled.holes.front().verdict().grade, Grade::good) << filled.holes.front().verdict().sentence();
+  EXPECT_LT(filled.farthest(off_cube), 1e-9);
+  // The edge has a row of vertices on it, as dense as the neighborhood.
+  int on_edge = 0;
+  for (std::size_t i = filled.points; i < filled.model.soup.points.size(); ++i)
+    on_edge += (filled.model.soup.points[i].head<2>() - Eigen::Vector2d(1, 1)).norm() < 1e-9;
+  EXPECT_GE(on_edge, 8);
+}
+
+TEST(SharpEdges, ACornerOfACubeComesBack) {
+  for (const double radius : {0.15, 0.25, 0.4}) {
+    const Filled filled = fill(without_ball(test::make_cube(24), {1, 1, 1}, radius));
+    EXPECT_EQ(filled.patch().made_by, "sharp edges") << radius;
+    EXPECT_LT(filled.farthest(off_cube), 1e-9) << radius;
+    double nearest = 1;
+    for (std::size_t i = filled.points; i < filled.model.soup.points.size(); ++i)
+      nearest = std::min(nearest, (filled.model.soup.points[i] - Vec3(1, 1, 1)).norm());
+    EXPECT_LT(nearest, 1e-9) << radius;
+  }
+}
+
+TEST(SharpEdges, TheEdgeBetweenLidAndWallOfACylinderComesBack) {
+  for (const Vec3& center : {Vec3(1, 0, 1), Vec3(0.85, 0, 1), Vec3(1, 0, 0.85)}) {
+    const Filled filled = fill(without_ball(test::make_closed_cylinder(72), center, 0.35));
+    EXPECT_EQ(filled.patch().made_by, "sharp edges");
+    EXPECT_LT(filled.farthest(off_cylinder), 1e-6);
+  }
+}
+
+TEST(SharpEdges, AConcaveEdgeComesBack) {
+  // The cube's faces seen from within: turned inside out, its edges are concave.
+  TriangleSoup inside = test::make_cube(24);
+  for (Triangle& t : inside.triangles) std::swap(t[1], t[2]);
+  const Filled filled = fill(without_ball(inside, {1, 0, 0.4}, 0.25));
+  EXPECT_EQ(filled.patch().made_by, "sharp edges");
+  EXPECT_LT(filled.farthest(off_cube), 1e-9);
+}
+
+TEST(SharpEdges, AStripMissingInAFaceBetweenTwoEdgesIsPlane) {
+  const TriangleSoup cube = test::make_cube(24);
+  const Filled filled = fill(cut(cube, [](const Vec3& p) {
+    return p.z() > 0.999 && std::abs(p.x() - 0.5) < 0.12 && p.y() > 0.001 && p.y() < 0.999;
+  }));
+  EXPECT_LT(filled.farthest(off_cube), 1e-9);
+}
+
+TEST(SharpEdges, NoiseOfAScanKeepsTheEdge) {
+  for (const double noise : {0.001, 0.004}) {  // edges of 1/24
+    const Filled filled = fill(with_noise(without_ball(test::make_cube(24), {1, 1, 0.5}, 0.25), noise));
+    EXPECT_EQ(filled.patch().made_by, "sharp edges") << noise;
+    EXPECT_LT(filled.farthest(off_cube), 6 * noise);
+  }
+}
+
+TEST(SharpEdges, AreRoundWhereAPersonWantsThatSo) {
+  const TriangleSoup scan = without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2);
+  FillOptions options;
+  options.evolution->edges = SharpEdges::rounded;
+  EXPECT_THAT(fill(scan, options).patch().attempts, Not(Contains("sharp edges")));
+  options.evolution->edges = SharpEdges::continued;
+  options.evolution->boundary = BoundaryTrust::exact;
+  EXPECT_THAT(fill(scan, options).patch().attempts, Not(Contains("sharp edges")));
+}
+
+TEST(SharpEdges, ASmoothSurfaceHasNone) {
+  std::vector<TriangleSoup> scans;
+  scans.push_back(cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; }));
+  scans.push_back(with_noise(scans[0], 0.02));  // a fifth of an edge
+  scans.push_back(cut(make_torus(1, 0.4, 48, 24), [](const Vec3& p) { return (p - Vec3(1.4, 0, 0)).norm() < 0.35; }));
+  scans.push_back(cut(make_graph([](double x, double y) { return 0.2 * std::sin(4 * x) * std::cos(3 * y); }, 1, 40),
+                      [](const Vec3& p) { return p.head<2>().norm() < 0.3; }));
+  for (const TriangleSoup& scan : scans) {
+    SurfaceModel model = make_surface_model(scan);
+    for (const HoleResult& hole : fill_all_holes(model))
+      EXPECT_THAT(hole.outcome().attempts, Not(Contains("sharp edges")));
+  }
+}
+
+TEST(SharpEdges, TwoHolesAcrossOneEdgeEachHaveIt) {
+  const TriangleSoup cube = test::make_cube(32);
+  const Filled filled = fill(without_ball(without_ball(cube, {1, 1, 0.35}, 0.1), {1, 1, 0.65}, 0.1));
+  ASSERT_EQ(filled.holes.size(), 2U);
+  for (const HoleResult& hole : filled.holes) EXPECT_EQ(hole.outcome().made_by, "sharp edges");
+  EXPECT_LT(filled.farthest(off_cube), 1e-9);
+}
+
+TEST(SharpEdges, AreTheSameForAnyNumberOfThreads) {
+  const TriangleSoup scan = without_ball(test::make_closed_cylinder(72), {1, 0, 1}, 0.35);
+  FillOptions one, two;
+  one.threads = 1;
+  two.threads = 2;
+  EXPECT_EQ(fill(scan, one).model.soup.points, fill(scan, two).model.soup.points);
+}
+
+TEST(SideSurface, FitsWhatItIsMadeFor) {
+  const auto points_of = [](auto&& place) {
+    Points points;
+    for (int i = 0; i < 9; ++i)
+      for (int k = 0; k < 9; ++k) points.push_back(place(0.1 * i - 0.4, 0.1 * k - 0.4));
+    return points;
+  };
+  const auto plane = SideSurface::fit(points_of([](double x, double y) { return Vec3(x, y, 2 + x - y); }),
+                                      Vec3(-1, 1, 1).normalized(), 1);
+  EXPECT_EQ(plane->kind(), SideSurface::Kind::plane);
+  EXPECT_LT((plane->foot({0, 0, 5}) - Vec3(1, -1, 4)).norm(), 1e-9);
+  const auto cone = SideSurface::fit(
+      points_of([](double x, double y) { return Vec3((2 + y) * std::cos(x), (2 + y) * std::sin(x), y); }),
+      Vec3(1, 0, 0), 1);
+  EXPECT_EQ(cone->kind(), SideSurface::Kind::quadric);
+  // Far from the samples, too.
+  const Vec3 foot = cone->foot({1.1, 1.1, -0.4});
+  EXPECT_NEAR(foot.head<2>().norm(), 2 + foot.z(), 1e-6);
+  EXPECT_FALSE(SideSurface::fit({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, Vec3(0, 0, 1), 1));
+}
+
+TEST(SideSurface, SurfacesMeetInACommonPoint) {
+  const auto side = [](const Vec3& normal, double offset) {
+    const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+    const Vec3 o = offset * normal;
+    return *SideSurface::fit({o, o + u, o + v, o - u, o - v}, normal, 1);
+  };
+  const SideSurface x = side(Vec3::UnitX(), 1), y = side(Vec3::UnitY(), 2), z = side(Vec3::UnitZ(), 3);
+  const std::vector<const SideSurface*> two{&x, &y}, three{&x, &y, &z};
+  EXPECT_LT((common_point(two, {0, 0, 5}, 10) - Vec3(1, 2, 5)).norm(), 1e-12);
+  EXPECT_LT((common_point(three, {0, 0, 5}, 10) - Vec3(1, 2, 3)).norm(), 1e-12);
+  // Out of reach: the mean of the feet.
+  EXPECT_LT((common_point(two, {0, 0, 5}, 1) - Vec3(0.5, 1, 5)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace loopmend
