@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "io/read_mesh.h"
 #include "mesh/mesh_arrays.h"
+#include "mesh/quality.h"
 #include "pipeline/validate.h"
 #include "samples/analytic_surfaces.h"
 
@@ -23,6 +24,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 
 namespace {
@@ -32,7 +34,7 @@ using namespace loopmend::bench;
 
 struct Arguments {
   std::vector<std::string> models;
-  std::string half = "tuning", methods = "all", markdown, csv, reference;
+  std::string half = "tuning", methods = "all", at = "anywhere", markdown, csv, reference;
   std::uint64_t seed = 1;
   int count = 10;
 };
@@ -97,20 +99,35 @@ double mean_edge(const TriangleSoup& soup) {
   return sum / (3.0 * static_cast<double>(std::max<std::size_t>(1, soup.triangles.size())));
 }
 
+/// Vertices where a hole may have its centre: all, or the ends of edges bent by more than 30°.
+std::vector<int> centers_of(const TriangleSoup& whole, const std::string& at) {
+  std::vector<int> centers(whole.points.size());
+  std::iota(centers.begin(), centers.end(), 0);
+  if (at != "edges") return centers;
+  centers.clear();
+  for (const Bend& bend : bends(whole.points, whole.triangles, static_cast<int>(whole.triangles.size())))
+    if (bend.cosine < std::cos(std::numbers::pi / 6)) centers.insert(centers.end(), {bend.low, bend.high});
+  std::sort(centers.begin(), centers.end());
+  centers.erase(std::unique(centers.begin(), centers.end()), centers.end());
+  return centers;
+}
+
 struct Cut {
   HoleProblem problem;
   std::string shape;
 };
 
 /// Number k of a model's holes; nothing where no clean cut was found.
-std::optional<Cut> make_cut(const TriangleSoup& whole, const std::string& model, std::uint64_t seed, int k) {
+std::optional<Cut> make_cut(const TriangleSoup& whole, const std::vector<int>& centers, const std::string& model,
+                            std::uint64_t seed, int k) {
+  if (centers.empty()) return std::nullopt;
   constexpr ShapeKind shapes[] = {ShapeKind::disc, ShapeKind::ellipse, ShapeKind::star, ShapeKind::slit};
   Random random(seed * 1000003 + static_cast<std::uint64_t>(k) * 7919 + hash_of(model));
   const double h = mean_edge(whole);
   for (int attempt = 0; attempt < 60; ++attempt) {
     RegionPlan plan;
     plan.shape = random_shape(shapes[k % 4], random);
-    plan.center = static_cast<int>(random.next() % whole.points.size());
+    plan.center = centers[random.next() % centers.size()];
     const double edges = fewest_edges * std::pow(static_cast<double>(most_edges) / fewest_edges, random.uniform());
     plan.radius = edges * h / (2 * std::numbers::pi);
     plan.turn = random.uniform(0, 2 * std::numbers::pi);
@@ -271,8 +288,9 @@ int run(const Arguments& arguments) {
     const std::string model = file.stem();
     if (arguments.half != "both" && is_tuning(model) != (arguments.half == "tuning")) continue;
     const TriangleSoup whole = load(file);
+    const std::vector<int> centers = centers_of(whole, arguments.at);
     for (int k = 0; k < arguments.count; ++k) {
-      const std::optional<Cut> cut = make_cut(whole, model, arguments.seed, k);
+      const std::optional<Cut> cut = make_cut(whole, centers, model, arguments.seed, k);
       if (!cut) {
         std::printf("%s %d: no clean cut was found\n", model.c_str(), k);
         continue;
@@ -300,6 +318,8 @@ int main(int argc, char** argv) try {
   app.add_option("models", arguments.models, "Meshes, or folders of meshes")->required();
   app.add_option("--count", arguments.count, "Holes of each model (10)");
   app.add_option("--seed", arguments.seed, "Seed of all cuts (1)");
+  app.add_option("--at", arguments.at, "Centres of the holes: anywhere (default), or at sharp edges")
+      ->check(CLI::IsMember({"anywhere", "edges"}));
   app.add_option("--half", arguments.half, "tuning (default), test or both: models parted by their names")
       ->check(CLI::IsMember({"tuning", "test", "both"}));
   app.add_option("--methods", arguments.methods, "all (default), or auto: the engine's default alone")
