@@ -78,16 +78,21 @@ std::set<std::size_t> named_loops(const SurfaceModel& model, const std::vector<B
 
 /// Why nothing can be filled at a loop that nobody named; empty where something can.
 std::string why_no_hole(const BoundaryLoop& loop, FillCommand::OuterRim outer_rim) {
-  if (loop.kind == LoopKind::cut)
-    return "no hole: runs where the surface had to be cut (--repair makes a hole of it, or nothing)";
+  if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut";
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
     return "crack: a face at the same place covers it already";
-  if (loop.kind == LoopKind::crack)
-    return "crack: nothing is missing, its sides are only not joined (--stitch joins them)";
+  if (loop.kind == LoopKind::crack) return "crack: nothing is missing, its sides are only not joined";
   if (loop.kind == LoopKind::outer_rim && outer_rim == FillCommand::OuterRim::leave && loop.coincident > 0)
     return "boundary that coincides with another along " + std::to_string(loop.coincident) +
-           " edges: the mesh is split there (--stitch joins it)";
+           " edges: the mesh is split there";
   return "";
+}
+
+/// What may help where why_no_hole() has a reason.
+LoopChoice::Cure cure_of(const BoundaryLoop& loop) {
+  if (loop.kind == LoopKind::cut) return LoopChoice::Cure::repair;
+  const bool covered = loop.kind == LoopKind::crack && loop.coincident < loop.edges();
+  return covered ? LoopChoice::Cure::none : LoopChoice::Cure::stitch;
 }
 
 /// Why a loop is left that could be filled; empty where it is not left.
@@ -119,7 +124,10 @@ void leave_largest(const std::vector<BoundaryLoop>& loops, int count, std::vecto
 LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command) {
   LoopChoice choice;
   choice.why_not = why_no_hole(loop, command.outer_rim);
-  if (!choice.why_not.empty()) choice.left = LoopChoice::Left::no_hole;
+  if (!choice.why_not.empty()) {
+    choice.left = LoopChoice::Left::no_hole;
+    choice.cure = cure_of(loop);
+  }
   if (choice.why_not.empty()) choice.why_not = reason_to_leave(loop, command, false);
   choice.fill = choice.why_not.empty();
   choice.is_outer_rim = loop.kind == LoopKind::outer_rim;

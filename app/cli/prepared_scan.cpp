@@ -3,6 +3,7 @@
 
 #include "open_model.h"
 
+#include "mesh/rounding_cracks.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/filling_view.h"
 #include "pipeline/hand_bridge.h"
@@ -47,6 +48,43 @@ bool has_sides_to_join(const SurfaceModel& model) {
          !near_boundaries(model).closing.empty();
 }
 
+struct OpenEdges {
+  int all = 0, cut = 0;
+};
+
+OpenEdges open_edges(const std::vector<BoundaryLoop>& loops) {
+  OpenEdges open;
+  for (const BoundaryLoop& loop : loops) {
+    open.all += loop.edges();
+    if (loop.kind == LoopKind::cut) open.cut += loop.edges();
+  }
+  return open;
+}
+
+struct JoinedAgain {
+  TriangleSoup soup;
+  std::size_t vertices = 0;
+};
+
+/// Stitches what repair has parted. Where that makes edges of more than two faces, only vertices that lie on each other at cracks are
+/// joined. Empty unless the surface then has fewer open edges, and no more of them at edges of more than two faces.
+std::optional<JoinedAgain> joined_again(const SurfaceModel& model, const StitchTolerance& tolerance) {
+  const OpenEdges before = open_edges(find_boundary_loops(model));
+  const auto gains = [&](const JoinedAgain& joined) {
+    if (joined.vertices == 0) return false;
+    const OpenEdges after = open_edges(find_boundary_loops(make_surface_model(joined.soup)));
+    return after.all < before.all && after.cut <= before.cut;
+  };
+  StitchedSurface stitched = stitch_boundaries(model, tolerance);
+  JoinedAgain joined{std::move(stitched.soup), stitched.joined_vertices};
+  if (gains(joined)) return joined;
+  joined.soup = model.soup;
+  const VertexSurvey survey = survey_vertices(joined.soup.triangles, joined.soup.points.size());
+  joined.vertices = join_rounding_cracks(joined.soup, survey).vertices;
+  if (gains(joined)) return joined;
+  return std::nullopt;
+}
+
 /// @param command  what is done is added to it where the mesh needs it and the command leaves that open.
 void prepare(PreparedScan& scan, FillCommand& command, const CancelToken& cancel) {
   const bool where_needed = command.prepare == FillCommand::Prepare::where_needed;
@@ -60,18 +98,27 @@ void prepare(PreparedScan& scan, FillCommand& command, const CancelToken& cancel
   if (command.stitch == FillCommand::Stitch::yes) {
     scan.done.stitched = stitch_boundaries(scan.model, command.stitch_tolerance);
     replace(std::move(scan.done.stitched->soup));
+    if (where_needed && !scan.done.stitched->any()) scan.done.stitched.reset();
   }
   if (where_needed && has_cuts(scan.model)) command.repair.insert(harmless_repairs.begin(), harmless_repairs.end());
   if (!command.repair.empty()) {
     RepairedSurface repaired = repair_surface(as_read(scan.model), command.repair, cancel);
     scan.done.repaired = repaired.counts;
     replace(std::move(repaired.soup));
+    if ((where_needed && has_sides_to_join(scan.model)) || command.stitch == FillCommand::Stitch::yes)
+      if (std::optional<JoinedAgain> joined = joined_again(scan.model, command.stitch_tolerance)) {
+        scan.done.joined_again = joined->vertices;
+        replace(std::move(joined->soup));
+      }
   }
   for (const auto& [a, b] : command.bridges) {
     replace(bridged(scan.model, a, b));
     ++scan.done.bridges;
   }
-  if (where_needed) command.trim_pierced = FillCommand::TrimPierced::yes;
+  if (!where_needed) return;
+  command.stitch = FillCommand::Stitch::yes;  // what it can join is joined
+  command.repair.insert(harmless_repairs.begin(), harmless_repairs.end());
+  command.trim_pierced = FillCommand::TrimPierced::yes;
 }
 
 /// Choices among the loops of a trimmed scan: what grew out of those chosen before. The boundary of a crumb that only touches one of
@@ -148,6 +195,22 @@ void leave_wide_cracks(PreparedScan& scan, const FillCommand& command) {
   }
 }
 
+/// Names what closes a loop that is no hole, or makes one of it; nothing that was done already, or that would join nothing.
+/// @param command  with what was done
+void name_cures(PreparedScan& scan, const FillCommand& command) {
+  for (std::size_t k = 0; k < scan.loops.size(); ++k) {
+    LoopChoice& choice = scan.choices[k];
+    if (choice.cure == LoopChoice::Cure::repair && !command.repair.empty()) choice.cure = LoopChoice::Cure::none;
+    if (choice.cure == LoopChoice::Cure::stitch && closing_edges(scan.model, scan.loops[k], scan.near) == 0)
+      choice.cure = LoopChoice::Cure::none;
+    switch (choice.cure) {
+      case LoopChoice::Cure::none: break;
+      case LoopChoice::Cure::stitch: choice.why_not += " (--stitch joins them)"; break;
+      case LoopChoice::Cure::repair: choice.why_not += " (--repair makes a hole of it, or nothing)"; break;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<BoundaryLoop> PreparedScan::chosen() const {
@@ -177,6 +240,7 @@ PreparedScan prepare_scan(SoupRecord as_read, SurfaceModel model, const FillComm
   leave_wide_cracks(scan, command);
   scan.to_trim = scan.chosen();
   if (trims(command)) trim(scan, command);
+  name_cures(scan, command);
   scan.trimmable = few_of_their_pieces(scan.model, bad_boundary_faces(scan.model, scan.to_trim));
   return scan;
 }

@@ -20,6 +20,7 @@ namespace loopmend {
 struct Preparation {
   std::optional<StitchedSurface> stitched;  ///< without its soup
   std::optional<RepairCounts> repaired;
+  std::size_t joined_again = 0;  ///< vertices at cracks that the repair left, where both stitching and repair are done
   std::size_t bridges = 0;
   ModelRepairs before;           ///< of the mesh as it was read
   std::size_t turned_faces = 0;  ///< in the mesh as it was read, where another mesh came out of it

@@ -4,6 +4,7 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "mesh/boundary_loops.h"
 #include "mesh/scan_attributes.h"
 #include "mesh/watertight.h"
 #include "samples/analytic_surfaces.h"
@@ -38,6 +39,14 @@ class PreparationCommands : public test::ProgramTest {
     return loopmend_program("fill " + path(name) + "-o " + path("out.ply") + options);
   }
   Watertightness written() { return watertightness(read_mesh(work / "out.ply").soup); }
+
+  /// Of the surface as the file joins its faces.
+  int open_edges_written() {
+    int edges = 0;
+    for (const BoundaryLoop& loop : find_boundary_loops(make_surface_model(read_mesh(work / "out.ply").soup)))
+      edges += loop.edges();
+    return edges;
+  }
 
   /// A ball torn open along its equator; one side is moved up.
   static TriangleSoup torn(double gap) {
@@ -199,6 +208,21 @@ TEST_F(PreparationCommands, AutoRepairsWhereALoopRunsAlongAnEdgeOfThreeFaces) {
   const Outcome run = fill("a.ply", "--auto");
   EXPECT_EQ(run.code, 0) << run.out;
   EXPECT_THAT(run.out, AllOf(HasSubstr("Repaired: 1 edge separated"), HasSubstr("filled, 0 failed")));
+}
+
+/// Triangles that cannot be oriented without a cut, which parts sides that can be joined again.
+TEST_F(PreparationCommands, AutoStitchesAgainWhatItsRepairParted) {
+  TriangleSoup soup;
+  soup.points = {{2, 3, 0}, {3, 1, 0}, {3, 0, 4}, {4, 0, 0}, {2, 4, 1}, {3, 2, 3}};
+  soup.triangles = {{0, 2, 3}, {0, 4, 5}, {1, 4, 5}, {3, 1, 0}, {4, 0, 3}, {4, 3, 1}, {5, 3, 0}};
+  write("a.ply", soup);
+  EXPECT_THAT(fill("a.ply", "--repair").out, HasSubstr("the mesh is split there (--stitch joins them)"));
+  const int parted = open_edges_written();
+  const Outcome run = fill("a.ply", "--auto --report " + path("r.json"));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("Stitched again: 2 vertices were joined"), Not(HasSubstr("--stitch"))));
+  EXPECT_LT(open_edges_written(), parted);
+  EXPECT_EQ(written().non_manifold_edges, 0U);
+  EXPECT_EQ(json::parse(test::text_of(work / "r.json"))["prepared"]["joined_again"], 2);
 }
 
 TEST_F(PreparationCommands, AutoStitchesCracks) {
