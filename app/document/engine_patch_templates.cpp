@@ -96,6 +96,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("the Boundary \"Exact\" runs the flow itself"), "--boundary exact runs the flow itself"},
       {QT_TR_NOOP("the surface ends at this loop, which is flat, so that it was closed flat")},
       {QT_TR_NOOP("the surface ends at this loop, so that it was closed by a minimal surface")},
+      {QT_TR_NOOP("both surfaces end at these loops, so that a straight ring joins them")},
       {QT_TR_NOOP("robust fairing in place of the flow")},
       {QT_TR_NOOP("linear fairing in place of the flow")},
       {QT_TR_NOOP("the flow on the smooth surface under the scan")},
