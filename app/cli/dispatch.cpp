@@ -362,7 +362,8 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
   if (app.got_subcommand("batch")) {
-    if (own_words < argc) batch.fill_options.assign(argv + own_words + 1, argv + argc);
+    if (batch.prepare == BatchCommand::Prepare::where_needed) batch.fill_options.emplace_back("--auto");
+    if (own_words < argc) batch.fill_options.insert(batch.fill_options.end(), argv + own_words + 1, argv + argc);
     batch.command_line = quoted_command_line(argc, argv);
     return run_batch(batch, check_fill_options);
   }
