@@ -144,6 +144,12 @@ std::string words_of(const RepairCounts& counts) {
 }
 
 void print_preparation(std::FILE* out, const Preparation& done) {
+  if (done.no_data_faces > 0)
+    std::fprintf(out, "%s removed at %s of missing data (%g); the output is compared with the mesh without them.\n",
+                 counted(done.no_data_faces, "face was", "faces were").c_str(),
+                 counted(done.no_data.vertices.size(), "vertex", "vertices").c_str(), done.no_data.value);
+  else
+    print_no_data(out, done.no_data);
   if (done.stitched)
     std::fprintf(out, "Stitched: %s joined to others, %s split; the output is compared with the stitched mesh.\n",
                  counted(done.stitched->joined_vertices, "vertex", "vertices").c_str(),
@@ -151,6 +157,8 @@ void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.bridges > 0)
     std::fprintf(out, "%zu %s laid across holes; the output is compared with the mesh that has them.\n", done.bridges,
                  done.bridges == 1 ? "strip was" : "strips were");
+  if (done.base_loop > 0)
+    std::fprintf(out, "A base closes loop %d; the output is compared with the mesh that has it.\n", done.base_loop);
   if (!done.repaired) return;
   const std::string repaired = words_of(*done.repaired);
   if (repaired.empty())
@@ -176,8 +184,10 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
         {"cut_handles", done.repaired->cut_handles},         {"handle_faces", done.repaired->handle_faces},
         {"removed_pieces", done.repaired->removed_pieces},   {"removed_faces", done.repaired->removed_faces}};
   if (done.repaired) json["repaired"]["turned_shells"] = done.repaired->turned_shells;
+  if (done.no_data_faces > 0) json["no_data_faces"] = done.no_data_faces;
   if (done.joined_again > 0) json["joined_again"] = done.joined_again;
   if (done.bridges > 0) json["bridges"] = done.bridges;
+  if (done.base_loop > 0) json["base_loop"] = done.base_loop;
   return json;
 }
 
