@@ -55,7 +55,7 @@ struct FillCommand {
   std::filesystem::path output;
   CoincidentVertices coincident = CoincidentVertices::keep;
   FloatText float_text = FloatText::nearest_float;
-  std::string loops = "all";               ///< "all" or numbers, "1,3"
+  std::string loops = "all";  ///< "all" or numbers, "1,3", each with a shape if need be, "3:flat,7:tangent"
   std::optional<std::string> at_vertices;  ///< 0-based input vertices, "17,230": the loops through them
   std::optional<int> max_edges;
   std::optional<double> max_diameter;  ///< mesh units
@@ -66,9 +66,19 @@ struct FillCommand {
   enum class Prepare { as_asked, where_needed } prepare = Prepare::as_asked;
   enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
   StitchTolerance stitch_tolerance{};                 ///< how near they must be
-  std::set<Defect> repair;                            ///< what is mended first; empty: nothing
-  std::vector<std::pair<int, int>> bridges;           ///< input vertices between which a strip is laid first
-  int trim_rounds = 0;                                ///< rings of bad boundary triangles to be removed first, 0..100
+  enum class NoData {
+    keep,
+    cut
+  } no_data = NoData::keep;  ///< faces at marks for missing data, such as heights of -9999
+  std::set<Defect> repair;   ///< what is mended first; empty: nothing
+  /// A base under a loop: its number, or 0 for the largest, and how far the plane lies below.
+  struct Base {
+    int loop = 0;
+    double distance = 0;
+  };
+  std::optional<Base> base;
+  std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid first
+  int trim_rounds = 0;                       ///< rings of bad boundary triangles to be removed first, 0..100
   /// Without rings: boundary triangles that run through the surface, so that their hole could not be filled, are removed first.
   enum class TrimPierced { no, yes } trim_pierced = TrimPierced::no;
   std::string report;                   ///< file or "-"; empty: none

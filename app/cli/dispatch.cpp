@@ -90,6 +90,7 @@ struct FillWords {
   bool include_outer_rim = false, trim_crossing = false, repair = false, cut_intersections = false, cut_handles = false,
        keep_partial = false;
   std::string stitch;                ///< "0.5" or "5%"; empty: no stitching
+  std::string base;                  ///< "5" or "2:5"; empty: none
   std::vector<std::string> bridges;  ///< "A,B"
   std::string islands = "join", texture = "grain", materials = "copy";
 };
@@ -105,8 +106,11 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "--patches-only", [&command] { command.content = FillCommand::Content::patches; },
       "Write the patches alone, without the scan");
   add_verbose(*fill, command.detail);
-  fill->add_option("--loops", command.loops, "Loops by the numbers that 'info' prints, or 'all'")
-      ->type_name("all|1,3,...")
+  fill->add_option(
+          "--loops", command.loops,
+          "Loops by the numbers that 'info' prints, or 'all'; behind a number how its patch meets the scan: flat "
+          "(a plane or minimal surface), tangent, smooth")
+      ->type_name("all|1,3:flat,...")
       ->capture_default_str();
   fill->add_option("--at-vertex", command.at_vertices, "Loops through these input vertices, 0-based")
       ->type_name("V,...");
@@ -142,6 +146,13 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "--cut-handles", words.cut_handles,
       "Repair as --repair does, and cut open handles of at most eight edges, as noise leaves them, for their holes to "
       "be filled");
+  fill->add_flag_callback(
+      "--cut-no-data", [&command] { command.no_data = FillCommand::NoData::cut; },
+      "Remove first the faces at vertices that mark missing data, such as heights of -9999; their holes are filled");
+  fill->add_option("--base", words.base,
+                   "Build a base first under the largest loop, or loop N: a straight wall to a plane D below it (mesh "
+                   "units), for prints")
+      ->type_name("[N:]D");
   fill->add_option(
           "--bridge", words.bridges,
           "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")
@@ -227,6 +238,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   if (words.repair || words.cut_intersections || words.cut_handles) command.repair = harmless_repairs;
   if (words.cut_intersections) command.repair.insert(Defect::intersections);
   if (words.cut_handles) command.repair.insert(Defect::handles);
+  if (!words.base.empty()) command.base = base_of(words.base);
   for (const std::string& text : words.bridges) command.bridges.push_back(bridge_ends(text));
 }
 
@@ -249,6 +261,7 @@ void check_fill_options(const std::vector<std::string>& options) {
     throw UsageError(std::string("options of fill, behind -- or in a manifest: ") + error.what());
   }
   if (!words.stitch.empty()) stitch_tolerance_of(words.stitch);
+  if (!words.base.empty()) base_of(words.base);
   if (!words.flow.report.empty()) throw UsageError("--report is not for batch: every scan has a report of its own");
   if (words.keep_partial)
     throw UsageError("--keep-partial is not for batch: the next run fills again what was stopped");
@@ -362,7 +375,8 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
   if (app.got_subcommand("batch")) {
-    if (own_words < argc) batch.fill_options.assign(argv + own_words + 1, argv + argc);
+    if (batch.prepare == BatchCommand::Prepare::where_needed) batch.fill_options.emplace_back("--auto");
+    if (own_words < argc) batch.fill_options.insert(batch.fill_options.end(), argv + own_words + 1, argv + argc);
     batch.command_line = quoted_command_line(argc, argv);
     return run_batch(batch, check_fill_options);
   }

@@ -144,6 +144,12 @@ std::string words_of(const RepairCounts& counts) {
 }
 
 void print_preparation(std::FILE* out, const Preparation& done) {
+  if (done.no_data_faces > 0)
+    std::fprintf(out, "%s removed at %s of missing data (%g); the output is compared with the mesh without them.\n",
+                 counted(done.no_data_faces, "face was", "faces were").c_str(),
+                 counted(done.no_data.vertices.size(), "vertex", "vertices").c_str(), done.no_data.value);
+  else
+    print_no_data(out, done.no_data);
   if (done.stitched)
     std::fprintf(out, "Stitched: %s joined to others, %s split; the output is compared with the stitched mesh.\n",
                  counted(done.stitched->joined_vertices, "vertex", "vertices").c_str(),
@@ -151,12 +157,17 @@ void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.bridges > 0)
     std::fprintf(out, "%zu %s laid across holes; the output is compared with the mesh that has them.\n", done.bridges,
                  done.bridges == 1 ? "strip was" : "strips were");
+  if (done.base_loop > 0)
+    std::fprintf(out, "A base closes loop %d; the output is compared with the mesh that has it.\n", done.base_loop);
   if (!done.repaired) return;
   const std::string repaired = words_of(*done.repaired);
   if (repaired.empty())
     std::fprintf(out, "Repair: nothing to do.\n");
   else
     std::fprintf(out, "Repaired: %s; the output is compared with the repaired mesh.\n", repaired.c_str());
+  if (done.joined_again > 0)
+    std::fprintf(out, "Stitched again: %s that the repair had parted.\n",
+                 counted(done.joined_again, "vertex was joined", "vertices were joined").c_str());
 }
 
 nlohmann::ordered_json preparation_json(const Preparation& done) {
@@ -173,27 +184,30 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
         {"cut_handles", done.repaired->cut_handles},         {"handle_faces", done.repaired->handle_faces},
         {"removed_pieces", done.repaired->removed_pieces},   {"removed_faces", done.repaired->removed_faces}};
   if (done.repaired) json["repaired"]["turned_shells"] = done.repaired->turned_shells;
+  if (done.no_data_faces > 0) json["no_data_faces"] = done.no_data_faces;
+  if (done.joined_again > 0) json["joined_again"] = done.joined_again;
   if (done.bridges > 0) json["bridges"] = done.bridges;
+  if (done.base_loop > 0) json["base_loop"] = done.base_loop;
   return json;
 }
 
 /// What would help where no loop is a hole.
-void print_cure(std::FILE* out, const ModelRepairs& repairs, const std::vector<BoundaryLoop>& loops,
-                const FillCommand& command, int wide_cracks) {
-  const auto count = [&](auto is) { return std::count_if(loops.begin(), loops.end(), is); };
-  const auto cut = count([](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
-  const auto split = count([](const BoundaryLoop& loop) { return loop.kind != LoopKind::cut && loop.coincident > 0; });
+void print_cure(std::FILE* out, const PreparedScan& scan, int wide_cracks) {
+  const auto count = [&](LoopChoice::Cure cure) {
+    return std::count_if(scan.choices.begin(), scan.choices.end(),
+                         [&](const LoopChoice& choice) { return choice.cure == cure; });
+  };
+  const auto cut = count(LoopChoice::Cure::repair), split = count(LoopChoice::Cure::stitch);
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
   if (wide_cracks > 0)
     std::fprintf(out, " %d are gaps between sides that belong together: fill again with --stitch.", wide_cracks);
-  if (split > 0 && command.stitch == FillCommand::Stitch::no)
-    std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
-  if (cut > 0 && command.repair.empty())
+  if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
+  if (cut > 0)
     std::fprintf(
         out,
         " %td run along edges with more than two faces (%zu edges) or where the surface is one-sided: fill again with "
         "--repair.",
-        cut, repairs.non_manifold_edges);
+        cut, scan.model.repairs.non_manifold_edges);
   std::fprintf(out, "\n");
 }
 
@@ -398,12 +412,12 @@ int run_fill(const FillCommand& command) {
     print_losses(out, command.output, losses);
     print_beside(out, written);
     print_import_losses(out, opened.report);
-    print_coincident(out, opened.report, scan.loops);
-    if (outcome.open_cuts > 0 && !outcome.in_vain())
+    if (!scan.near.closing.empty()) print_coincident(out, opened.report, scan.loops);
+    if (outcome.open_cuts > 0 && !outcome.in_vain() && command.prepare == FillCommand::Prepare::as_asked)
       std::fprintf(
           out, "%s along edges of more than two faces and left open: fill again with --auto.\n",
           counted(outcome.open_cuts, "loop that looks like a hole runs", "loops that look like holes run").c_str());
-    if (outcome.in_vain()) print_cure(out, scan.model.repairs, scan.loops, command, outcome.wide_cracks);
+    if (outcome.in_vain()) print_cure(out, scan, outcome.wide_cracks);
   }
   if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;
   return outcome.exit_code();

@@ -72,10 +72,12 @@ void print_not_kept(const OpenedModel& opened) {
 struct Findings {
   NearBoundaries near;
   InvertedShells inverted;
+  NoDataVertices no_data;
 };
 
 Findings findings_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  return {loops.empty() ? NearBoundaries() : near_boundaries(model), find_inverted_shells(model, loops)};
+  return {loops.empty() ? NearBoundaries() : near_boundaries(model), find_inverted_shells(model, loops),
+          find_no_data(model.soup.points)};
 }
 
 void print_findings(const Findings& found) {
@@ -148,6 +150,7 @@ int run_info(const InfoCommand& command) {
     json["schema_version"] = report_schema_version;
     json["input"] = input_json(command.input, opened.import, model.repairs);
     json["near_boundaries"] = {{"vertices", found.near.vertices}, {"faces", found.near.faces}};
+    json["no_data"] = {{"vertices", found.no_data.vertices.size()}, {"value", found.no_data.value}};
     json["inside_out"] = {{"closed", found.inverted.closed}, {"open", found.inverted.open}};
     json["loops"] = nlohmann::ordered_json::array();
     for (const BoundaryLoop& loop : loops) {
@@ -164,6 +167,7 @@ int run_info(const InfoCommand& command) {
               opened.import.vertices, opened.import.faces);
   print_import(opened.import, model.repairs);
   print_findings(found);
+  print_no_data(stdout, found.no_data);
   print_not_kept(opened);
   if (verdict) print_verdict(stdout, *verdict);
   if (loops.empty()) {

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <set>
+#include <map>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace loopmend {
@@ -17,27 +18,37 @@ std::string count_of_loops(const std::vector<BoundaryLoop>& loops) {
   return "the mesh has " + std::to_string(loops.size()) + " loops, numbers 1 to " + std::to_string(loops.size());
 }
 
-/// Whole numbers between commas; blanks around them are allowed.
-std::vector<int> parse_numbers(const std::string& text, const std::string& option) {
-  std::vector<int> numbers;
+/// Between commas; blanks around them are allowed. @throws UsageError where there is nothing.
+std::vector<std::string> items_of(const std::string& text, const std::string& option) {
+  std::vector<std::string> items;
   std::istringstream list(text);
   for (std::string item; std::getline(list, item, ',');) {
     const auto first = item.find_first_not_of(" \t");
-    const std::string word =
-        first == std::string::npos ? "" : item.substr(first, item.find_last_not_of(" \t") - first + 1);
-    int value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (word.empty() || error != std::errc() || end != word.data() + word.size())
-      throw UsageError(option + " takes whole numbers such as 1,3, not '" + text + "'");
-    numbers.push_back(value);
+    items.push_back(first == std::string::npos ? "" : item.substr(first, item.find_last_not_of(" \t") - first + 1));
   }
-  if (numbers.empty()) throw UsageError(option + " names nothing. It takes whole numbers such as 1,3");
-  return numbers;
+  if (items.empty()) throw UsageError(option + " names nothing. It takes whole numbers such as 1,3");
+  return items;
+}
+
+/// @param text  of the whole list
+int number_of(std::string_view item, const std::string& text, const std::string& option) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
+  if (item.empty() || error != std::errc() || end != item.data() + item.size())
+    throw UsageError(option + " takes whole numbers such as 1,3, not '" + text + "'");
+  return value;
+}
+
+SeamContinuity continuity_of(const std::string& word) {
+  if (word == "flat") return SeamContinuity::position;
+  if (word == "tangent") return SeamContinuity::tangent;
+  if (word == "smooth") return SeamContinuity::curvature;
+  throw UsageError("--loops takes flat, tangent or smooth behind a number, as in 3:flat, not '" + word + "'");
 }
 
 /// Loops through a vertex of the input. @throws UsageError when there is none.
 void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int vertex,
-                  std::set<std::size_t>& named) {
+                  std::map<std::size_t, std::optional<SeamContinuity>>& named) {
   const std::string name = "vertex " + std::to_string(vertex);
   if (vertex < 0 || vertex >= static_cast<int>(model.soup.points.size()))
     throw UsageError("there is no " + name + ": the mesh has " + std::to_string(model.soup.points.size()) +
@@ -46,7 +57,7 @@ void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   for (std::size_t k = 0; k < loops.size(); ++k)
     for (int v : loops[k].vertices)
       if (model.soup_vertex[v] == vertex) {
-        named.insert(k);
+        named.try_emplace(k);
         found = true;
       }
   if (found) return;
@@ -58,36 +69,45 @@ void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   throw UsageError(name + (used ? " lies on no boundary loop" : " belongs to no face"));
 }
 
-/// Indices into `loops` that are named on the command line; empty when none is.
-std::set<std::size_t> named_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                  const FillCommand& command) {
-  std::set<std::size_t> named;
+/// Indices into `loops` that are named on the command line, with the shape named there; empty when none is.
+std::map<std::size_t, std::optional<SeamContinuity>> named_loops(const SurfaceModel& model,
+                                                                 const std::vector<BoundaryLoop>& loops,
+                                                                 const FillCommand& command) {
+  std::map<std::size_t, std::optional<SeamContinuity>> named;
   if (command.loops != "all") {
-    for (const int number : parse_numbers(command.loops, "--loops")) {
+    for (const std::string& item : items_of(command.loops, "--loops")) {
+      const std::size_t colon = item.find(':');
+      const int number = number_of(std::string_view(item).substr(0, colon), command.loops, "--loops");
       if (number < 1 || number > static_cast<int>(loops.size()))
         throw UsageError("there is no loop " + std::to_string(number) + ": " + count_of_loops(loops) +
                          ". 'loopmend info' lists them");
-      named.insert(static_cast<std::size_t>(number - 1));
+      std::optional<SeamContinuity>& shape = named[static_cast<std::size_t>(number - 1)];
+      if (colon != std::string::npos) shape = continuity_of(item.substr(colon + 1));
     }
   }
   if (command.at_vertices)
-    for (const int vertex : parse_numbers(*command.at_vertices, "--at-vertex"))
-      add_loops_at(model, loops, vertex, named);
+    for (const std::string& item : items_of(*command.at_vertices, "--at-vertex"))
+      add_loops_at(model, loops, number_of(item, *command.at_vertices, "--at-vertex"), named);
   return named;
 }
 
 /// Why nothing can be filled at a loop that nobody named; empty where something can.
 std::string why_no_hole(const BoundaryLoop& loop, FillCommand::OuterRim outer_rim) {
-  if (loop.kind == LoopKind::cut)
-    return "no hole: runs where the surface had to be cut (--repair makes a hole of it, or nothing)";
+  if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut";
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
     return "crack: a face at the same place covers it already";
-  if (loop.kind == LoopKind::crack)
-    return "crack: nothing is missing, its sides are only not joined (--stitch joins them)";
+  if (loop.kind == LoopKind::crack) return "crack: nothing is missing, its sides are only not joined";
   if (loop.kind == LoopKind::outer_rim && outer_rim == FillCommand::OuterRim::leave && loop.coincident > 0)
     return "boundary that coincides with another along " + std::to_string(loop.coincident) +
-           " edges: the mesh is split there (--stitch joins it)";
+           " edges: the mesh is split there";
   return "";
+}
+
+/// What may help where why_no_hole() has a reason.
+LoopChoice::Cure cure_of(const BoundaryLoop& loop) {
+  if (loop.kind == LoopKind::cut) return LoopChoice::Cure::repair;
+  const bool covered = loop.kind == LoopKind::crack && loop.coincident < loop.edges();
+  return covered ? LoopChoice::Cure::none : LoopChoice::Cure::stitch;
 }
 
 /// Why a loop is left that could be filled; empty where it is not left.
@@ -119,7 +139,10 @@ void leave_largest(const std::vector<BoundaryLoop>& loops, int count, std::vecto
 LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command) {
   LoopChoice choice;
   choice.why_not = why_no_hole(loop, command.outer_rim);
-  if (!choice.why_not.empty()) choice.left = LoopChoice::Left::no_hole;
+  if (!choice.why_not.empty()) {
+    choice.left = LoopChoice::Left::no_hole;
+    choice.cure = cure_of(loop);
+  }
   if (choice.why_not.empty()) choice.why_not = reason_to_leave(loop, command, false);
   choice.fill = choice.why_not.empty();
   choice.is_outer_rim = loop.kind == LoopKind::outer_rim;
@@ -128,7 +151,7 @@ LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command) 
 
 std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                      const FillCommand& command) {
-  const std::set<std::size_t> named = named_loops(model, loops, command);
+  const std::map<std::size_t, std::optional<SeamContinuity>> named = named_loops(model, loops, command);
   std::vector<LoopChoice> choices(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
     LoopChoice& choice = choices[k];
@@ -136,7 +159,9 @@ std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vecto
       choice = choose_unnamed(loops[k], command);
       continue;
     }
-    choice.why_not = named.count(k) > 0 ? reason_to_leave(loops[k], command, true) : "not selected";
+    const auto own = named.find(k);
+    choice.why_not = own != named.end() ? reason_to_leave(loops[k], command, true) : "not selected";
+    if (own != named.end()) choice.continuity = own->second;
     choice.fill = choice.why_not.empty();
     choice.is_outer_rim = loops[k].kind == LoopKind::outer_rim;
   }

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,11 @@ struct LoopChoice {
     no_hole,    ///< nobody asked for it, but there is nothing that could be filled
     wide_crack  ///< the same, where --stitch would join the sides: not done
   };
+  enum class Cure { none, stitch, repair };
   bool fill = false;
-  std::string why_not;  ///< in words, where fill is false
+  std::optional<SeamContinuity> continuity;  ///< named for this loop alone
+  std::string why_not;                       ///< in words, where fill is false
+  Cure cure = Cure::none;                    ///< what may make a hole of it, or close it
   Left left = Left::as_asked;
   bool is_outer_rim = false;  ///< bounds a sheet: nothing is amiss where it is left
 };

@@ -172,6 +172,12 @@ void print_coincident(std::FILE* out, const ImportReport& import, const std::vec
                counted(import.coincident_vertices, "vertex", "vertices").c_str());
 }
 
+void print_no_data(std::FILE* out, const NoDataVertices& found) {
+  if (found.vertices.empty()) return;
+  std::fprintf(out, "%s at %g, a mark for missing data: fill --cut-no-data removes the faces there.\n",
+               counted(found.vertices.size(), "vertex lies", "vertices lie").c_str(), found.value);
+}
+
 std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }

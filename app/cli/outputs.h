@@ -7,6 +7,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/no_data.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,6 +77,9 @@ void print_import_losses(std::FILE* out, const ImportReport& import);
 
 /// Where boundaries lie on each other: how many edges, and what joins them.
 void print_coincident(std::FILE* out, const ImportReport& import, const std::vector<BoundaryLoop>& loops);
+
+/// How many vertices mark missing data, and what removes them; nothing where there are none.
+void print_no_data(std::FILE* out, const NoDataVertices& found);
 
 /// "1 face", "2 faces".
 std::string counted(std::size_t count, const char* one, const char* many);

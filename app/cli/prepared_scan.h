@@ -6,12 +6,14 @@
 #include "bounds.h"
 #include "loop_selection.h"
 
+#include "mesh/no_data.h"
 #include "pipeline/paste.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -20,9 +22,13 @@ namespace loopmend {
 struct Preparation {
   std::optional<StitchedSurface> stitched;  ///< without its soup
   std::optional<RepairCounts> repaired;
+  std::size_t joined_again = 0;  ///< vertices at cracks that the repair left, where both stitching and repair are done
   std::size_t bridges = 0;
-  ModelRepairs before;           ///< of the mesh as it was read
-  std::size_t turned_faces = 0;  ///< in the mesh as it was read, where another mesh came out of it
+  int base_loop = 0;              ///< under which a base was built; 0: none
+  NoDataVertices no_data;         ///< that were found
+  std::size_t no_data_faces = 0;  ///< that were removed there
+  ModelRepairs before;            ///< of the mesh as it was read
+  std::size_t turned_faces = 0;   ///< in the mesh as it was read, where another mesh came out of it
 };
 
 struct PreparedScan {
@@ -34,9 +40,10 @@ struct PreparedScan {
   NearBoundaries near;                   ///< where --stitch would join something; only where it was not asked for
   std::vector<BadBoundaryFace> trimmed;  ///< faces of the mesh as it was before --trim-boundary
   std::vector<BadBoundaryFace>
-      trimmable;                      ///< bad triangles at the loops that are filled, where trimming can be proposed
-  std::size_t spared_pieces = 0;      ///< of which --trim-boundary would have taken too much
-  std::vector<BoundaryLoop> to_trim;  ///< the loops that are filled, and those that trimming left no hole
+      trimmable;                  ///< bad triangles at the loops that are filled, where trimming can be proposed
+  std::size_t spared_pieces = 0;  ///< of which --trim-boundary would have taken too much
+  std::vector<std::pair<int, int>> rings;  ///< loops that `blend` would join by a ring; indices into `loops`
+  std::vector<BoundaryLoop> to_trim;       ///< the loops that are filled, and those that trimming left no hole
 
   std::vector<BoundaryLoop> chosen() const;
   /// Faces turned to agree with their neighbours: in the mesh as it was read, and in what was made of it.

@@ -50,4 +50,15 @@ std::vector<std::string> with_stitch_tolerances(std::vector<std::string> words) 
   return result;
 }
 
+FillCommand::Base base_of(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const bool names_loop = colon != std::string::npos;
+  const std::optional<double> loop = names_loop ? parse_double(std::string_view(text).substr(0, colon)) : 0;
+  const std::optional<double> distance = parse_double(std::string_view(text).substr(names_loop ? colon + 1 : 0));
+  const bool is_number = loop && *loop == std::floor(*loop) && *loop >= (names_loop ? 1 : 0) && *loop < 1e9;
+  if (!is_number || !distance || !std::isfinite(*distance) || !(*distance > 0))
+    throw UsageError("--base takes a length above 0 such as 5, or a loop and a length such as 2:5, not '" + text + "'");
+  return {static_cast<int>(*loop), *distance};
+}
+
 }  // namespace loopmend

@@ -101,6 +101,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("the surface of one side alone runs on here")},
       {QT_TR_NOOP("without Continue sharp edges the flow runs"), "--edges round runs the flow"},
       {QT_TR_NOOP("sharp edges continued in place of the flow")},
+      {QT_TR_NOOP("both surfaces end at these loops, so that a straight ring joins them")},
       {QT_TR_NOOP("robust fairing in place of the flow")},
       {QT_TR_NOOP("linear fairing in place of the flow")},
       {QT_TR_NOOP("the flow on the smooth surface under the scan")},

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "filling/bridge_topology.h"
 #include "filling/fairing.h"
+#include "filling/ring_bridge.h"
 #include "mesh/directed_edges.h"
 #include "mesh/loop_facing.h"
 #include "mesh/quality.h"
@@ -14,7 +15,9 @@
 #include "remeshing/patch_remesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <tuple>
 
 namespace loopmend {
 
@@ -70,6 +73,13 @@ Patch empty_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
 }
 
 int defect_count(const Validity& quality) { return quality.folds + quality.intersections; }
+
+/// No folds within the ring; it may meet the walls at any angle.
+bool is_sound_ring(const Patch& ring) {
+  const Triangles own(ring.triangles.begin(), ring.triangles.begin() + ring.patch_triangles);
+  return count_folds(ring.positions, own, ring.patch_triangles) == 0 &&
+         self_intersections(ring.positions, ring.triangles, ring.patch_triangles).empty();
+}
 
 Patch with_triangles(const Patch& empty, const Triangles& own) {
   Patch patch = empty;
@@ -261,6 +271,11 @@ std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector
   Vec3 center = Vec3::Zero();
   for (const BoundaryLoop& loop : loops) center += loop.center / static_cast<double>(loops.size());
   std::vector<int> opposed;
+  if (loops.size() == 2 && are_walls_of_a_ring(ends[0], ends[1])) {
+    // Seen along the walls, the outer loop runs round one way, the inner the other way.
+    if (ends[0].axis.dot(ends[1].axis) > 0) opposed.push_back(1);
+    return opposed;
+  }
   if (loops.size() == 2 && (turning_sense(ends[0], center) == 0 || turning_sense(ends[1], center) == 0)) {
     // An island and its hole: seen from above, one loop runs round one way, the other the other way.
     if (ends[0].axis.dot(ends[1].axis) > 0) opposed.push_back(1);
@@ -272,6 +287,55 @@ std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector
   return opposed;
 }
 
+std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
+                                   const CancelToken& cancel) {
+  if (loops.size() != 2) return std::nullopt;
+  const std::vector<BridgeEnd> ends = ends_of(model, loops);
+  if (!are_walls_of_a_ring(ends[0], ends[1]) || bend_towards_each_other(model, loops, ends)) return std::nullopt;
+  const Patch empty = empty_patch(model, loops);
+  for (const SweptBridge& bridge : bridges_by_ring(ends, mean_boundary_edge(ends) / density)) {
+    if (DirectedEdges(bridge.triangles, static_cast<int>(bridge.triangles.size())).any_twice()) continue;
+    Patch ring = with_bridge(empty, bridge);
+    ring.grading.density = density;
+    if (expected_vertices(ring, density) > most_vertices) return std::nullopt;
+    if (bridge.points.empty()) {
+      ConstrainedRemesher mesh = open_for_remeshing(ring);
+      for (int k = 0; k < bridge_remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
+      if (Patch next = with_interior(ring, mesh); is_sound_ring(next)) ring = std::move(next);
+    }
+    if (is_sound_ring(ring)) return Bridge{ring, ring, patch_validity(ring), Bridge::Kind::ring};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                            const CancelToken& cancel) {
+  constexpr double shortest_onward = 0.5;  // of walls that are steep along most of the loop
+  const std::vector<BridgeEnd> ends = ends_of(model, loops);
+  const auto may_end = [&](std::size_t k) {
+    const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
+    return (loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim) && !touches &&
+           ends[k].onward.norm() > shortest_onward;
+  };
+  std::vector<std::tuple<double, int, int>> pairs;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    for (std::size_t j = i + 1; may_end(i) && j < loops.size(); ++j) {
+      const double apart = (loops[i].center - loops[j].center).norm();
+      const bool near = apart < std::max(loops[i].diameter, loops[j].diameter);
+      if (near && may_end(j) && are_walls_of_a_ring(ends[i], ends[j]))
+        pairs.emplace_back(apart + std::abs(loops[i].diameter - loops[j].diameter) / 2, i, j);
+    }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<std::pair<int, int>> rings;
+  std::set<int> joined;
+  for (const auto& [width, i, j] : pairs) {
+    if (joined.contains(i) || joined.contains(j) || !ring_between(model, {loops[i], loops[j]}, 1, cancel)) continue;
+    joined.insert({i, j});
+    rings.emplace_back(i, j);
+  }
+  return rings;
+}
+
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                            const InitialPatchOptions& options, const CancelToken& cancel) {
   check(options);
@@ -279,6 +343,9 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
   BridgeOutcome outcome;
   std::optional<Start> best;
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
+  outcome.bridge = ring_between(model, loops, options.density, cancel);
+  if (cancel.cancelled()) return {};
+  if (outcome.bridge) return outcome;
   for (auto& [first, shape] : first_bridges(empty_patch(model, loops), ends, options.density)) {
     first.grading.density = options.density;
     const double vertices = expected_vertices(first, options.density);
@@ -307,7 +374,7 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
     return outcome;
   }
   if (defect_count(best->quality) > 0) outcome.message = "the bridge has " + faults(best->quality) + " left";
-  outcome.bridge = Bridge{membrane(best->patch, cancel), best->patch, best->quality};
+  outcome.bridge = Bridge{membrane(best->patch, cancel), best->patch, best->quality, Bridge::Kind::smooth};
   return outcome;
 }
 

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -17,6 +18,8 @@ struct Bridge {
   Patch membrane;    ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
   Patch start;       ///< where the flow begins: minimal surfaces between tubes pinch (docs/dev/numerics.md, "Starts")
   Validity quality;  ///< of the start
+  /// A ring between two walls that end (ring_bridge.h) is flat or conical: both shapes are the same, and no flow is to round it.
+  enum class Kind { smooth, ring } kind = Kind::smooth;
 };
 
 struct BridgeOutcome {
@@ -30,6 +33,17 @@ struct BridgeOutcome {
 /// @throws InvalidArgument for fewer than two loops, a loop given twice or of another kind, a density out of range.
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                            const InitialPatchOptions& options, const CancelToken& cancel);
+
+/// The ring between two loops at which walls end, flat or conical. Empty where the loops are no such pair, and where the ring would fold
+/// or cut itself. bridge_loops() tries it first.
+/// @param loops  two, as bridge_loops() takes them
+std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
+                                   const CancelToken& cancel);
+
+/// Pairs of loops that such a ring joins, the narrowest first, none in two pairs; indices into `loops`. Loops that touch others are left
+/// out.
+std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                            const CancelToken& cancel);
 
 /// Loops whose neighborhood lies the other way round than those of the first loop, so that no two-sided surface joins
 /// them. @returns indices into `loops`, ascending; empty when all agree.

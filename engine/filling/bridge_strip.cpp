@@ -59,22 +59,26 @@ std::vector<double> fractions(const Points& points, int start, int sense) {
 }
 
 /// The strip that moves evenly along both loops, b backwards from b_start: no fans, which would pinch a neck.
-CrossEdges even_path(const Points& a, const Points& b, int start) {
+/// @param together  steps on both loops at once where they are so near to each other, in perimeters: quads in place of pairs of triangles
+CrossEdges even_path(const Points& a, const Points& b, int start, double together) {
   const int m = static_cast<int>(a.size()), n = static_cast<int>(b.size());
   const std::vector<double> at_a = fractions(a, 0, 1), at_b = fractions(b, start, -1);
   CrossEdges cross;
   for (int i = 0, j = 0; i < m || j < n;) {
     cross.emplace_back(i % m, ((start - j) % n + n) % n);
-    j == n || (i < m && at_a[i + 1] <= at_b[j + 1]) ? ++i : ++j;
+    const bool both = i < m && j < n && std::abs(at_a[i + 1] - at_b[j + 1]) < together;
+    const bool along_a = j == n || (i < m && at_a[i + 1] <= at_b[j + 1]);
+    if (both || along_a) ++i;
+    if (both || !along_a) ++j;
   }
   return cross;
 }
 
-CrossEdges best_even_path(const Points& a, const Points& b) {
+CrossEdges best_even_path(const Points& a, const Points& b, double together) {
   CrossEdges best;
   double least = std::numeric_limits<double>::max();
   for (int start = 0; start < static_cast<int>(b.size()); ++start) {
-    CrossEdges path = even_path(a, b, start);
+    CrossEdges path = even_path(a, b, start, together);
     double cost = 0;
     for (const auto& [i, j] : path) cost += (a[i] - b[j]).squaredNorm();
     if (cost >= least) continue;
@@ -161,11 +165,17 @@ Triangles bridge_by_strip(const Points& a, const Points& b) {
   return triangles;
 }
 
-SweptBridge bridge_by_sweep(const BridgeEnd& a, const BridgeEnd& b, double step) {
-  const CrossEdges cross = best_even_path(a.points, b.points);
+SweptBridge bridge_by_sweep(const BridgeEnd& a, const BridgeEnd& b, double step, SweepShape shape) {
+  constexpr double never = 0, at_once = 1e-6;
+  const CrossEdges cross = best_even_path(a.points, b.points, shape == SweepShape::straight ? at_once : never);
   const Points leaving = smoothed(a.conormals), arriving = smoothed(b.conormals);
   std::vector<Cubic> cubics;
-  for (const auto& [i, j] : cross) cubics.emplace_back(a.points[i], leaving[i], b.points[j], -arriving[j]);
+  for (const auto& [i, j] : cross) {
+    const Vec3 across = (b.points[j] - a.points[i]).normalized();
+    const bool is_straight = shape == SweepShape::straight;
+    cubics.emplace_back(a.points[i], is_straight ? across : leaving[i], b.points[j],
+                        is_straight ? across : Vec3(-arriving[j]));
+  }
   const int rows = rows_for(cubics, step), m = static_cast<int>(a.points.size()), n = static_cast<int>(b.points.size());
   SweptBridge bridge;
   bridge.points = a.points;

@@ -36,9 +36,13 @@ struct SweptBridge {
   Triangles triangles;
 };
 
-/// An even strip between two loops whose cross edges are cubics that leave both surfaces along their conormals: the first
-/// shape of an elbow, a U-turn or a long neck.
-/// @param step  length of a row along the cubics, > 0.
-SweptBridge bridge_by_sweep(const BridgeEnd& a, const BridgeEnd& b, double step);
+enum class SweepShape {
+  smooth,   ///< cross edges are cubics that leave both surfaces along their conormals
+  straight  ///< cross edges are straight
+};
+
+/// An even strip between two loops: smooth, the first shape of an elbow, a U-turn or a long neck.
+/// @param step  length of a row along the cross edges, > 0.
+SweptBridge bridge_by_sweep(const BridgeEnd& a, const BridgeEnd& b, double step, SweepShape shape = SweepShape::smooth);
 
 }  // namespace loopmend

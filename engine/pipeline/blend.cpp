@@ -33,9 +33,8 @@ PatchResult flow_between(const PatchProblem& problem, const EvolutionOptions& op
   PatchResult bent = solve_patch(problem, stiffer, on_step, cancel);
   const bool bent_is_sound = bent.validity.is_clean() && worst(bent.verdicts) != Grade::bad;
   if (bent.status != PatchStatus::converged || !bent_is_sound) return pure;
-  bent.reason = !sound
-                    ? "the patch of the flow itself had a fault; with bending energy mixed in it has none"
-                    : "the flow itself did not converge; with bending energy mixed in it did";
+  bent.reason = !sound ? "the patch of the flow itself had a fault; with bending energy mixed in it has none"
+                       : "the flow itself did not converge; with bending energy mixed in it did";
   bent.attempts.insert(bent.attempts.begin(), pure.attempts.begin(), pure.attempts.end());
   bent.attempts.back() = bent.made_by = "mixed order 5";
   return bent;
@@ -55,6 +54,19 @@ void tell_of_creases(const EvolutionOptions& options, PatchResult& result) {
                     "meshes would help";
 }
 
+constexpr const char* ring_reason =
+    "both surfaces end at these loops, so that a straight ring joins them; --boundary exact runs the flow itself";
+
+/// The ring as it is: creases at its seams are what was asked for.
+PatchResult ring_result(const PatchProblem& problem) {
+  EvolutionOptions options;
+  options.continuity = SeamContinuity::position;
+  PatchResult result = initial_result(problem, options.flow);
+  judge_again(problem, options, result);
+  result.reason = ring_reason;
+  return result;
+}
+
 PatchResult refused(const Validity& validity) {
   PatchResult result;
   result.validity = validity;
@@ -70,15 +82,17 @@ PatchResult refused(const Validity& validity) {
 PatchResult solve_bridge(const ScanIndex& scan, const Bridge& bridge, const std::optional<EvolutionOptions>& options,
                          const Evolution::OnStep& on_step, const CancelToken& cancel) {
   const std::vector<BoundaryLoop> no_loops;  // the bridge is no initial patch of single loops
-  const bool flows = options && bridge.start.free_count > 0;
+  const bool is_ring = bridge.kind == Bridge::Kind::ring && (!options || is_judged(*options));
+  const bool flows = options && bridge.start.free_count > 0 && !is_ring;
   const PatchProblem problem{scan, flows ? bridge.start : bridge.membrane, no_loops};
-  PatchResult result = flows ? flow_between(problem, *options, on_step, cancel)
-                             : initial_result(problem, options ? options->flow : FlowKind::mmcvf);
+  PatchResult result = is_ring ? ring_result(problem)
+                       : flows ? flow_between(problem, *options, on_step, cancel)
+                               : initial_result(problem, options ? options->flow : FlowKind::mmcvf);
   if (cancel.cancelled()) return result;
   if (result.validity.intersections > 0 || result.validity.nonmanifold_edges > 0) return refused(result.validity);
   result.seams_before = seam_reports(bridge.membrane);
   result.seams = seam_reports(result.patch);
-  if (options) tell_of_creases(*options, result);
+  if (options && !is_ring) tell_of_creases(*options, result);
   return result;
 }
 

@@ -62,8 +62,8 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPar
       std::find_if(pasted.begin(), pasted.end(), [&](const PastedPart& other) { return part.intersects(other); });
   if (cut != pasted.end()) {
     const std::string other = std::to_string(cut->loop), own = std::to_string(part.loop);
-    return "its patch would cut that of loop " + other + ": left open; 'loopmend blend --loops " + other + "," + own +
-           "' joins the two by one surface";
+    return "its patch would cut that of loop " + other + ": left open; 'loopmend blend --loops 1:" + other +
+           ",1:" + own + "' joins the two by one surface";
   }
   try {
     append_colored_patch(model, geometry);

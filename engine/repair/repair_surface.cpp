@@ -187,10 +187,29 @@ std::vector<char> duplicates(const Triangles& triangles) {
   return gone;
 }
 
+/// For each face the number of its piece of surface where that is closed; −1: open, or the face is no part of the surface.
+std::vector<int> closed_piece_of_faces(const TriangleSoup& soup) {
+  const SurfaceModel model = make_surface_model(soup);
+  const std::vector<int> piece = pieces_of(model.mesh);
+  std::vector<char> is_open(piece.size(), 0);
+  for (const auto h : model.mesh.halfedges())
+    if (model.mesh.is_boundary(h))
+      is_open[piece[model.mesh.face_handle(model.mesh.opposite_halfedge_handle(h)).idx()]] = 1;
+  std::vector<int> result(soup.triangles.size(), -1);
+  for (std::size_t f = 0; f < piece.size(); ++f)
+    if (!is_open[piece[f]]) result[model.soup_face[f]] = piece[f];
+  return result;
+}
+
+/// Closed bodies that overlap stay as they are: cutting would open both.
 std::vector<char> intersecting(const TriangleSoup& soup, const CancelToken& cancel) {
   std::vector<char> result(soup.triangles.size(), 0);
+  const std::vector<int> closed = closed_piece_of_faces(soup);
   const auto count = static_cast<int>(soup.triangles.size());
-  for (const auto& [f, g] : self_intersections(soup.points, soup.triangles, count, cancel)) result[f] = result[g] = 1;
+  for (const auto& [f, g] : self_intersections(soup.points, soup.triangles, count, cancel)) {
+    const bool overlap = closed[f] >= 0 && closed[g] >= 0 && closed[f] != closed[g];
+    if (!overlap) result[f] = result[g] = 1;
+  }
   return result;
 }
 

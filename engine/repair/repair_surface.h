@@ -14,7 +14,8 @@ enum class Defect {
   coincident_points,  ///< several at exactly the same place: joined
   degenerate_faces,   ///< with a vertex twice: removed
   duplicate_faces,    ///< over the vertices of an earlier one: removed; the earlier one too where they cancel out
-  intersections,      ///< faces that cut another: removed, which leaves holes to be filled
+  /// Faces that cut another: removed, which leaves holes to be filled. Where closed bodies overlap, both stay.
+  intersections,
   /// Edges of more than two faces, fans that meet at a vertex: separated. Faces are turned to agree, and those of bodies
   /// that are closed but for small holes to look outward (inverted_shells.h).
   non_manifold,

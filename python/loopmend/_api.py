@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -47,6 +47,15 @@ def _numbers(numbers: Union[None, int, Iterable[int]]) -> Optional[List[int]]:
     return [int(n) for n in array.ravel()]
 
 
+def _loops(loops: Union[None, int, Iterable[int], Mapping[int, Optional[str]], str]) -> Optional[str]:
+    """As --loops takes them."""
+    if loops is None or isinstance(loops, str):
+        return loops
+    numbers = _numbers(list(loops) if isinstance(loops, Mapping) else loops) or []
+    shapes = list(loops.values()) if isinstance(loops, Mapping) else [None] * len(numbers)
+    return ",".join(str(number) + (f":{shape}" if shape else "") for number, shape in zip(numbers, shapes))
+
+
 def _arrays(vertices: ArrayLike, faces: ArrayLike) -> Tuple[np.ndarray, np.ndarray]:
     return np.asarray(vertices), np.asarray(faces)
 
@@ -61,7 +70,7 @@ def fill(
     vertices: ArrayLike,
     faces: ArrayLike,
     *,
-    loops: Union[None, int, Sequence[int]] = None,
+    loops: Union[None, int, Sequence[int], Mapping[int, Optional[str]], str] = None,
     at_vertices: Union[None, int, Sequence[int]] = None,
     max_edges: Optional[int] = None,
     max_diameter: Optional[float] = None,
@@ -84,6 +93,8 @@ def fill(
     repair: bool = False,
     cut_intersections: bool = False,
     cut_handles: bool = False,
+    cut_no_data: bool = False,
+    base: Union[None, float, Tuple[int, float]] = None,
     bridges: Sequence[Tuple[int, int]] = (),
     trim_boundary: int = 0,
     trim_crossing: bool = False,
@@ -103,7 +114,9 @@ def fill(
     Parameters:
         vertices: (n, 3), real numbers, in any unit of length.
         faces: (m, 3), whole numbers from 0 to n − 1, counter-clockwise seen from outside.
-        loops: numbers of the loops to fill, as boundary_loops() gives them; None: all holes.
+        loops: numbers of the loops to fill, as boundary_loops() gives them; None: all holes. A mapping such as {3: "flat",
+            7: "tangent", 8: None}, or the text "3:flat,7:tangent,8", also says how the patch meets the scan there: "flat" is a
+            plane or minimal surface, "smooth" has the curvature of the scan.
         at_vertices: vertex numbers; the loops through them are filled, beside those that `loops` names.
         max_edges: leaves loops with more edges, 1 or more.
         max_diameter: leaves wider loops; a length greater than 0.
@@ -133,6 +146,9 @@ def fill(
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
             the extent of their piece of surface, for their holes to be filled.
+        cut_no_data: removes the faces at vertices that mark missing data first, such as heights of -9999.
+        base: builds a base first under the largest loop, a straight wall to a plane so far below it, as ``base=5.0``; or under
+            another loop, as ``base=(2, 5.0)``.
         bridges: pairs of boundary vertices between which a strip is laid first, to part a complex hole.
         trim_boundary: removes up to so many rings of bad boundary faces first; 0 to 100.
         trim_crossing: removes the boundary faces that run through the surface first, where no patch could be valid; nothing else.
@@ -163,11 +179,13 @@ def fill(
         ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'early_stop']
     """
     options = {
-        **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed, edges), "loops": _numbers(loops),
+        **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed, edges), "loops": _loops(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "all_but_largest": all_but_largest,
         "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "auto": auto, "repair": repair,
-        "cut_intersections": cut_intersections, "cut_handles": cut_handles, "bridges": [(int(a), int(b)) for a, b in bridges],
+        "cut_intersections": cut_intersections, "cut_handles": cut_handles, "cut_no_data": cut_no_data,
+        "base": None if base is None else f"{base[0]}:{base[1]}" if isinstance(base, tuple) else str(base),
+        "bridges": [(int(a), int(b)) for a, b in bridges],
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
         "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,
     }

@@ -65,7 +65,7 @@ void take_stitch(const py::object& stitch, FillCommand& command) {
 FillCommand fill_command(const py::dict& options) {
   FillCommand command;
   static_cast<GroupOptions&>(command.fill) = group_options(options);
-  if (const auto loops = option<std::optional<std::vector<int>>>(options, "loops")) command.loops = listed(*loops);
+  if (const auto loops = option<std::optional<std::string>>(options, "loops")) command.loops = *loops;
   if (const auto at = option<std::optional<std::vector<int>>>(options, "at_vertices"))
     command.at_vertices = listed(*at);
   command.max_edges = limit<int>(options, "max_edges");
@@ -81,6 +81,8 @@ FillCommand fill_command(const py::dict& options) {
   if (option<bool>(options, "repair") || cut_intersections || cut_handles) command.repair = harmless_repairs;
   if (cut_intersections) command.repair.insert(Defect::intersections);
   if (cut_handles) command.repair.insert(Defect::handles);
+  if (const auto base = option<std::optional<std::string>>(options, "base")) command.base = base_of(*base);
+  if (option<bool>(options, "cut_no_data")) command.no_data = FillCommand::NoData::cut;
   command.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
   if (option<bool>(options, "trim_crossing")) command.trim_pierced = FillCommand::TrimPierced::yes;
   command.trim_rounds = whole_number(options, "trim_boundary", 100);

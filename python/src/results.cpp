@@ -64,7 +64,7 @@ py::list faces_of(const std::vector<BadBoundaryFace>& faces) {
   return list;
 }
 
-/// Only what was asked for: {"stitched": {...}, "repaired": {...}}.
+/// Only what was asked for: {"stitched": {...}, "repaired": {...}, "joined_again": N}.
 py::dict preparation(const FilledScan& done) {
   py::dict counts;
   if (done.prepared.stitched)
@@ -81,6 +81,9 @@ py::dict preparation(const FilledScan& done) {
                  "handle_faces"_a = repaired.handle_faces, "removed_pieces"_a = repaired.removed_pieces,
                  "removed_faces"_a = repaired.removed_faces);
   }
+  if (done.prepared.base_loop > 0) counts["base_loop"] = done.prepared.base_loop;
+  if (done.prepared.no_data_faces > 0) counts["no_data_faces"] = done.prepared.no_data_faces;
+  if (done.prepared.joined_again > 0) counts["joined_again"] = done.prepared.joined_again;
   return counts;
 }
 

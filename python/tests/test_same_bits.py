@@ -22,6 +22,8 @@ BALL_FILLS = [
     (["--loops", "2,5"], {"loops": [2, 5]}),
     (["--flow", "wf", "--mode", "steps", "--steps", "3", "--sigma", "1"],
      {"flow": "wf", "mode": "steps", "steps": 3, "sigma": 1}),
+    (["--loops", "2:flat,5:tangent,6"], {"loops": {2: "flat", 5: "tangent", 6: None}}),
+    (["--base", "1:0.5"], {"base": (1, 0.5)}),
     (["--boundary", "exact", "--max-edges", "60"], {"boundary": "exact", "max_edges": 60}),
     (["--boundary", "robust", "--threads", "1"], {"boundary": "robust", "threads": 1}),
     (["--continuity", "tangent"], {"continuity": "tangent"}),

@@ -2880,6 +2880,10 @@
             <translation>die Fläche endet an diesem Rand; er wurde durch eine Minimalfläche geschlossen</translation>
         </message>
         <message>
+            <source>both surfaces end at these loops, so that a straight ring joins them</source>
+            <translation>beide Flächen enden an diesen Rändern; ein gerader Ring verbindet sie</translation>
+        </message>
+        <message>
             <source>minimal surface over a cut</source>
             <translation>Minimalfläche über einem Schnitt</translation>
         </message>

@@ -183,11 +183,11 @@ TEST_F(Batch, DoesOnlyWhatIsMissingOrHasChanged) {
 TEST_F(Batch, TellsWhatWentWrongInARowAndByItsExitCode) {
   write_ball(scans / "a.ply", 0.9);
   write_split(scans / "split.off");
-  EXPECT_EQ(batch("--fail-on error").code, 0);
-  EXPECT_EQ(batch("--fail-on open").code, 1);
+  EXPECT_EQ(batch("--no-auto --fail-on error").code, 0);
+  EXPECT_EQ(batch("--no-auto --fail-on open").code, 1);
   std::ofstream(scans / "notes.ply") << "This is not a mesh.\n";
-  EXPECT_EQ(batch("--fail-on never").code, 0);
-  const auto run = batch();
+  EXPECT_EQ(batch("--no-auto --fail-on never").code, 0);
+  const auto run = batch("--no-auto");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("notes.ply: does not begin with \"ply\""));
   EXPECT_THAT(statuses(), ElementsAre(Pair("a.ply", "filled"), Pair("notes.ply", "error"), Pair("split.off", "look")));
@@ -196,10 +196,19 @@ TEST_F(Batch, TellsWhatWentWrongInARowAndByItsExitCode) {
   EXPECT_THAT(text_of(results / "summary.html"), HasSubstr("does not begin with &quot;ply&quot;"));
 
   const std::size_t known = lines_of_record();
-  EXPECT_EQ(batch("--fail-on never --again open").code, 0);
+  EXPECT_EQ(batch("--no-auto --fail-on never --again open").code, 0);
   EXPECT_THAT(begun(known), UnorderedElementsAre("notes.ply", "split.off"));
   EXPECT_EQ(batch("-- --stitch").code, 1);
   EXPECT_EQ(statuses()["split.off"], "filled");
+}
+
+TEST_F(Batch, PreparesEachScanUnlessAskedNotTo) {
+  fs::create_directories(scans);
+  write_split(scans / "split.off");
+  EXPECT_EQ(batch("--no-auto --fail-on open").code, 1);
+  EXPECT_EQ(batch("--fail-on open").code, 0);  // another option: filled again
+  EXPECT_THAT(statuses(), ElementsAre(Pair("split.off", "filled")));
+  EXPECT_THAT(text_of(results / "reports" / "split.off.json"), HasSubstr("\"stitched\""));
 }
 
 TEST_F(Batch, RemovesWhatAnEarlierRunMadeOfAScanThatIsNoLongerReadable) {

@@ -4,6 +4,7 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "mesh/boundary_loops.h"
 #include "mesh/scan_attributes.h"
 #include "mesh/watertight.h"
 #include "samples/analytic_surfaces.h"
@@ -38,6 +39,14 @@ class PreparationCommands : public test::ProgramTest {
     return loopmend_program("fill " + path(name) + "-o " + path("out.ply") + options);
   }
   Watertightness written() { return watertightness(read_mesh(work / "out.ply").soup); }
+
+  /// Of the surface as the file joins its faces.
+  int open_edges_written() {
+    int edges = 0;
+    for (const BoundaryLoop& loop : find_boundary_loops(make_surface_model(read_mesh(work / "out.ply").soup)))
+      edges += loop.edges();
+    return edges;
+  }
 
   /// A ball torn open along its equator; one side is moved up.
   static TriangleSoup torn(double gap) {
@@ -201,6 +210,21 @@ TEST_F(PreparationCommands, AutoRepairsWhereALoopRunsAlongAnEdgeOfThreeFaces) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("Repaired: 1 edge separated"), HasSubstr("filled, 0 failed")));
 }
 
+/// Triangles that cannot be oriented without a cut, which parts sides that can be joined again.
+TEST_F(PreparationCommands, AutoStitchesAgainWhatItsRepairParted) {
+  TriangleSoup soup;
+  soup.points = {{2, 3, 0}, {3, 1, 0}, {3, 0, 4}, {4, 0, 0}, {2, 4, 1}, {3, 2, 3}};
+  soup.triangles = {{0, 2, 3}, {0, 4, 5}, {1, 4, 5}, {3, 1, 0}, {4, 0, 3}, {4, 3, 1}, {5, 3, 0}};
+  write("a.ply", soup);
+  EXPECT_THAT(fill("a.ply", "--repair").out, HasSubstr("the mesh is split there (--stitch joins them)"));
+  const int parted = open_edges_written();
+  const Outcome run = fill("a.ply", "--auto --report " + path("r.json"));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("Stitched again: 2 vertices were joined"), Not(HasSubstr("--stitch"))));
+  EXPECT_LT(open_edges_written(), parted);
+  EXPECT_EQ(written().non_manifold_edges, 0U);
+  EXPECT_EQ(json::parse(test::text_of(work / "r.json"))["prepared"]["joined_again"], 2);
+}
+
 TEST_F(PreparationCommands, AutoStitchesCracks) {
   write("a.ply", torn(0.01));
   const Outcome run = fill("a.ply", "--auto");
@@ -242,6 +266,130 @@ TEST_F(PreparationCommands, ExpectedDeviationOfEachNewVertexIsAPropertyOfPly) {
   EXPECT_GT(largest, likely);
   EXPECT_THAT(loopmend_program("fill " + path("a.ply") + "-o " + path("b.obj") + "--deviation").out,
               HasSubstr("Only PLY has room"));
+}
+
+/// A tube of two walls, open at both ends.
+TriangleSoup pipe() {
+  TriangleSoup outer = make_cylinder(4, 48), inner = make_cylinder(4, 48);
+  for (Vec3& p : inner.points) p.head<2>() *= 0.8;
+  for (Triangle& t : inner.triangles) std::swap(t[1], t[2]);
+  return joined({outer, inner});
+}
+
+/// What is proposed closes the pipe.
+TEST_F(PreparationCommands, RingsOfAWallAreNamedAndBlendClosesThem) {
+  write("a.ply", pipe());
+  const std::string out = fill("a.ply").out;
+  std::vector<std::string> proposed;
+  for (std::size_t at = 0; (at = out.find("blend --loops ", at)) != std::string::npos; ++at) {
+    const std::string loops = out.substr(at + 14, out.find('\'', at) - at - 14);
+    if (std::find(proposed.begin(), proposed.end(), loops) == proposed.end()) proposed.push_back(loops);
+  }
+  ASSERT_EQ(proposed.size(), 2U) << out;
+  ASSERT_EQ(loopmend_program("blend " + path("a.ply") + "-o " + path("b.ply") + "--loops " + proposed.front()).code, 0);
+  const std::string second = fill("b.ply").out;  // the other end, whose loops are 1 and 2 now
+  EXPECT_THAT(second, HasSubstr("blend --loops 1:1,1:2"));
+  ASSERT_EQ(loopmend_program("blend " + path("b.ply") + "-o " + path("out.ply") + "--loops 1:1,1:2").code, 0);
+  EXPECT_EQ(written().open_edges, 0U);
+  EXPECT_EQ(written().intersections, 0U);
+  const double polygon = 48 * std::sin(2 * std::acos(-1.0) / 48) / 2;
+  EXPECT_NEAR(written().volume, 4 * polygon * (1 - 0.64), 1e-6);
+}
+
+/// Two plane sheets beside each other: two strips make a hole of the gap, and it is filled flat.
+TEST_F(PreparationCommands, AThinGapBetweenPlaneSheetsIsFilledBetweenTwoStrips) {
+  TriangleSoup one = make_graph([](double, double) { return 0; }, 0.5, 20), other = one;
+  for (Vec3& p : other.points) p.y() += 1.03;
+  write("a.ply", joined({one, other}));
+  const TriangleSoup soup = read_mesh(work / "a.ply").soup;
+  const auto vertex_at = [&](double x, double y) {
+    const auto found = std::find_if(soup.points.begin(), soup.points.end(),
+                                    [&](const Vec3& p) { return (p - Vec3(x, y, 0)).norm() < 1e-4; });
+    return std::to_string(found - soup.points.begin());
+  };
+  const Outcome run = fill("a.ply", "--bridge " + vertex_at(-0.45, 0.5) + "," + vertex_at(-0.45, 0.53) + " --bridge " +
+                                        vertex_at(0.45, 0.5) + "," + vertex_at(0.45, 0.53));
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("1 filled, 0 failed"));
+  const TriangleSoup after = read_mesh(work / "out.ply").soup;
+  double area = 0;
+  for (const Triangle& t : after.triangles) {
+    const Vec3 a = after.points[static_cast<std::size_t>(t[0])], b = after.points[static_cast<std::size_t>(t[1])],
+               c = after.points[static_cast<std::size_t>(t[2])];
+    EXPECT_LT(std::abs(c.z()), 1e-6);
+    area += (b - a).cross(c - a).norm() / 2;
+  }
+  EXPECT_NEAR(area, 2 + 0.03 * 0.95, 0.03 * 0.06);  // up to the strips, which end an edge beside the corners
+}
+
+TEST_F(PreparationCommands, ALoopTakesAShapeOfItsOwn) {
+  write("a.ply", cut(make_icosphere(4), [](const Vec3& p) { return std::abs(p.z()) > 0.8; }));
+  const auto heights = [&](const std::string& loops) {
+    EXPECT_EQ(fill("a.ply", "--loops " + loops).code, 0) << loops;
+    const TriangleSoup soup = read_mesh(work / "out.ply").soup;
+    double low = 0, high = 0;
+    for (const Vec3& p : soup.points) low = std::min(low, p.z()), high = std::max(high, p.z());
+    return std::pair(low, high);
+  };
+  const auto [low, high] = heights("1:flat,2:smooth");
+  const bool first_is_low = low > -0.85;
+  EXPECT_NEAR(first_is_low ? high : -low, 1, 0.01);
+  EXPECT_LT(first_is_low ? -low : high, 0.85);
+  const auto [low_of_both, high_of_both] = heights("1:flat,2:flat");
+  EXPECT_LT(std::max(-low_of_both, high_of_both), 0.85);
+  const auto [plain_low, plain_high] = heights("1,2");
+  EXPECT_NEAR(std::min(-plain_low, plain_high), 1, 0.01);
+  for (const char* wrong : {"1:round", "1:", "flat", "1:flat:2"}) {
+    const Outcome run = fill("a.ply", std::string("--loops ") + wrong);
+    EXPECT_EQ(run.code, 2) << wrong;
+  }
+  EXPECT_THAT(fill("a.ply", "--loops 1:flat --flow wf").err, HasSubstr("only with --flow mmcvf"));
+}
+
+TEST_F(PreparationCommands, SpikesOfMissingDataAreNamedAndCut) {
+  TriangleSoup terrain = make_graph([](double x, double y) { return 400 + 0.1 * x * y; }, 5, 30);
+  for (int v : {200, 201, 480}) terrain.points[static_cast<std::size_t>(v)].z() = -9999;
+  write("a.ply", terrain);
+  const std::string advice = "3 vertices lie at -9999, a mark for missing data: fill --cut-no-data";
+  EXPECT_THAT(info("a.ply").out, HasSubstr(advice));
+  EXPECT_EQ(json::parse(info("a.ply", "--json -").out)["no_data"]["vertices"], 3);
+  EXPECT_THAT(fill("a.ply").out, HasSubstr(advice));
+  const Outcome run = fill("a.ply", "--cut-no-data --report " + path("r.json"));
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("removed at 3 vertices of missing data"), HasSubstr("2 filled, 0 failed")));
+  EXPECT_GT(json::parse(test::text_of(work / "r.json"))["prepared"]["no_data_faces"], 10);
+  const TriangleSoup after = read_mesh(work / "out.ply").soup;
+  for (const Triangle& t : after.triangles)
+    for (int v : t) ASSERT_GT(after.points[static_cast<std::size_t>(v)].z(), 390);
+  EXPECT_THAT(fill("a.ply", "--cut-no-data").out, Not(HasSubstr("--cut-no-data")));
+}
+
+TEST_F(PreparationCommands, ABaseIsBuiltUnderTheLargestLoop) {
+  write("a.ply", trim_boundaries(cut(make_icosphere(4), [](const Vec3& p) { return p.z() < 0.3 || p.z() > 0.95; })));
+  const Outcome run = fill("a.ply", "--base 0.5 --check --report " + path("r.json"));
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("A base closes loop 1"), HasSubstr("1 filled, 0 failed"),
+                             HasSubstr("Ready to print: yes")));
+  EXPECT_EQ(json::parse(test::text_of(work / "r.json"))["prepared"]["base_loop"], 1);
+  EXPECT_EQ(fill("a.ply", "--base 1:0.5").code, 0);
+  EXPECT_EQ(written().open_edges, 0U);
+  EXPECT_THAT(fill("a.ply", "--base 3:0.5").err, HasSubstr("there is no loop 3"));
+  for (const char* wrong : {"--base=0", "--base=-1", "--base=1:", "--base=x:1", "--base=1.5:1", "--base=nan"}) {
+    const Outcome refused = fill("a.ply", wrong);
+    EXPECT_EQ(refused.code, 2) << wrong;
+    EXPECT_THAT(refused.err, HasSubstr("--base takes a length")) << wrong;
+  }
+}
+
+TEST_F(PreparationCommands, ClosedBodiesThatOverlapStayClosed) {
+  TriangleSoup moved = make_icosphere(3);
+  for (Vec3& p : moved.points) p += Vec3(1, 0.1, 0.2);
+  write("a.ply", joined({make_icosphere(3), moved}));
+  for (const char* options : {"", "--cut-intersections", "--auto"}) {
+    EXPECT_EQ(fill("a.ply", options).code, 0) << options;
+    EXPECT_EQ(written().open_edges, 0U) << options;
+    EXPECT_GT(written().volume, 8) << options;
+  }
 }
 
 }  // namespace

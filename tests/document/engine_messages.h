@@ -78,6 +78,7 @@ inline constexpr const char* engine_messages[] = {
     "under it; --boundary exact runs the flow itself; stopped after 100 steps, before the steady state",
     "linear fairing in place of the flow: the surface ends at this loop, which is flat, so that it was closed flat; "
     "--boundary exact runs the flow itself",
+    "both surfaces end at these loops, so that a straight ring joins them; --boundary exact runs the flow itself",
     "linear fairing in place of the flow: the surface ends at this loop, so that it was closed by a minimal surface; "
     "--boundary exact runs the flow itself",
     "the flow with bending energy mixed in: split flow: 3 edges are folded by more than 150°",

@@ -78,9 +78,9 @@ TEST(RepairSurface, AllRepairsTogetherLeaveNothingToRepair) {
 /// Their points in one place were joined and separated in turns, 193 and 36 of snowden_bust.obj.
 TEST(RepairSurface, OfEverythingIsEnoughOnceOnScans) {
   const std::filesystem::path shared = LOOPMEND_SHARED_DIR;
-  const std::set<Defect> all{Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces,
-                             Defect::intersections,     Defect::non_manifold,     Defect::handles,
-                             Defect::crumbs};
+  const std::set<Defect> all{
+      Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces, Defect::intersections,
+      Defect::non_manifold,      Defect::handles,          Defect::crumbs};
   for (const char* name : {"scans2/snowden_bust.obj", "scans2/skull_scp1.ply", "scans2/adonis.obj", "data/doll.obj"}) {
     if (!std::filesystem::exists(shared / name)) GTEST_SKIP() << shared / name << " is not here";
     const RepairedSurface once = repair_surface(read_mesh(shared / name).soup, all);
@@ -143,6 +143,21 @@ TEST(RepairSurface, IntersectingFacesAreCutOutAndLeaveHoles) {
   EXPECT_EQ(repaired.soup.points, soup.points);
 }
 
+TEST(RepairSurface, ClosedBodiesThatOverlapStayClosed) {
+  TriangleSoup moved = make_icosphere(3);
+  for (Vec3& p : moved.points) p.x() += 1;
+  const TriangleSoup soup = joined({make_icosphere(3), moved});
+  ASSERT_GT(watertightness(soup).intersections, 0u);
+  const RepairedSurface both = repair_surface(soup, {Defect::intersections});
+  EXPECT_EQ(both.counts.intersecting_faces, 0u);
+  EXPECT_EQ(both.soup.triangles, soup.triangles);
+  // With an open sheet through one of them, what cuts goes.
+  TriangleSoup sheet = make_graph([](double, double) { return 0.1; }, 0.5, 8);
+  for (Vec3& p : sheet.points) p.x() -= 1;
+  const RepairedSurface cut_open = repair_surface(joined({soup, sheet}), {Defect::intersections});
+  EXPECT_GT(cut_open.counts.intersecting_faces, 0u);
+}
+
 TEST(RepairSurface, OnlyWhatIsNamedIsMended) {
   TriangleSoup soup = make_icosphere(3);
   soup.triangles.push_back({3, 3, 4});
@@ -154,14 +169,16 @@ TEST(RepairSurface, OnlyWhatIsNamedIsMended) {
 }
 
 TEST(RepairSurface, EachDefectIsCountedByItself) {
-  TriangleSoup soup = joined({make_icosphere(2), make_icosphere(2)});
+  TriangleSoup open_ball = make_icosphere(2);  // closed bodies that overlap are no defect
+  open_ball.triangles.pop_back();
+  TriangleSoup soup = joined({make_icosphere(2), open_ball});
   soup.triangles.push_back({3, 3, 4});
   soup.triangles.push_back(soup.triangles.front());
   const RepairCounts counts = count_defects(soup);
   EXPECT_EQ(counts.joined_points, make_icosphere(2).points.size());
   EXPECT_EQ(counts.degenerate_faces, 1u);
   EXPECT_EQ(counts.duplicate_faces, 1u);
-  EXPECT_EQ(counts.intersecting_faces, 2 * make_icosphere(2).triangles.size() + 1);
+  EXPECT_EQ(counts.intersecting_faces, 2 * make_icosphere(2).triangles.size() - 1);  // all but the one without a twin
   EXPECT_EQ(counts.removed_pieces, 0u);
   EXPECT_FALSE(count_defects(make_icosphere(2)).any());
 }

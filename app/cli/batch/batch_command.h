@@ -24,6 +24,7 @@ struct BatchCommand {
   enum class FailOn { never, error, open } fail_on = FailOn::error;   ///< what makes the exit code 1
   enum class Again { none, open, all } again = Again::none;           ///< which complete scans are filled once more
   enum class Existing { keep, overwrite } existing = Existing::keep;  ///< files in the folder that batch did not write
+  enum class Prepare { as_asked, where_needed } prepare = Prepare::where_needed;  ///< --auto for every scan, or not
   Verbosity verbosity = Verbosity::normal;
   std::vector<std::string> fill_options;  ///< for every scan
   std::string command_line;               ///< as typed, for the summary

@@ -50,6 +50,9 @@ void add_batch(CLI::App& app, BatchCommand& command) {
       "--overwrite", [&command] { command.existing = BatchCommand::Existing::overwrite; },
       "Replace files in DIR that no batch wrote, or that have changed since");
   batch->add_flag_callback(
+      "--no-auto", [&command] { command.prepare = BatchCommand::Prepare::as_asked; },
+      "Fill scans as they are; without it each is stitched, repaired and trimmed where it needs that (fill --auto)");
+  batch->add_flag_callback(
       "--quiet", [&command] { command.verbosity = Verbosity::quiet; },
       "No progress and no summary, only error messages");
   batch->footer(

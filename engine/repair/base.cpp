@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "repair/base.h"
+
+#include "core/error.h"
+#include "mesh/loop_facing.h"
+#include "mesh/pieces.h"
+#include "mesh/self_intersections.h"
+#include "mesh/triangulate_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double least_side = 1e-6;  ///< distance of the surface's middle from the loop's plane, in loop diameters
+constexpr int most_base_rows = 1000;
+
+/// Unit vector square to the loop's plane, away from the surface.
+Vec3 downward(const SurfaceModel& model, const BoundaryLoop& loop, const std::string& name) {
+  int count = 0;
+  const std::vector<int> part = parts_of_points(model, count);
+  const int own = part[model.soup_vertex[loop.vertices.front()]];
+  Vec3 middle = Vec3::Zero();
+  double points = 0;
+  for (std::size_t v = 0; v < part.size(); ++v)
+    if (part[v] == own) {
+      middle += model.soup.points[v];
+      ++points;
+    }
+  const Vec3 axis = loop_facing(model, loop).axis;
+  const double side = (loop.center - middle / points).dot(axis);
+  if (!(std::abs(side) > least_side * loop.diameter))
+    throw InvalidArgument(name + ": the surface lies in the plane of the loop, so that no side of it is below");
+  return side > 0 ? axis : Vec3(-axis);
+}
+
+void check_cuts(const TriangleSoup& soup, std::size_t given, const std::string& name) {
+  Triangles triangles(soup.triangles.begin() + static_cast<std::ptrdiff_t>(given), soup.triangles.end());
+  const int made = static_cast<int>(triangles.size());
+  triangles.insert(triangles.end(), soup.triangles.begin(),
+                   soup.triangles.begin() + static_cast<std::ptrdiff_t>(given));
+  const std::size_t cuts = self_intersections(soup.points, triangles, made).size();
+  if (cuts > 0)
+    throw InvalidArgument(name + ": a straight wall would cut the surface, or itself, in " + std::to_string(cuts) +
+                          " places");
+}
+
+}  // namespace
+
+TriangleSoup with_base(const SurfaceModel& model, const BoundaryLoop& loop, double distance) {
+  const std::string name = "base of loop " + std::to_string(loop.number);
+  if (!(distance > 0) || !std::isfinite(distance))
+    throw InvalidArgument(name + ": its distance must be a length above 0");
+  const Vec3 down = downward(model, loop, name);
+  TriangleSoup soup = model.soup;
+  std::vector<int> above;
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (int v : loop.vertices) {
+    above.push_back(model.soup_vertex[v]);
+    lowest = std::max(lowest, soup.points[above.back()].dot(down));
+  }
+  const double plane = lowest + distance, mean = loop.center.dot(down);
+  const int rows =
+      std::clamp(static_cast<int>(std::lround((plane - mean) * loop.edges() / std::max(loop.perimeter, 1e-300))), 1,
+                 most_base_rows);
+  const std::vector<int> top = above;
+  const std::size_t n = top.size();
+  for (int row = 1; row <= rows; ++row) {
+    std::vector<int> below;
+    for (int v : top) {
+      const Vec3 p = soup.points[v];
+      below.push_back(static_cast<int>(soup.points.size()));
+      soup.points.push_back(p + (plane - p.dot(down)) * row / rows * down);
+      if (!soup.colors.empty()) soup.colors.push_back(Color(soup.colors[v]));
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t next = (k + 1) % n;
+      soup.triangles.push_back({above[k], above[next], below[next]});
+      soup.triangles.push_back({above[k], below[next], below[k]});
+    }
+    above = std::move(below);
+  }
+  const Triangles cap = triangulate_seen_flat(soup.points, above);
+  if (cap.empty()) throw InvalidArgument(name + ": the loop overlaps itself seen from below: no straight wall fits");
+  soup.triangles.insert(soup.triangles.end(), cap.begin(), cap.end());
+  check_cuts(soup, model.soup.triangles.size(), name);
+  return soup;
+}
+
+}  // namespace loopmend
