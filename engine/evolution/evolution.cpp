@@ -48,6 +48,7 @@ std::string method_name(Method method, FlowKind flow) {
     case Method::mixed_order: return name + "_mixed_order";
     case Method::robust_fairing: return "robust_fairing";
     case Method::linear_fairing: return "linear_fairing";
+    case Method::mirror_image: return "mirror_image";
   }
   return "";
 }
