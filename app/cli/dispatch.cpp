@@ -93,6 +93,8 @@ struct FillWords {
   std::string base;                  ///< "5" or "2:5"; empty: none
   std::vector<std::string> bridges;  ///< "A,B"
   std::string islands = "join", texture = "grain", materials = "copy";
+  bool mirror = false;
+  std::string mirror_plane;  ///< "x,y,z,nx,ny,nz"; empty: none
 };
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
@@ -183,6 +185,13 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_flag_callback(
       "--deviation", [&command] { command.deviations = FillCommand::Deviations::written; },
       "PLY: write how far each new vertex is likely from what was there, as vertex property expected_deviation");
+  CLI::Option* mirror = fill->add_flag(
+      "--mirror", words.mirror,
+      "Close holes by a copy of the other side, mirrored, where the surface around them fits its image; the planes of "
+      "symmetry are looked for");
+  fill->add_option("--mirror-plane", words.mirror_plane, "The same with this plane: a point of it, and its normal")
+      ->type_name("X,Y,Z,NX,NY,NZ")
+      ->excludes(mirror);
   add_flow_options(*fill, words.flow, DensityOption::offer, ReliefOption::offer);
   fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
       ->check(between(0, 1024))
@@ -216,6 +225,28 @@ std::pair<int, int> bridge_ends(const std::string& text) {
   return {a, b};
 }
 
+/// @throws UsageError unless the text is six finite numbers, the last three not all 0.
+MirrorPlane mirror_plane_of(const std::string& text) {
+  Vec3 point, normal;
+  int used = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%n", &point[0], &point[1], &point[2], &normal[0], &normal[1],
+                  &normal[2], &used) != 6 ||
+      used != static_cast<int>(text.size()))
+    throw UsageError("--mirror-plane takes a point and a normal, six numbers such as 0,0,0,1,0,0, not '" + text + "'");
+  try {
+    return make_mirror_plane(point, normal);
+  } catch (const InvalidArgument& error) {
+    throw UsageError("--mirror-plane " + text + ": " + error.what());
+  }
+}
+
+void take_mirror(const FillWords& words, FillOptions& options) {
+  if (words.mirror) options.mirror = FillOptions::Mirror::find;
+  if (!words.mirror_plane.empty()) options.mirror_planes = {mirror_plane_of(words.mirror_plane)};
+  if ((words.mirror || !words.mirror_plane.empty()) && words.flow.flow == "none")
+    throw UsageError("--mirror has no effect with --flow none, which leaves the first shape");
+}
+
 void take_words(const FillWords& words, FillCommand& command) {
   command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
   command.verbosity = words.flow.verbosity();
@@ -228,6 +259,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   const int threads = command.fill.threads;
   command.fill = options_of(words.flow);
   command.fill.threads = threads;
+  take_mirror(words, command.fill);
   command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
   if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
   if (!words.stitch.empty()) {
@@ -262,6 +294,8 @@ void check_fill_options(const std::vector<std::string>& options) {
   }
   if (!words.stitch.empty()) stitch_tolerance_of(words.stitch);
   if (!words.base.empty()) base_of(words.base);
+  FillOptions mirrored;
+  take_mirror(words, mirrored);
   if (!words.flow.report.empty()) throw UsageError("--report is not for batch: every scan has a report of its own");
   if (words.keep_partial)
     throw UsageError("--keep-partial is not for batch: the next run fills again what was stopped");

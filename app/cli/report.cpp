@@ -105,6 +105,21 @@ Json deviation_json(const ExpectedDeviation& deviation) {
   return {{"half", deviation.half}, {"likely", deviation.likely}, {"most", deviation.most}};
 }
 
+Json vector_json(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+/// Null where no mirror image was asked for.
+Json mirror_json(const MirrorFit& fit) {
+  if (fit.answer == MirrorFit::Answer::not_asked) return nullptr;
+  return {{"answer", to_string(fit.answer)},
+          {"misfit", json_number(fit.misfit)},
+          {"quadric", json_number(fit.quadric)},
+          {"text", english(notice_on(fit))},
+          {"plane",
+           {{"point", vector_json(fit.plane.point)},
+            {"normal", vector_json(fit.plane.normal)},
+            {"misfit", json_number(fit.plane.misfit)}}}};
+}
+
 /// J of the split and its last relative decrease; null where the patch was not made by a descent of J.
 Json split_energy_json(const std::vector<StepRecord>& history) {
   if (history.empty() || !(history.back().split.total() > 0)) return nullptr;
@@ -132,6 +147,7 @@ Json loop_json(const HoleResult& result) {
                           {"depth", json_number(proportion.depth)},
                           {"energy", json_number(proportion.energy)}};
   }
+  json["mirror"] = mirror_json(result.mirror);
   json["free_vertices"] = result.free_vertices;
   json["steps"] = patch.steps;
   json["bending"] = patch.bending;

@@ -238,6 +238,20 @@ QString notice(const Notice& notice) {
       return tr("rises %1 diameters over its loop; a ball through the seam would rise %2").arg(digits(0), digits(1));
     case NoticeCode::likely_far:
       return tr("what was there may lie %1 diameters away: the shape is a guess").arg(digits(0));
+    case NoticeCode::mirror_image:
+      return tr("copied from the mirror image, from which the surface around is %1 diameters away").arg(digits(0));
+    case NoticeCode::mirror_misfit:
+      return tr("not copied from the mirror image, from which the surface around is %1 diameters away; from a quadric "
+                "it "
+                "is %2")
+          .arg(digits(0), digits(1));
+    case NoticeCode::mirror_no_symmetry:
+      return tr("not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent "
+                "away")
+          .arg(digits(0));
+    case NoticeCode::mirror_open: return tr("not copied from the mirror image, which has no surface there");
+    case NoticeCode::mirror_faulty:
+      return tr("not copied from the mirror image, which folds there, cuts the surface or does not close the hole");
   }
   return {};
 }

@@ -239,7 +239,7 @@ Verdict verdict(Reader& in) {
   v.folds = in.number<qint32>();
   const int findings = in.count(sizeof(qint32));
   for (int i = 0; i < findings; ++i) {
-    Notice finding{word(in, NoticeCode::likely_far), {}};
+    Notice finding{word(in, NoticeCode::mirror_faulty), {}};
     const int arguments = in.count(sizeof(double));
     for (int k = 0; k < arguments; ++k) finding.arguments.push_back(in.number<double>());
     v.findings.push_back(std::move(finding));

@@ -28,6 +28,7 @@ std::string message_of(const PatchResult& result) {
       case Method::split_flow: return result.reason.empty() ? "the flow on the smooth surface under the scan" : "";
       case Method::mixed_order: return "the flow with bending energy mixed in";
       case Method::initial_patch:
+      case Method::mirror_image:
       case Method::flow: break;
     }
     return "";

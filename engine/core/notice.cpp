@@ -41,6 +41,11 @@ const char* to_string(NoticeCode code) {
     case NoticeCode::crease: return "crease";
     case NoticeCode::high_over_loop: return "high_over_loop";
     case NoticeCode::likely_far: return "likely_far";
+    case NoticeCode::mirror_image: return "mirror_image";
+    case NoticeCode::mirror_misfit: return "mirror_misfit";
+    case NoticeCode::mirror_no_symmetry: return "mirror_no_symmetry";
+    case NoticeCode::mirror_open: return "mirror_open";
+    case NoticeCode::mirror_faulty: return "mirror_faulty";
   }
   return "";
 }
@@ -70,6 +75,18 @@ std::string english(const Notice& notice) {
              two_digits(number(1));
     case NoticeCode::likely_far:
       return "what was there may lie " + two_digits(number(0)) + " diameters away: the shape is a guess";
+    case NoticeCode::mirror_image:
+      return "copied from the mirror image, from which the surface around is " + two_digits(number(0)) +
+             " diameters away";
+    case NoticeCode::mirror_misfit:
+      return "not copied from the mirror image, from which the surface around is " + two_digits(number(0)) +
+             " diameters away; from a quadric it is " + two_digits(number(1));
+    case NoticeCode::mirror_no_symmetry:
+      return "not copied from the mirror image, since the scan is not symmetric: its best image is " +
+             two_digits(number(0)) + " of its extent away";
+    case NoticeCode::mirror_open: return "not copied from the mirror image, which has no surface there";
+    case NoticeCode::mirror_faulty:
+      return "not copied from the mirror image, which folds there, cuts the surface or does not close the hole";
   }
   return "";
 }

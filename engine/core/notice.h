@@ -21,6 +21,11 @@ enum class NoticeCode {
   crease,               ///< bend of the seam edges, number of these
   high_over_loop,       ///< height, height of a ball through the seam
   likely_far,           ///< likely distance from what was there
+  mirror_image,         ///< copied from it: rms distance of the surface around from it
+  mirror_misfit,        ///< not copied: the same, and from a quadric
+  mirror_no_symmetry,   ///< not copied: misfit of the plane, in extents of the surface
+  mirror_open,          ///< not copied: nothing is there. none
+  mirror_faulty,        ///< not copied: it folds or cuts the surface. none
 };
 
 struct Notice {

@@ -93,6 +93,7 @@ enum class Method {
   robust_fairing,  ///< a few linear fairings that weigh the boundary data; no flow
   sharp_edges,     ///< sharp edges continued, each side on its own surface (edges/sharp_patch.h); no flow
   linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, up to twelve times; no flow
+  mirror_image,    ///< the mirror image of the other side of the scan, its own triangles; no flow
 };
 
 /// Why the boundary data ask for something else than the flow, and how to get the flow all the same. Empty if they do not.

@@ -2,6 +2,7 @@
 // What all attempts at one patch share, and one run of a flow within them.
 #pragma once
 
+#include "mirror/mirror_plane.h"
 #include "neighborhood/outlier_vertices.h"
 #include "pipeline/judge.h"
 #include "pipeline/patch_result.h"
@@ -18,6 +19,8 @@ struct PatchProblem {
   const Patch& initial;
   /// That make_initial_patch() made it for; empty where it is no such patch: attempts have no other start then.
   const std::vector<BoundaryLoop>& loops;
+  /// In which the patch may be the mirror image of the other side; null or empty: it may not.
+  const std::vector<MirrorPlane>* mirror_planes = nullptr;
 };
 
 struct AttemptContext {

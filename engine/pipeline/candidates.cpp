@@ -3,6 +3,7 @@
 
 #include "edges/sharp_patch.h"
 #include "pipeline/initial_patch.h"
+#include "pipeline/mirror_candidate.h"
 #include "pipeline/multi_start.h"
 
 #include <algorithm>
@@ -237,6 +238,11 @@ void judge_again(const PatchProblem& problem, const EvolutionOptions& options, P
 }
 
 void expect_deviation(const EvolutionOptions& options, const CancelToken& cancel, PatchResult& result) {
+  if (result.method == Method::mirror_image) {
+    result.deviation = expected_mirror_deviation(result);
+    judge_deviation(result.patch, result.deviation, result.verdicts);
+    return;
+  }
   const bool is_calibrated =
       is_judged(options) &&
       (result.method == Method::flow || result.method == Method::split_flow || result.method == Method::robust_fairing);
@@ -251,6 +257,11 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     PatchResult result = initial_result(problem, options.flow);
     result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
     return result;
+  }
+  PatchResult mirrored;
+  if (problem.mirror_planes && !problem.mirror_planes->empty() && problem.loops.size() == 1) {
+    mirrored = mirrored_patch(problem, options, cancel);
+    if (is_filled(mirrored.status)) return mirrored;
   }
   const std::vector<LoopEnd> ends = ends_of(problem);
   const Judge judge = judge_for(problem, options, ends);
@@ -275,6 +286,9 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   PatchResult result = best_candidate(situation);
   result.flow = options.flow;
   result.seams_before = judge.initial_seams();
+  result.mirror = mirrored.mirror;
+  result.attempts.insert(result.attempts.begin(), mirrored.attempts.begin(), mirrored.attempts.end());
+  if (!mirrored.reason.empty()) result.reason = mirrored.reason + (result.reason.empty() ? "" : "; " + result.reason);
   if (cancel.cancelled()) result.status = PatchStatus::cancelled;
   return result;
 }

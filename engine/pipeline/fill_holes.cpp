@@ -252,6 +252,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   if (options.evolution)  // what could not be solved is not made
     options.initial.most_vertices =
         std::min(options.initial.most_vertices, options.most_memory_mb / expected_memory_mb(1));
+  if (options.mirror == FillOptions::Mirror::find) options.mirror_planes = find_mirror_planes(model, cancel);
   const ScanIndex scan(model);
   std::vector<GroupResult> solved;
   std::vector<BoundaryLoop> possible;
@@ -313,6 +314,8 @@ void check(const FillOptions& options) {
   check(options.initial);
   if (!(options.most_memory_mb > 0)) throw InvalidArgument("the memory for patches must be above 0 MB");
   if (options.evolution) check(*options.evolution);
+  if (!options.evolution && (options.mirror == FillOptions::Mirror::find || !options.mirror_planes.empty()))
+    throw InvalidArgument("a patch without a flow is left as its first shape, and is no mirror image: choose a flow");
 }
 
 std::string island_not_joined(const std::string& why) {

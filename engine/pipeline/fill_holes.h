@@ -18,6 +18,8 @@ struct FillOptions : GroupOptions {
   int threads = 0;  ///< groups worked on at once; 0: as many as there are cores. The result does not depend on it.
   /// Pieces of surface within a hole that is filled: joined to its patch, or where that fails covered by it.
   enum class Islands { cover, join } islands = Islands::join;
+  /// Whether the planes of symmetry of the whole surface are looked for, for GroupOptions::mirror_planes.
+  enum class Mirror { as_given, find } mirror = Mirror::as_given;
   /// Megabytes that the patches under way may take together, above 0. A loop that needs more is left open with its reason:
   /// before its patch is begun, where that can be told from its size, or else before it is solved.
   double most_memory_mb = std::numeric_limits<double>::infinity();

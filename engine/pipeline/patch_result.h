@@ -6,6 +6,7 @@
 #include "evolution/evolution.h"
 #include "mesh/patch.h"
 #include "mesh/validity.h"
+#include "mirror/mirror_patch.h"
 #include "neighborhood/boundary_fits.h"
 #include "pipeline/expected_deviation.h"
 #include "pipeline/judge.h"
@@ -35,6 +36,7 @@ struct PatchResult {
   } energy;  ///< units as in StepRecord
   Validity validity;
   DeviationEstimate deviation;  ///< empty without an estimate
+  MirrorFit mirror;             ///< of the mirror image, where one was asked for
   // One for each loop of the patch; empty where nobody measured.
   std::vector<Verdict> verdicts;
   std::vector<SeamReport> seams_before;  ///< of the initial patch

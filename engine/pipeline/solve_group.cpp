@@ -4,6 +4,7 @@
 #include "core/threads.h"
 #include "pipeline/bend_aside.h"
 #include "pipeline/candidates.h"
+#include "pipeline/mirror_candidate.h"
 #include "pipeline/patch_relief.h"
 #include "pipeline/seconds_since.h"
 
@@ -63,14 +64,45 @@ class GroupSolver {
   GroupResult solve(const InitialPatch& initial) const {
     if (initial.loops.size() == 1 || initial.origin == InitialPatch::Origin::evolved) return jointly(initial);
     GroupResult result = failed_group(initial.loops, "");
-    for (const InitialPatch& alike : parts_alike(scan_, initial, options_, cancel_)) {
+    std::vector<MirrorFit> refused(initial.loops.size());
+    const InitialPatch others = without_mirrored(initial, result, refused);
+    if (others.loops.empty()) return result;
+    for (const InitialPatch& alike : parts_alike(scan_, others, options_, cancel_)) {
       if (cancel_.cancelled()) return result;
       put(guarded(alike.loops, [&] { return part(alike); }), result);
     }
+    for (std::size_t k = 0; k < refused.size(); ++k)
+      if (result.holes[k].mirror.answer == MirrorFit::Answer::not_asked) result.holes[k].mirror = refused[k];
     return result;
   }
 
  private:
+  /// Solves those loops of a group by themselves that a mirror image closes. @returns the others.
+  InitialPatch without_mirrored(const InitialPatch& initial, GroupResult& result,
+                                std::vector<MirrorFit>& refused) const {
+    if (options_.mirror_planes.empty() || !options_.evolution) return initial;
+    InitialPatch known = initial;
+    if (known.outcomes.empty())
+      known.outcomes = make_initial_patch(scan_.model, initial.loops, options_.initial, cancel_).outcomes;
+    std::vector<int> others;
+    for (int k = 0; k < static_cast<int>(known.loops.size()); ++k) {
+      GroupResult own = guarded({known.loops[k]}, [&] {
+        const InitialPatch one = part_of(scan_.model, known, {k}, options_.initial);
+        if (!one.patch) return GroupResult{};
+        refused[k] =
+            mirrored_patch({scan_, *one.patch, one.loops, &options_.mirror_planes}, *options_.evolution, cancel_)
+                .mirror;
+        return refused[k].is_proposed() ? jointly(one) : GroupResult{};
+      });
+      if (own.patches.empty())
+        others.push_back(k);
+      else
+        put(std::move(own), result);
+    }
+    if (others.size() == known.loops.size()) return initial;
+    return others.empty() ? InitialPatch{} : part_of(scan_.model, known, others, options_.initial);
+  }
+
   /// Jointly; where that spoils one of the loops, each by itself.
   GroupResult part(const InitialPatch& initial) const {
     GroupResult joint = jointly(initial);
@@ -127,6 +159,7 @@ class GroupSolver {
       hole->patch = patch;
       hole->place = static_cast<int>(p);
       hole->free_vertices = free[p];
+      hole->mirror = patch->mirror;
       if (!valid) {
         hole->message = why_left_open(scan_, hole->loop, patch->validity.intersections_of_loop[p]);
         continue;
@@ -189,14 +222,14 @@ class GroupSolver {
     const auto start = std::chrono::steady_clock::now();
     const BoundarySurvey survey = initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_);
     const std::vector<BoundaryLoop> loops = loops_of(initial);
-    const PatchProblem problem{scan_, *initial.patch, loops};
+    const PatchProblem problem{scan_, *initial.patch, loops, &options_.mirror_planes};
     PatchResult result;
     if (options_.evolution) {
       EvolutionOptions evolution = *options_.evolution;
       evolution.split = survey.split;
       result = solve_patch(problem, evolution, on_step_, cancel_);
       if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
-          is_filled(result.status))
+          is_filled(result.status) && result.method != Method::mirror_image)
         add_relief(problem, survey.split, evolution.relief, cancel_, result);
     } else {
       result = initial_result(problem, FlowKind::mmcvf);

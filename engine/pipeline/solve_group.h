@@ -2,6 +2,7 @@
 // One group of holes from the initial patch to finished patches.
 #pragma once
 
+#include "mirror/mirror_plane.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/patch_result.h"
 #include "pipeline/validate.h"
@@ -24,6 +25,7 @@ struct HoleResult {
   int place = 0;          ///< of the hole among the patch's loops
   int free_vertices = 0;  ///< of the part of the patch that the hole bounds
   double seconds = 0;     ///< from the group's start to this result
+  MirrorFit mirror;       ///< of the mirror image at this hole, where one was asked for
 
   /// The patch's, or an empty one where there is none.
   const PatchResult& outcome() const {
@@ -74,6 +76,8 @@ struct GroupResult {
 struct GroupOptions {
   InitialPatchOptions initial;
   std::optional<EvolutionOptions> evolution = EvolutionOptions{};  ///< empty: leave the initial patch
+  /// A hole of which the surface around fits one of these mirror images is closed by a copy of it. Not without `evolution`.
+  std::vector<MirrorPlane> mirror_planes{};
 };
 
 /// The group in parts whose holes ask for the same treatment of the boundary data: what solve_group() solves one after another.

@@ -18,11 +18,11 @@ first.
 from loopmend._api import blend, boundary_loops, check, curvatures, evolve, fill, interpolate, read, sample, write
 from loopmend._core import Error, InvalidArgument, ReadError, WriteError, __version__
 from loopmend.results import (
-    BoundaryLoop, Check, Curvatures, ExpectedDeviation, FillResult, Finding, HoleResult, Mesh, PatchResult, Seam, Verdict,
+    BoundaryLoop, Check, Curvatures, ExpectedDeviation, FillResult, Finding, HoleResult, Mesh, MirrorFit, PatchResult, Seam, Verdict,
 )
 
 __all__ = [
     "BoundaryLoop", "Check", "Curvatures", "Error", "ExpectedDeviation", "FillResult", "Finding", "HoleResult", "InvalidArgument",
-    "Mesh", "PatchResult", "ReadError", "Seam", "Verdict", "WriteError", "__version__", "blend", "boundary_loops", "check", "curvatures", "evolve", "fill",
+    "Mesh", "MirrorFit", "PatchResult", "ReadError", "Seam", "Verdict", "WriteError", "__version__", "blend", "boundary_loops", "check", "curvatures", "evolve", "fill",
     "interpolate", "read", "sample", "write",
 ]

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from loopmend import _core
 from loopmend.results import (
-    BoundaryLoop, Check, Curvatures, ExpectedDeviation, FillResult, Finding, HoleResult, Mesh, PatchResult, Seam, Verdict,
+    BoundaryLoop, Check, Curvatures, ExpectedDeviation, FillResult, Finding, HoleResult, Mesh, MirrorFit, PatchResult, Seam, Verdict,
 )
 
 Path = Union[str, "os.PathLike[str]"]
@@ -35,6 +35,8 @@ def _hole(figures: Dict[str, Any]) -> HoleResult:
         figures["verdict"] = Verdict(**figures["verdict"])
     if figures["expected_deviation"] is not None:
         figures["expected_deviation"] = ExpectedDeviation(**figures["expected_deviation"])
+    if figures["mirror"] is not None:
+        figures["mirror"] = MirrorFit(**figures["mirror"])
     return HoleResult(**_loop(figures))
 
 
@@ -77,6 +79,8 @@ def fill(
     all_but_largest: int = 0,
     include_outer_rim: bool = False,
     islands: str = "join",
+    mirror: bool = False,
+    mirror_plane: Optional[Sequence[float]] = None,
     flow: str = "mmcvf",
     boundary: str = "auto",
     continuity: str = "curvature",
@@ -123,6 +127,9 @@ def fill(
         all_but_largest: leaves so many of the largest loops, those of outer rims among them.
         include_outer_rim: fills the outer rims of open sheets as well.
         islands: "join" joins pieces of surface within a hole to its patch, "cover" covers them with it.
+        mirror: closes holes by a copy of the other side, mirrored, where the surface around them fits its image; the planes of
+            symmetry are looked for.
+        mirror_plane: the same with this plane: x, y, z of a point in it and of its normal.
         flow: what makes the patch smooth: "mmcvf" (minimal variation of mean curvature), "wf" (Willmore flow), "sdf"
             (surface diffusion), "mcf" (mean curvature flow), or "none", which leaves the initial patch.
         boundary: curvature around the hole, for "mmcvf": "auto" that of the smooth surface under relief and noise, "exact"
@@ -182,7 +189,8 @@ def fill(
         **_flow(flow, boundary, continuity, density, mode, steps, sigma, solver, relief, relief_seed, edges), "loops": _loops(loops),
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "all_but_largest": all_but_largest,
-        "include_outer_rim": include_outer_rim, "islands": islands, "stitch": stitch, "auto": auto, "repair": repair,
+        "include_outer_rim": include_outer_rim, "islands": islands, "mirror": mirror,
+        "mirror_plane": None if mirror_plane is None else [float(x) for x in mirror_plane], "stitch": stitch, "auto": auto, "repair": repair,
         "cut_intersections": cut_intersections, "cut_handles": cut_handles, "cut_no_data": cut_no_data,
         "base": None if base is None else f"{base[0]}:{base[1]}" if isinstance(base, tuple) else str(base),
         "bridges": [(int(a), int(b)) for a, b in bridges],

@@ -140,6 +140,31 @@ class ExpectedDeviation:
     most: float
 
 
+@dataclass(frozen=True)
+class MirrorFit:
+    """How well the mirror image of the other side fits around a hole, and whether it was copied.
+
+    answer: "proposed": it was copied; "misfit": the surface around fits it too badly; "no_symmetry": no plane was found; "open_there": nothing is there; "no_disc",
+        "faulty": what is there does not close the hole without a fault.
+    is_taken: whether it was copied.
+    misfit: rms distance of the surface around the hole from the image, in diameters of the hole; NaN without an image.
+    quadric: the same from the best quadric.
+    text: the answer as a sentence, with its figures.
+    plane_point, plane_normal: the mirror plane; the normal has length 1.
+    plane_misfit: seven tenths of the surface lie within so much of the image, in diagonals of the box of the surface; 0 for a
+        plane that was given.
+    """
+
+    answer: str
+    is_taken: bool
+    misfit: float
+    quadric: float
+    text: str
+    plane_point: Tuple[float, float, float]
+    plane_normal: Tuple[float, float, float]
+    plane_misfit: float
+
+
 @dataclass(frozen=True, eq=False)
 class HoleResult:
     """What became of one boundary loop.
@@ -155,6 +180,7 @@ class HoleResult:
     verdict: what a person sees of the patch; None where there is none.
     expected_deviation: how far the patch is likely from what was there; None without an estimate: no patch, no new vertex,
         a cap over a cut, or options other than the default flow's.
+    mirror: how well a mirror image fits; None where none was asked for.
     steps: accepted steps.
     energy_before, energy_after: of the flow, at the initial patch and at the end; MMCVF 1/length², WF none, SDF and MCF
         length².
@@ -179,6 +205,7 @@ class HoleResult:
     reason: str
     verdict: Optional[Verdict]
     expected_deviation: Optional[ExpectedDeviation]
+    mirror: Optional[MirrorFit]
     steps: int
     energy_before: float
     energy_after: float

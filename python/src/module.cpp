@@ -91,6 +91,12 @@ FillCommand fill_command(const py::dict& options) {
   if (option<bool>(options, "keep_partial")) command.when_stopped = FillCommand::WhenStopped::keep_finished;
   command.fill.islands = worded<FillOptions::Islands>(
       options, "islands", {{"join", FillOptions::Islands::join}, {"cover", FillOptions::Islands::cover}});
+  if (option<bool>(options, "mirror")) command.fill.mirror = FillOptions::Mirror::find;
+  if (!options["mirror_plane"].is_none()) {
+    const auto plane = option<std::array<double, 6>>(options, "mirror_plane");
+    command.fill.mirror_planes = {make_mirror_plane({plane[0], plane[1], plane[2]}, {plane[3], plane[4], plane[5]})};
+  }
+  check(command.fill);
   return command;
 }
 

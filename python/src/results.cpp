@@ -37,6 +37,15 @@ py::object deviation_figures(const ExpectedDeviation& deviation) {
   return py::dict("half"_a = deviation.half, "likely"_a = deviation.likely, "most"_a = deviation.most);
 }
 
+py::object mirror_figures(const MirrorFit& fit) {
+  if (fit.answer == MirrorFit::Answer::not_asked) return py::none();
+  const auto vector = [](const Vec3& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
+  return py::dict("answer"_a = to_string(fit.answer), "is_taken"_a = fit.is_proposed(), "misfit"_a = fit.misfit,
+                  "quadric"_a = fit.quadric, "text"_a = english(notice_on(fit)),
+                  "plane_point"_a = vector(fit.plane.point), "plane_normal"_a = vector(fit.plane.normal),
+                  "plane_misfit"_a = fit.plane.misfit);
+}
+
 py::dict hole_figures(const HoleResult& hole, NewPart part) {
   py::dict figures = loop_figures(hole.loop);
   figures["status"] = to_string(hole.status);
@@ -46,6 +55,7 @@ py::dict hole_figures(const HoleResult& hole, NewPart part) {
   figures["reason"] = hole.reason();
   figures["verdict"] = is_filled(hole.status) ? py::object(verdict_figures(hole.verdict())) : py::none();
   figures["expected_deviation"] = deviation_figures(hole.deviation());
+  figures["mirror"] = mirror_figures(hole.mirror);
   figures["steps"] = hole.steps();
   figures["energy_before"] = hole.outcome().energy.initial;
   figures["energy_after"] = hole.outcome().energy.final;

@@ -264,6 +264,8 @@ WRONG = [
     ({"max_diameter": -1.5}, "max_diameter must be greater than 0, not -1.5"),
     ({"threads": -1}, "threads must lie between 0 and 1024, not -1"),
     ({"trim_boundary": 101}, "trim_boundary must lie between 0 and 100, not 101"),
+    ({"mirror_plane": [0, 0, 0, 0, 0, 0]}, "a mirror plane needs a point and a normal that is not 0"),
+    ({"mirror": True, "flow": "none"}, "is no mirror image: choose a flow"),
     ({"islands": "leave"}, "islands takes one of cover, join, not 'leave'"),
     ({"bridges": [(0, 10**6)]}, r"bridge \(0, 1000000\): the mesh has 2504 vertices"),
     ({"colors": np.zeros((3, 4), np.uint8)}, "colors must have one row for each of the 2504 vertices, not 3"),
@@ -279,6 +281,23 @@ def test_options_out_of_range_raise_with_the_words_of_the_engine(sphere, options
     with pytest.raises(loopmend.InvalidArgument, match=words) as caught:
         loopmend.fill(*sphere, **options)
     assert isinstance(caught.value, loopmend.Error) and isinstance(caught.value, ValueError)
+
+
+def test_a_mirror_image_is_copied_where_it_fits():
+    vertices, faces = icosphere(4)
+    ends = np.linalg.norm(vertices - [0.8, 0.5, 0.33], axis=1), np.linalg.norm(vertices - [-0.8, 0.5, 0.33], axis=1)
+    bumps = 1 + sum(0.3 * np.exp(-end**2 / 0.05) for end in ends)
+    shape = vertices * bumps[:, None] * [1, 1.3, 0.8]
+    keep = ends[0] > 0.22
+    number = np.cumsum(keep) - 1
+    result = loopmend.fill(shape[keep], number[faces[keep[faces].all(axis=1)]], mirror=True)
+    fit = result.holes[0].mirror
+    assert fit.is_taken and fit.answer == "proposed" and fit.misfit < 1e-3 and fit.quadric > 5 * fit.misfit
+    assert result.holes[0].method == "mirror_image" and abs(abs(fit.plane_normal[0]) - 1) < 1e-3
+    top = shape[~keep]  # the copy has the same triangles, but for those at its border
+    gaps = np.linalg.norm(result.vertices[result.new_vertices][:, None] - top, axis=2).min(axis=1)
+    assert gaps.max() < 1e-6
+    assert loopmend.fill(shape[keep], number[faces[keep[faces].all(axis=1)]]).holes[0].mirror is None
 
 
 @pytest.mark.parametrize("options", [{"steps": "many"}, {"density": None}, {"flow": 3}, {"sigmas": 1}])

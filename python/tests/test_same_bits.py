@@ -32,6 +32,8 @@ BALL_FILLS = [
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
     (["--patches-only"], {"patches_only": True}),
+    (["--mirror"], {"mirror": True}),
+    (["--mirror-plane", "0,0,0.5,0,0,1"], {"mirror_plane": [0, 0, 0.5, 0, 0, 1]}),
     (["--patches-only", "--loops", "6", "--trim-boundary", "3"], {"patches_only": True, "loops": 6, "trim_boundary": 3}),
 ]
 

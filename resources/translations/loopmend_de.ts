@@ -2991,6 +2991,34 @@
             <source>sharp edges</source>
             <translation>scharfe Kanten</translation>
         </message>
+        <message>
+            <source>copied from the mirror image, from which the surface around is %1 diameters away</source>
+            <translation>vom Spiegelbild kopiert, von dem die Fläche ringsum %1 Durchmesser entfernt ist</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, from which the surface around is %1 diameters away</source>
+            <translation>nicht vom Spiegelbild kopiert, von dem die Fläche ringsum %1 Durchmesser entfernt ist</translation>
+        </message>
+        <message>
+            <source>from a quadric it is %1</source>
+            <translation>von einer Quadrik sind es %1</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, since the scan is not symmetric</source>
+            <translation>nicht vom Spiegelbild kopiert, da der Scan nicht symmetrisch ist</translation>
+        </message>
+        <message>
+            <source>its best image is %1 of its extent away</source>
+            <translation>sein bestes Spiegelbild ist %1 seiner Ausdehnung entfernt</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, which has no surface there</source>
+            <translation>nicht vom Spiegelbild kopiert, das dort keine Fläche hat</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, which folds there, cuts the surface or does not close the hole</source>
+            <translation>nicht vom Spiegelbild kopiert, das sich dort faltet, die Fläche schneidet oder das Loch nicht schließt</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>
@@ -6983,6 +7011,26 @@
         <message>
             <source>Likely within %1 of what was there (80 %).</source>
             <translation>Wahrscheinlich höchstens %1 von dem entfernt, was dort war (80 %).</translation>
+        </message>
+        <message>
+            <source>copied from the mirror image, from which the surface around is %1 diameters away</source>
+            <translation>vom Spiegelbild kopiert, von dem die Fläche ringsum %1 Durchmesser entfernt ist</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, from which the surface around is %1 diameters away; from a quadric it is %2</source>
+            <translation>nicht vom Spiegelbild kopiert, von dem die Fläche ringsum %1 Durchmesser entfernt ist; von einer Quadrik sind es %2</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent away</source>
+            <translation>nicht vom Spiegelbild kopiert, da der Scan nicht symmetrisch ist: Sein bestes Spiegelbild ist %1 seiner Ausdehnung entfernt</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, which has no surface there</source>
+            <translation>nicht vom Spiegelbild kopiert, das dort keine Fläche hat</translation>
+        </message>
+        <message>
+            <source>not copied from the mirror image, which folds there, cuts the surface or does not close the hole</source>
+            <translation>nicht vom Spiegelbild kopiert, das sich dort faltet, die Fläche schneidet oder das Loch nicht schließt</translation>
         </message>
     </context>
 </TS>

@@ -43,12 +43,15 @@ constexpr int fewest_edges = 8, most_edges = 300, surrounding_rings = 30;
 constexpr double least_distance = 1e-3;  ///< a millionth of the diameter: below it, all are as good
 constexpr const char* exact_name = "exact";
 constexpr const char* reference_name = "reference";
+constexpr const char* mirror_name = "mirror";
+constexpr double notably_worse = 1.1;  ///< a copy than the default
 
-/// Methods by name, ours first; `reference` is ours in a former run, and no one is measured against it.
+/// Methods by name, ours first; `mirror` is the default where no image is copied; `reference` is ours in a former run, and no one is measured against it.
 const std::vector<std::string>& method_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all{"auto", exact_name};
     for (Peer peer : all_peers) all.emplace_back(to_string(peer));
+    all.emplace_back(mirror_name);
     all.emplace_back(reference_name);
     return all;
   }();
@@ -71,6 +74,7 @@ struct Hole {
   std::map<std::string, double> d;  ///< by method, 1e-3 of the diameter; NaN: not filled
   std::string status, attempt;      ///< of `auto`
   double second_order = 0;          ///< ExpectedDeviation of `auto`; 0: not known
+  MirrorFit mirror;                 ///< where it was measured
   double seconds = 0;
 
   double best() const {
@@ -117,9 +121,11 @@ struct Cut {
   std::string shape;
 };
 
-/// Number k of a model's holes; nothing where no clean cut was found.
+enum class Methods { all, default_alone, mirror };
+
+/// Number k of a model's holes; nothing where no clean cut was found. For `mirror` the whole model is kept.
 std::optional<Cut> make_cut(const TriangleSoup& whole, const std::vector<int>& centers, const std::string& model,
-                            std::uint64_t seed, int k) {
+                            std::uint64_t seed, int k, Methods methods) {
   if (centers.empty()) return std::nullopt;
   constexpr ShapeKind shapes[] = {ShapeKind::disc, ShapeKind::ellipse, ShapeKind::star, ShapeKind::slit};
   Random random(seed * 1000003 + static_cast<std::uint64_t>(k) * 7919 + hash_of(model));
@@ -135,7 +141,7 @@ std::optional<Cut> make_cut(const TriangleSoup& whole, const std::vector<int>& c
     if (plan.radius > 0.3 * extent(whole)) continue;
     std::optional<RegionCut> cut = cut_region(whole, plan);
     if (!cut || cut->removed_vertices < 1) continue;
-    crop_around_cut(*cut, surrounding_rings);
+    if (methods != Methods::mirror) crop_around_cut(*cut, surrounding_rings);
     Cut made{problem_of(model + " " + std::to_string(k), std::move(*cut)), to_string(plan.shape.kind)};
     if (made.problem.loops.size() != 1) continue;
     const int found = made.problem.loops.front().edges();
@@ -147,8 +153,6 @@ std::optional<Cut> make_cut(const TriangleSoup& whole, const std::vector<int>& c
   }
   return std::nullopt;
 }
-
-enum class Methods { all, default_alone };
 
 Hole run_hole(const Cut& cut, const std::string& model, Methods methods) {
   const HoleProblem& problem = cut.problem;
@@ -167,7 +171,14 @@ Hole run_hole(const Cut& cut, const std::string& model, Methods methods) {
   hole.attempt = ours.attempt;
   hole.second_order = ours.second_order;
   hole.seconds = ours.seconds;
-  if (methods == Methods::default_alone) return hole;
+  if (methods == Methods::mirror) {
+    FillOptions mirrored;
+    mirrored.mirror = FillOptions::Mirror::find;
+    const Filling copy = fill_by_engine(problem, mirrored);
+    take(mirror_name, copy);
+    hole.mirror = copy.mirror;
+  }
+  if (methods != Methods::all) return hole;
   FillOptions exact;
   exact.evolution->boundary = BoundaryTrust::exact;
   take(exact_name, fill_by_engine(problem, exact));
@@ -179,6 +190,9 @@ void print(const Hole& hole) {
   std::printf("%-24s %-8s %4d edges %5d removed ", hole.name.c_str(), hole.shape.c_str(), hole.edges, hole.removed);
   for (const std::string& method : method_names())
     if (hole.d.contains(method)) std::printf(" %s %-7s", method.c_str(), number(hole.d.at(method)).c_str());
+  if (hole.d.contains(mirror_name))
+    std::printf(" %s, misfit %s of %s", to_string(hole.mirror.answer), number(hole.mirror.misfit).c_str(),
+                number(hole.mirror.quadric).c_str());
   std::printf(" score %-5s %5.2f s %s, %s\n", number(hole.score("auto")).c_str(), hole.seconds, hole.status.c_str(),
               hole.attempt.c_str());
   std::fflush(stdout);
@@ -238,14 +252,44 @@ Table model_table(const std::vector<Hole>& holes) {
   return table;
 }
 
+/// Where an image was copied: the copy's distance divided by the default's.
+Table mirror_table(const std::vector<Hole>& holes) {
+  Table table({"model", "holes", "copied", "geometric mean of copy / default", "worse than 1.1", "largest"});
+  std::map<std::string, std::vector<const Hole*>> by_model;
+  for (const Hole& hole : holes) {
+    if (!hole.d.contains(mirror_name)) continue;
+    by_model[hole.model].push_back(&hole);
+    by_model["all"].push_back(&hole);
+  }
+  for (const auto& [model, chosen] : by_model) {
+    double logs = 0, largest = 0;
+    int copied = 0, worse = 0;
+    for (const Hole* hole : chosen) {
+      const double ratio =
+          std::max(hole->d.at(mirror_name), least_distance) / std::max(hole->d.at("auto"), least_distance);
+      if (!hole->mirror.is_proposed() || !std::isfinite(ratio)) continue;
+      ++copied;
+      logs += std::log(ratio);
+      worse += ratio > notably_worse;
+      largest = std::max(largest, ratio);
+    }
+    table.add({model, number(static_cast<int>(chosen.size())), number(copied),
+               copied > 0 ? number(std::exp(logs / copied)) : "-", number(worse), number(largest)});
+  }
+  return table;
+}
+
 std::string csv(const std::vector<Hole>& holes) {
   Table table({"hole", "model", "shape", "edges", "removed", "method", "d", "score", "status", "attempt", "seconds",
-               "second_order"});
+               "second_order", "mirror", "misfit", "quadric"});
   for (const Hole& hole : holes)
     for (const auto& [method, d] : hole.d)
       table.add({hole.name, hole.model, hole.shape, number(hole.edges), number(hole.removed), method, number(d),
                  number(hole.score(method)), method == "auto" ? hole.status : "", method == "auto" ? hole.attempt : "",
-                 method == "auto" ? number(hole.seconds) : "", method == "auto" ? number(hole.second_order) : ""});
+                 method == "auto" ? number(hole.seconds) : "", method == "auto" ? number(hole.second_order) : "",
+                 method == mirror_name ? to_string(hole.mirror.answer) : "",
+                 method == mirror_name ? number(hole.mirror.misfit) : "",
+                 method == mirror_name ? number(hole.mirror.quadric) : ""});
   return table.csv();
 }
 
@@ -283,6 +327,9 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::string>& name
 
 int run(const Arguments& arguments) {
   const std::map<std::string, double> reference = read_reference(arguments.reference);
+  const Methods methods = arguments.methods == "all"    ? Methods::all
+                          : arguments.methods == "auto" ? Methods::default_alone
+                                                        : Methods::mirror;
   std::vector<Hole> holes;
   for (const std::filesystem::path& file : files_of(arguments.models)) {
     const std::string model = file.stem();
@@ -290,12 +337,12 @@ int run(const Arguments& arguments) {
     const TriangleSoup whole = load(file);
     const std::vector<int> centers = centers_of(whole, arguments.at);
     for (int k = 0; k < arguments.count; ++k) {
-      const std::optional<Cut> cut = make_cut(whole, centers, model, arguments.seed, k);
+      const std::optional<Cut> cut = make_cut(whole, centers, model, arguments.seed, k, methods);
       if (!cut) {
         std::printf("%s %d: no clean cut was found\n", model.c_str(), k);
         continue;
       }
-      holes.push_back(run_hole(*cut, model, arguments.methods == "all" ? Methods::all : Methods::default_alone));
+      holes.push_back(run_hole(*cut, model, methods));
       const auto known = reference.find(holes.back().name);
       if (known != reference.end()) holes.back().d[reference_name] = known->second;
       print(holes.back());
@@ -303,7 +350,8 @@ int run(const Arguments& arguments) {
   }
   const std::string text =
       "Score: rms distance from what was cut away, divided by the smallest of all methods on the same hole.\n\n" +
-      summary_table(holes).markdown() + '\n' + model_table(holes).markdown();
+      summary_table(holes).markdown() + '\n' + model_table(holes).markdown() +
+      (methods == Methods::mirror ? '\n' + mirror_table(holes).markdown() : std::string());
   std::printf("\n%s", text.c_str());
   write_text(arguments.markdown, text);
   write_text(arguments.csv, csv(holes));
@@ -322,8 +370,10 @@ int main(int argc, char** argv) try {
       ->check(CLI::IsMember({"anywhere", "edges"}));
   app.add_option("--half", arguments.half, "tuning (default), test or both: models parted by their names")
       ->check(CLI::IsMember({"tuning", "test", "both"}));
-  app.add_option("--methods", arguments.methods, "all (default), or auto: the engine's default alone")
-      ->check(CLI::IsMember({"all", "auto"}));
+  app.add_option("--methods", arguments.methods,
+                 "all (default); auto: the engine's default alone; auto,mirror: the default, and the mirror image "
+                 "where it fits")
+      ->check(CLI::IsMember({"all", "auto", "auto,mirror"}));
   app.add_option("--reference", arguments.reference, "CSV of a former run, whose `auto` is compared, too");
   app.add_option("--markdown", arguments.markdown, "Write the tables to this file");
   app.add_option("--csv", arguments.csv, "Write every hole to this file");

@@ -252,12 +252,16 @@ TEST_F(Cli, OptionsWithoutEffectAreRefused) {
   const std::string fill = "fill '" + holes.string() + "' -o '" + out.string() + "' ";
   for (const char* words :
        {"--flow wf --boundary exact", "--flow none --continuity tangent", "--mode steps --boundary auto",
-        "--continuity position --flow mcf", "--flow none --relief continued", "--mode steps --relief continued"}) {
+        "--continuity position --flow mcf", "--flow none --relief continued", "--mode steps --relief continued", "--flow none --mirror",
+        "--flow none --mirror-plane 0,0,0,1,0,0"}) {
     const Outcome run = loopmend_program(fill + words);
     EXPECT_EQ(run.code, 2) << words;
     EXPECT_THAT(run.err, HasSubstr("has no effect with --flow")) << words;
   }
   EXPECT_EQ(loopmend_program(fill + "--boundary exact --continuity tangent").code, 0);
+  for (const char* words : {"--mirror-plane 0,0,0,1,0", "--mirror-plane 0,0,0,0,0,0", "--mirror-plane 0,0,0,1,0,0,0",
+                            "--mirror --mirror-plane 0,0,0,1,0,0"})
+    EXPECT_EQ(loopmend_program(fill + words).code, 2) << words;
 }
 
 TEST_F(Cli, WrongUsageIsTwo) {

@@ -19,7 +19,7 @@ except ImportError:
 
 OPTIONS = [[], ["--flow", "none"], ["--continuity", "tangent"], ["--boundary", "exact"], ["--mode", "steps", "--steps", "2"],
            ["--trim-boundary", "3"], ["--stitch"], ["--repair"], ["--weld"], ["--include-outer-rim"], ["--loops", "2"],
-           ["--max-edges", "6"], ["--islands", "cover"]]
+           ["--max-edges", "6"], ["--islands", "cover"], ["--mirror"]]
 
 
 def many_open_tetrahedra(count):

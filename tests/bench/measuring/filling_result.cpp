@@ -57,6 +57,7 @@ void take_results(const std::vector<HoleResult>& results, Filling& filling) {
   filling.status = results.empty() ? "cancelled" : to_string(PatchStatus::converged);
   PatchStatus worst = PatchStatus::converged;
   if (!results.empty()) filling.attempt = last_attempt(results.front());
+  if (!results.empty()) filling.mirror = results.front().mirror;
   for (const HoleResult& result : results) {
     filling.steps = std::max(filling.steps, result.steps());
     filling.bending = std::max(filling.bending, result.outcome().bending);

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mirror/carry_misfit.h"
+
+#include "core/threads.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace loopmend {
+
+namespace {
+
+constexpr std::size_t most_sites = 500;
+constexpr double smoothing = 1e-8;
+
+/// Every so many, so that at most `most` are left.
+void thin(std::vector<std::size_t>& all, std::size_t most) {
+  const std::size_t step = (all.size() + most - 1) / std::max<std::size_t>(most, 1);
+  if (step <= 1) return;
+  std::vector<std::size_t> left;
+  for (std::size_t k = 0; k < all.size(); k += step) left.push_back(all[k]);
+  all = std::move(left);
+}
+
+/// Places in the collar of the vertices that count.
+std::vector<std::size_t> chosen_sites(const Patch& patch, const Collar& collar) {
+  std::vector<std::size_t> on_loop, beyond;
+  for (std::size_t i = 0; i < collar.vertices.size(); ++i)
+    (patch.ring[collar.vertices[i]] == 1 ? on_loop : beyond).push_back(i);
+  thin(on_loop, most_sites / 2);
+  thin(beyond, most_sites - on_loop.size());
+  on_loop.insert(on_loop.end(), beyond.begin(), beyond.end());
+  return on_loop;
+}
+
+}  // namespace
+
+bool carry_misfit(const Patch& patch, const Collar& collar, MirrorImage& image) {
+  const std::vector<std::size_t> sites = chosen_sites(patch, collar);
+  const auto count = static_cast<Eigen::Index>(sites.size());
+  Points places;
+  Vec3 center = Vec3::Zero();
+  for (std::size_t i : sites) {
+    places.push_back(patch.positions[collar.vertices[i]]);
+    center += places.back() / static_cast<double>(count);
+  }
+  const auto scaled = [&](const Vec3& p) -> Vec3 { return (p - center) / collar.diameter; };
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + 4, count + 4), right = Eigen::MatrixXd::Zero(count + 4, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j)
+      matrix(i, j) = matrix(j, i) = -(places[i] - places[j]).norm() / collar.diameter;
+    matrix(i, i) = smoothing;
+    matrix.block<1, 4>(i, count) << 1, scaled(places[i]).transpose();
+    matrix.block<4, 1>(count, i) = matrix.block<1, 4>(i, count).transpose();
+    right.row(i) = (places[i] - image.nearest[sites[i]]).transpose();
+  }
+  // A plane collar leaves the slope across it open.
+  matrix.diagonal().tail<3>().array() -= smoothing;
+  const Eigen::MatrixXd weights = matrix.partialPivLu().solve(right);
+  if (!weights.allFinite()) return false;
+  parallel_for(0, static_cast<int>(image.points.size()), 64, [&](int k) {
+    Vec3& p = image.points[static_cast<std::size_t>(k)];
+    const Vec3 q = scaled(p);
+    Vec3 way = weights.row(count).transpose();
+    for (int c = 0; c < 3; ++c) way += q[c] * weights.row(count + 1 + c).transpose();
+    for (Eigen::Index i = 0; i < count; ++i)
+      way -= (p - places[static_cast<std::size_t>(i)]).norm() / collar.diameter * weights.row(i).transpose();
+    p += way;
+  });
+  return true;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mirror image of a surface at a hole, moved as a rigid body onto the surface around it (docs/math/mirror_image.md, "The fit").
+#pragma once
+
+#include "core/cancel.h"
+#include "mesh/patch.h"
+#include "mesh/self_intersections.h"
+#include "mirror/mirror_plane.h"
+
+namespace loopmend {
+
+/// The vertices around a hole that its image is compared with.
+struct Collar {
+  std::vector<int> vertices;  ///< of the patch: on its loop, and up to six rings and 0.7 diameters from it
+  Points normals;             ///< of each, of the surface alone
+  double diameter = 0;        ///< of the loop, patch frame
+  double quadric = 0;         ///< rms distance from the best quadric, in diameters: what is to be gained by an image
+};
+
+/// @param patch  with one loop.
+Collar collar_of(const Patch& patch);
+
+struct MirrorImage {
+  Points points;        ///< patch frame, where it was moved to
+  Triangles triangles;  ///< oriented like the surface
+  Points nearest;       ///< of each collar vertex, on the image
+  double misfit = 0;    ///< rms distance of the collar from the image, in loop diameters
+};
+
+/// What the surface has within two diameters of the image of the hole, mirrored and moved.
+/// @param index  of the model's soup triangles. @returns no triangles where there is nothing, or when cancelled.
+MirrorImage mirror_image(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
+                         const Collar& collar, const MirrorPlane& plane, const CancelToken& cancel);
+
+}  // namespace loopmend

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/mirror_candidate.h"
+
+#include "core/error.h"
+#include "pipeline/fill_holes.h"
+#include "samples/mesh_facts.h"
+#include "support/filled_surface.h"
+#include "support/mirror_models.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace loopmend {
+namespace {
+
+FillOptions mirrored(int threads = 1) {
+  FillOptions options;
+  options.mirror = FillOptions::Mirror::find;
+  options.threads = threads;
+  return options;
+}
+
+struct Filled {
+  TriangleSoup before, after;
+  std::vector<HoleResult> holes;
+
+  explicit Filled(const TriangleSoup& open, const FillOptions& options = mirrored()) : before(open) {
+    SurfaceModel model = make_surface_model(open);
+    holes = fill_all_holes(model, options);
+    after = model.soup;
+  }
+
+  /// The largest of the new points, in diameters of the hole.
+  double farthest(const test::BumpyEllipsoid& shape) const {
+    double most = 0;
+    for (std::size_t v = before.points.size(); v < after.points.size(); ++v)
+      most = std::max(most, shape.distance(after.points[v]));
+    return most / holes.front().loop.diameter;
+  }
+};
+
+TEST(MirrorImage, BringsBackABump) {
+  const test::BumpyEllipsoid shape;
+  const Filled mirror(shape.open_mesh(5)), flow(shape.open_mesh(5), {});
+  ASSERT_EQ(mirror.holes.size(), 1u);
+  const HoleResult& hole = mirror.holes.front();
+  EXPECT_EQ(hole.outcome().made_by, "mirror image");
+  EXPECT_EQ(hole.method(), "mirror_image");
+  EXPECT_TRUE(hole.mirror.is_proposed());
+  EXPECT_EQ(hole.verdict().grade, Grade::good) << hole.verdict().sentence();
+  // The image's facets leave the surface by their sagitta, some 0.002 diameters; the bump's top is 0.35 diameters above its foot.
+  EXPECT_LT(mirror.farthest(shape), 0.004);
+  EXPECT_GT(flow.farthest(shape), 5 * mirror.farthest(shape));
+}
+
+TEST(MirrorImage, LeavesTheRestAsItIsAndClosesTheSurface) {
+  const Filled filled(test::BumpyEllipsoid().open_mesh(5));
+  ASSERT_GT(filled.after.points.size(), filled.before.points.size());
+  EXPECT_EQ(
+      std::memcmp(filled.after.points.data(), filled.before.points.data(), filled.before.points.size() * sizeof(Vec3)),
+      0);
+  EXPECT_TRUE(
+      std::equal(filled.before.triangles.begin(), filled.before.triangles.end(), filled.after.triangles.begin()));
+  const test::CgalMesh mesh = test::to_cgal(filled.after);
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_FALSE(CGAL::Polygon_mesh_processing::does_self_intersect(mesh));
+}
+
+TEST(MirrorImage, HasTheSameBitsForOneThreadAndTwo) {
+  const TriangleSoup open = test::BumpyEllipsoid().open_mesh(5);
+  const Filled one(open, mirrored(1)), two(open, mirrored(2));
+  ASSERT_EQ(one.after.points.size(), two.after.points.size());
+  EXPECT_EQ(std::memcmp(one.after.points.data(), two.after.points.data(), one.after.points.size() * sizeof(Vec3)), 0);
+  EXPECT_EQ(one.after.triangles, two.after.triangles);
+}
+
+TEST(MirrorImage, IsRefusedWhereTheOtherSideIsAnother) {
+  test::BumpyEllipsoid shape;
+  shape.left_height = 0.1;
+  const Filled mirror(shape.open_mesh(5)), flow(shape.open_mesh(5), {});
+  const HoleResult& hole = mirror.holes.front();
+  EXPECT_EQ(hole.mirror.answer, MirrorFit::Answer::misfit);
+  EXPECT_GT(hole.mirror.misfit, 0.01);
+  EXPECT_NE(hole.outcome().made_by, "mirror image");
+  EXPECT_NE(hole.reason().find("not copied from the mirror image"), std::string::npos) << hole.reason();
+  EXPECT_EQ(hole.outcome().attempts.front(), "mirror image");
+  ASSERT_EQ(mirror.after.points.size(), flow.after.points.size());  // and the ordinary patch is the same
+  EXPECT_EQ(std::memcmp(mirror.after.points.data(), flow.after.points.data(), flow.after.points.size() * sizeof(Vec3)),
+            0);
+}
+
+TEST(MirrorImage, IsRefusedOnASurfaceWithoutSymmetry) {
+  TriangleSoup soup = make_icosphere(4);
+  const std::vector<std::pair<Vec3, double>> bumps = {{{1, 0.2, 0.1}, 0.7},
+                                                      {{-0.3, 1, 0.4}, 0.4},
+                                                      {{0.1, -0.5, 1}, -0.4},
+                                                      {{-0.8, -0.6, -0.3}, 0.9},
+                                                      {{0.3, 0.2, -1}, -0.3}};
+  for (Vec3& p : soup.points) {
+    double radius = 1;
+    for (const auto& [at, height] : bumps) radius += height * std::exp(-(p - at.normalized()).squaredNorm() / 0.3);
+    p *= radius;
+  }
+  for (const Vec3& hole : {Vec3(1.6, 0.3, 0.2), Vec3(-0.4, 1.3, 0.5), Vec3(0, 0, -0.7), Vec3(-1.4, -1.1, -0.5)}) {
+    const Filled mirror(trim_boundaries(cut(soup, [&](const Vec3& p) { return (p - hole).norm() < 0.3; })));
+    ASSERT_EQ(mirror.holes.size(), 1u);
+    EXPECT_FALSE(mirror.holes[0].mirror.is_proposed()) << mirror.holes[0].reason();
+    EXPECT_NE(mirror.holes[0].method(), "mirror_image");
+    EXPECT_TRUE(is_filled(mirror.holes[0].status));
+  }
+}
+
+TEST(MirrorImage, IsRefusedWhereItIsOpenItself) {
+  const test::BumpyEllipsoid shape;
+  const TriangleSoup open = trim_boundaries(cut(shape.open_mesh(5), [&](const Vec3& p) {
+    return ((shape.motion().inverse() * p).normalized() - shape.left_bump).norm() < 0.1;
+  }));
+  const Filled mirror(open);
+  ASSERT_EQ(mirror.holes.size(), 2u);
+  EXPECT_EQ(mirror.holes[0].mirror.answer, MirrorFit::Answer::open_there);  // the larger hole
+  EXPECT_NE(mirror.holes[0].outcome().made_by, "mirror image");
+}
+
+TEST(MirrorImage, TakesAPlaneAndNoOther) {
+  const test::BumpyEllipsoid shape;
+  FillOptions options;
+  options.mirror_planes = {make_mirror_plane(shape.plane_point(), shape.plane_normal())};
+  const Filled right(shape.open_mesh(5), options);
+  EXPECT_EQ(right.holes.front().method(), "mirror_image");
+  EXPECT_EQ(right.holes.front().mirror.plane.point, shape.plane_point());
+  options.mirror_planes = {make_mirror_plane(shape.plane_point(), Vec3(1, 1, 1))};
+  const Filled wrong(shape.open_mesh(5), options);
+  EXPECT_NE(wrong.holes.front().method(), "mirror_image");
+}
+
+TEST(MirrorImage, OfTwoNeighboringHolesIsTakenForEach) {
+  const test::BumpyEllipsoid shape;
+  const Vec3 beside = (shape.right_bump + Vec3(0, -0.32, 0.12)).normalized();
+  const TriangleSoup open = trim_boundaries(cut(shape.open_mesh(5), [&](const Vec3& p) {
+    return ((shape.motion().inverse() * p).normalized() - beside).norm() < 0.08;
+  }));
+  const SurfaceModel model = make_surface_model(open);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(loops.size(), 2u);
+  ASSERT_EQ(group_loops(model, loops).size(), 1u);
+  const Filled filled(open);
+  EXPECT_EQ(filled.holes[0].method(), "mirror_image") << filled.holes[0].reason();
+  EXPECT_TRUE(CGAL::is_closed(test::to_cgal(filled.after)));
+}
+
+TEST(MirrorImage, NeedsAFlow) {
+  FillOptions options = mirrored();
+  options.evolution.reset();
+  EXPECT_THROW(check(options), InvalidArgument);
+}
+
+TEST(ExpectedMirrorDeviation, GrowsWithTheMisfit) {
+  const ExpectedDeviation small = expected_mirror_deviation(0.002), large = expected_mirror_deviation(0.02);
+  EXPECT_LT(small.likely, large.half);
+  EXPECT_LT(small.half, small.likely);
+  EXPECT_LT(small.likely, small.most);
+}
+
+}  // namespace
+}  // namespace loopmend
