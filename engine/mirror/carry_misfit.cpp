@@ -62,11 +62,11 @@ bool carry_misfit(const Patch& patch, const Collar& collar, MirrorImage& image) 
   parallel_for(0, static_cast<int>(image.points.size()), 64, [&](int k) {
     Vec3& p = image.points[static_cast<std::size_t>(k)];
     const Vec3 q = scaled(p);
-    Vec3 way = weights.row(count).transpose();
-    for (int c = 0; c < 3; ++c) way += q[c] * weights.row(count + 1 + c).transpose();
+    Vec3 move = weights.row(count).transpose();
+    for (int c = 0; c < 3; ++c) move += q[c] * weights.row(count + 1 + c).transpose();
     for (Eigen::Index i = 0; i < count; ++i)
-      way -= (p - places[static_cast<std::size_t>(i)]).norm() / collar.diameter * weights.row(i).transpose();
-    p += way;
+      move -= (p - places[static_cast<std::size_t>(i)]).norm() / collar.diameter * weights.row(i).transpose();
+    p += move;
   });
   return true;
 }

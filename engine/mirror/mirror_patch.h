@@ -36,7 +36,7 @@ struct MirrorFit {
 /// The word of reports.
 const char* to_string(MirrorFit::Answer answer);
 
-/// What is to be told of a fit: with its figures.
+/// What a person has to know of a fit, with its figures.
 Notice notice_on(const MirrorFit& fit);
 
 /// Whether an image with this misfit is taken.
