@@ -218,6 +218,11 @@ def test_faces_that_cut_others_are_cut_out():
     before = loopmend.check(*two)
     assert not before.ready_to_print and before.intersecting_pairs > 20 and before.pieces == 2
     assert before.against_it == (f"{before.intersecting_pairs} pairs of triangles that intersect",)
+    # What is closed is not opened.
+    closed = loopmend.fill(*two, cut_intersections=True)
+    assert closed.prepared["repaired"]["intersecting_faces"] == 0 and len(closed.faces) == len(two[1])
+    opened = without(vertices * 0.4 + [1.0, 0, 0], faces, lambda v: v[:, 0] > 1.35)
+    two = np.vstack([vertices, opened[0]]), np.vstack([faces, opened[1] + len(vertices)])
     result = loopmend.fill(*two, cut_intersections=True)
     assert result.prepared["repaired"]["intersecting_faces"] > 20
     assert loopmend.check(result.vertices, result.faces).intersecting_pairs == 0

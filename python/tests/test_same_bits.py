@@ -90,7 +90,7 @@ def check_same(program, folder, scan, words, options):
 def test_a_ball_with_six_holes(ball, program, tmp_path, words, options):
     loopmend.write(tmp_path / "ball.ply", *ball)
     result = check_same(program, tmp_path, tmp_path / "ball.ply", words, options)
-    assert len(result.holes) == 6 and any(hole.is_filled for hole in result.holes)
+    assert len(result.holes) == (5 if "base" in options else 6) and any(hole.is_filled for hole in result.holes)
 
 
 @pytest.mark.parametrize("words, options", SAMPLE_FILLS, ids=[" ".join(words) for words, _ in SAMPLE_FILLS])
