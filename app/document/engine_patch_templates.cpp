@@ -106,7 +106,7 @@ std::vector<EngineTemplate> EngineTemplates::of_patches() {
       {QT_TR_NOOP("%1 sharp edge runs on across the hole")},
       {QT_TR_NOOP("%1 sharp edges run on across the hole")},
       {QT_TR_NOOP("the surface of one side alone runs on here")},
-      {QT_TR_NOOP("without Continue sharp edges the flow runs"), "--edges round runs the flow"},
+      {QT_TR_NOOP("without Sharp edges the flow runs"), "--edges round runs the flow"},
       {QT_TR_NOOP("sharp edges continued in place of the flow")},
       {QT_TR_NOOP("both surfaces end at these loops, so that a straight ring joins them")},
       {QT_TR_NOOP("robust fairing in place of the flow")},

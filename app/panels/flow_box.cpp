@@ -60,10 +60,10 @@ void FlowBox::build() {
   explain(relief_, tr("Continue relief"),
           tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
              "continues the smooth surface under the scan."));
-  edges_ = new QCheckBox(tr("Continue sharp edges"));
+  edges_ = new QCheckBox(tr("Sharp edges"));
   edges_->setObjectName(QStringLiteral("edges"));
   edges_->setChecked(true);
-  explain(edges_, tr("Continue sharp edges"),
+  explain(edges_, tr("Sharp edges"),
           tr("Sharp edges that end at the hole run on across it, where both sides say how. Off: one smooth patch."));
   sigma_ = new QSlider(Qt::Horizontal);
   sigma_->setObjectName(QStringLiteral("sigma"));
@@ -90,14 +90,14 @@ void FlowBox::build() {
   grid->addWidget(boundary_, 3, 1);
   grid->addWidget(continuity_label, 4, 0);
   grid->addWidget(continuity_, 4, 1);
-  grid->addWidget(relief_, 5, 0);
-  grid->addWidget(edges_, 5, 1);
-  grid->addWidget(run_, 6, 0);
-  grid->addWidget(compare_, 6, 1);
-  grid->addWidget(sigma_label, 7, 0);
-  grid->addWidget(sigma_value_, 7, 1);
-  grid->addWidget(sigma_, 8, 0);
-  grid->addWidget(step_, 8, 1);
+  grid->addWidget(relief_, 5, 0, 1, 2);
+  grid->addWidget(edges_, 6, 0, 1, 2);
+  grid->addWidget(run_, 7, 0);
+  grid->addWidget(compare_, 7, 1);
+  grid->addWidget(sigma_label, 8, 0);
+  grid->addWidget(sigma_value_, 8, 1);
+  grid->addWidget(sigma_, 9, 0);
+  grid->addWidget(step_, 9, 1);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }

@@ -2976,10 +2976,6 @@
             <translation>hier läuft die Fläche einer Seite allein weiter</translation>
         </message>
         <message>
-            <source>without Continue sharp edges the flow runs</source>
-            <translation>ohne „Scharfe Kanten fortsetzen“ läuft der Fluss</translation>
-        </message>
-        <message>
             <source>sharp edges continued in place of the flow</source>
             <translation>scharfe Kanten fortgesetzt statt des Flusses</translation>
         </message>
@@ -3018,6 +3014,10 @@
         <message>
             <source>not copied from the mirror image, which folds there, cuts the surface or does not close the hole</source>
             <translation>nicht vom Spiegelbild kopiert, das sich dort faltet, die Fläche schneidet oder das Loch nicht schließt</translation>
+        </message>
+        <message>
+            <source>without Sharp edges the flow runs</source>
+            <translation>ohne „Scharfe Kanten“ läuft der Fluss</translation>
         </message>
     </context>
     <context>
@@ -3825,12 +3825,12 @@
             <translation>Pause</translation>
         </message>
         <message>
-            <source>Continue sharp edges</source>
-            <translation>Scharfe Kanten fortsetzen</translation>
-        </message>
-        <message>
             <source>Sharp edges that end at the hole run on across it, where both sides say how. Off: one smooth patch.</source>
             <translation>Scharfe Kanten, die am Loch enden, laufen darüber weiter, wo beide Seiten zeigen, wie. Aus: ein glatter Flicken.</translation>
+        </message>
+        <message>
+            <source>Sharp edges</source>
+            <translation>Scharfe Kanten</translation>
         </message>
     </context>
     <context>
