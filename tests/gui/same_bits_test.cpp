@@ -7,6 +7,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
+#include "support/sharp_surfaces.h"
 
 #include <QCheckBox>
 #include <QFile>
@@ -207,6 +208,11 @@ void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
     QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList();
   QTest::newRow("relief") << sample_file(folder_)
                           << QStringList{QStringLiteral("--relief"), QStringLiteral("continued")};
+  const QString edge = folder_.filePath(QStringLiteral("edge.ply"));
+  write_mesh(edge.toStdString(),
+             cut(test::make_cube(24), [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.2; }));
+  QTest::newRow("sharp edge") << edge << QStringList();
+  QTest::newRow("rounded edge") << edge << QStringList{QStringLiteral("--edges"), QStringLiteral("round")};
   const QString island = folder_.filePath(QStringLiteral("island.ply"));
   write_mesh(island.toStdString(), cut(make_icosphere(5), [](const Vec3& p) {
                return p.z() > 0.7 && (p - Vec3(0.2, 0, 0.98).normalized()).norm() > 0.15;
@@ -265,6 +271,7 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
     QVERIFY(mended([&] { window.controller().repair(harmless_repairs); }));
   part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
   part<QCheckBox>(window, "relief")->setChecked(options.contains(QStringLiteral("--relief")));
+  part<QCheckBox>(window, "edges")->setChecked(!options.contains(QStringLiteral("--edges")));
   press(window, "fill");
   QVERIFY(wait_idle(window));
   press(window, "fillAndSmooth");
