@@ -161,9 +161,9 @@ void put(Writer& out, const PatchRecipe& recipe) {
     out.put(run.sigma);
     out.put(static_cast<qint32>(run.steps));
     out.put(static_cast<qint32>(run.end));
-    for (const int word :
-         {static_cast<int>(run.boundary), static_cast<int>(run.continuity), static_cast<int>(run.relief.kind)})
-      out.put(static_cast<qint32>(word));
+    out.put(static_cast<qint32>(run.boundary));
+    out.put(static_cast<qint32>(run.continuity));
+    out.put(static_cast<qint32>(run.relief.kind));
     out.put(static_cast<quint64>(run.relief.seed));
     out.put(static_cast<qint32>(run.edges));
   }
@@ -174,8 +174,7 @@ PatchRecipe recipe(Reader& in) {
   r.density = in.number<double>();
   if (!(r.density > 0) || !std::isfinite(r.density)) in.fail("a density is out of range");
   if (in.version > version_without_bridges) r.start = word(in, PatchRecipe::Start::bridge);
-  const int runs = in.count(sizeof(double));
-  for (int i = 0; i < runs; ++i) {
+  for (int runs = in.count(sizeof(double)); runs > 0; --runs) {
     RunRecipe run;
     run.flow = word(in, FlowKind::mmcvf);
     run.mode = word(in, EvolutionMode::steps);

@@ -18,8 +18,8 @@ struct Part {
 };
 
 struct SeamLayout {
-  Points points;  ///< the loop's, then those of the seams
-  std::vector<std::vector<int>> seams;
+  Points points;                        ///< the loop's, then those of the seams
+  std::vector<std::vector<int>> seams;  ///< those that are sharp
   std::vector<Part> parts;
   std::vector<int> side_inside;  ///< of each loop edge
   double gap = 0;                ///< largest distance of a seam's point from one of the surfaces that should meet there

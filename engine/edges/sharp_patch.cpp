@@ -172,7 +172,7 @@ bool is_plain(const Patch& patch) {
 
 bool have_sharp_edges(const Sides& sides) { return sides.rms < most_rms_ratio * sides.rms_of_one; }
 
-/// Whether the side says by itself how it goes on: no edge is continued then, and the flow would do well enough.
+/// Whether a side that is continued alone is so simple that its surface is surer than the flow.
 bool is_plain_side(const SideSurface& surface, double diameter) {
   return surface.kind() == SideSurface::Kind::plane || surface.rms() < most_rms_of_lone_side * diameter;
 }
@@ -256,6 +256,7 @@ std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const Cance
   if (used.size() == 1 && !is_plain_side(sides->surfaces[*used.begin()], diameter)) return std::nullopt;
   result.sides = static_cast<int>(used.size());
   result.edges = meshed->layout.seams;
+  if (result.sides > 1 && result.edges.empty()) return std::nullopt;
   for (int i = 0; i < domain.loop; ++i) {
     const int outside = sides->of_edge[i];
     result.creased.push_back(outside >= 0 && outside != meshed->layout.side_inside[i]);

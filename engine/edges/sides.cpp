@@ -15,7 +15,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr double sharp_deg = 25, sharp_medians = 4;
+constexpr double sharp_medians = 4;
 constexpr int small_group = 6;  ///< faces: such a group is noise, unless its faces are large
 constexpr std::size_t most_sides = 8;
 constexpr double least_coverage = 0.9;  ///< share of the loop's edges that belong to sides
@@ -98,7 +98,7 @@ FaceGroups group_faces(const Patch& patch, Triangles triangles) {
   const std::vector<Bend> edges = bends(patch.positions, groups.triangles, static_cast<int>(groups.triangles.size()));
   std::vector<double> angles;
   for (const Bend& edge : edges) angles.push_back(angle_deg(edge));
-  const double limit = std::max(sharp_deg, sharp_medians * median(angles));
+  const double limit = std::max(sharp_edge_deg, sharp_medians * median(angles));
   std::vector<int> parent(groups.triangles.size());
   std::iota(parent.begin(), parent.end(), 0);
   for (std::size_t e = 0; e < edges.size(); ++e)

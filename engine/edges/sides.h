@@ -10,6 +10,9 @@
 
 namespace loopmend {
 
+/// Edges that bend by more are sharp, whatever the noise.
+inline constexpr double sharp_edge_deg = 25;
+
 /// What a neighborhood without sharp edges is: one side, and nothing else.
 struct Sides {
   std::vector<SideSurface> surfaces;  ///< of each side that bounds the hole
