@@ -70,7 +70,7 @@ struct FillCommand {
     keep,
     cut
   } no_data = NoData::keep;  ///< faces at marks for missing data, such as heights of -9999
-  std::set<Defect> repair;   ///< what is mended first; empty: nothing
+  std::set<Defect> repair;   ///< defects that are repaired first
   /// A base under a loop: its number, or 0 for the largest, and how far the plane lies below.
   struct Base {
     int loop = 0;

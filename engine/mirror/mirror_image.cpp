@@ -95,7 +95,7 @@ Points nearest_points(const SurfaceTree& image, const Motion& motion, const Patc
   return nearest;
 }
 
-/// One step of ICP, from points to the collar's planes. @returns how far it moves what is a diameter away, in diameters.
+/// One step of ICP, from points to the collar's planes. @returns the displacement of a point one diameter away, in diameters.
 double improve(Motion& motion, const Patch& patch, const Collar& collar, const Points& nearest) {
   const std::size_t count = nearest.size();
   std::vector<double> heights, sizes;

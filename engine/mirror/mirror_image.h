@@ -14,7 +14,7 @@ struct Collar {
   std::vector<int> vertices;  ///< of the patch: on its loop, and up to six rings and 0.7 diameters from it
   Points normals;             ///< of each, of the surface alone
   double diameter = 0;        ///< of the loop, patch frame
-  double quadric = 0;         ///< rms distance from the best quadric, in diameters: what is to be gained by an image
+  double quadric = 0;         ///< rms distance from the best quadric, in diameters
 };
 
 /// @param patch  with one loop.

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int most_planes = 3;
 constexpr int rough_queries = 500, fine_queries = 2500, target_samples = 12000;
-constexpr double kept_share = 0.7;  ///< of the samples; what is missing or one-sided has no image
+constexpr double kept_share = 0.7;  ///< of the samples; holes and one-sided features have no image
 constexpr int rough_steps = 25, fine_steps = 15;
 /// Planes nearer to each other are one.
 constexpr double same_cosine = 0.985, same_offset = 0.02;

@@ -12,7 +12,7 @@ namespace loopmend {
 
 namespace {
 
-/// ln(rms / D) = intercept + slope ln(second_order), and quantiles of what is left over: least squares over 299 holes of the 15
+/// ln(rms / D) = intercept + slope ln(second_order), and quantiles of the residuals: least squares over 299 holes of the 15
 /// models of the tuning half of loopmend_cut_models, by loopmend_error_bar (docs/benchmarks/accuracy.md, "Error bar").
 constexpr double intercept = -1.198, slope = 0.822;
 constexpr double half_quantile = 0.088, likely_quantile = 0.671, most_quantile = 1.009;

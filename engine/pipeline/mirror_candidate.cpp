@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* mirror_name = "mirror image";
 
-/// ln(rms / D) = intercept + slope ln(misfit), and quantiles of what is left over: least squares over 64 holes of 11 models
+/// ln(rms / D) = intercept + slope ln(misfit), and quantiles of the residuals: least squares over 64 holes of 11 models
 /// (docs/math/mirror_image.md, "How far off").
 constexpr double mirror_intercept = -1.115, mirror_slope = 0.823;
 constexpr double mirror_half = -0.034, mirror_likely = 0.544, mirror_most = 0.872;
