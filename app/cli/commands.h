@@ -6,28 +6,18 @@
 #include "export/write_scan.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
-#include "pipeline/fill_holes.h"
+#include "pipeline/scan_job.h"
 #include "progress_line.h"
-#include "repair/repair_surface.h"
-#include "repair/stitch_boundaries.h"
 
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace loopmend {
 
 /// Wrong usage that only shows once the input is read: exit code 2.
 class UsageError : public Error {
- public:
-  using Error::Error;
-};
-
-/// `ulimit -v` leaves too little address space, or `ulimit -u` no thread: exit code 5.
-class LimitError : public Error {
  public:
   using Error::Error;
 };
@@ -55,35 +45,9 @@ struct FillCommand {
   std::filesystem::path output;
   CoincidentVertices coincident = CoincidentVertices::keep;
   FloatText float_text = FloatText::nearest_float;
-  std::string loops = "all";  ///< "all" or numbers, "1,3", each with a shape if need be, "3:flat,7:tangent"
-  std::optional<std::string> at_vertices;  ///< 0-based input vertices, "17,230": the loops through them
-  std::optional<int> max_edges;
-  std::optional<double> max_diameter;  ///< mesh units
-  int all_but_largest = 0;             ///< how many of the largest loops are left
-  enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
-  FillOptions fill;
-  /// Whether stitching, repair and trimming of what crosses are done where the mesh needs them, beside what is asked for.
-  enum class Prepare { as_asked, where_needed } prepare = Prepare::as_asked;
-  enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide first
-  StitchTolerance stitch_tolerance{};                 ///< how near they must be
-  enum class NoData {
-    keep,
-    cut
-  } no_data = NoData::keep;  ///< faces at marks for missing data, such as heights of -9999
-  std::set<Defect> repair;   ///< defects that are repaired first
-  /// A base under a loop: its number, or 0 for the largest, and how far the plane lies below.
-  struct Base {
-    int loop = 0;
-    double distance = 0;
-  };
-  std::optional<Base> base;
-  std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid first
-  int trim_rounds = 0;                       ///< rings of bad boundary triangles to be removed first, 0..100
-  /// Without rings: boundary triangles that run through the surface, so that their hole could not be filled, are removed first.
-  enum class TrimPierced { no, yes } trim_pierced = TrimPierced::no;
-  std::string report;                   ///< file or "-"; empty: none
-  std::optional<double> max_seconds;    ///< for the whole command, above 0
-  std::optional<double> max_memory_mb;  ///< of the whole process, above 0; without: nine tenths of what is available
+  ScanJob job;                        ///< what is done between the files
+  std::string report;                 ///< file or "-"; empty: none
+  std::optional<double> max_seconds;  ///< for the whole command, above 0
   enum class WhenStopped { discard, keep_finished } when_stopped = WhenStopped::discard;  ///< by a signal
   enum class Content { surface, patches } content = Content::surface;                     ///< what is written
   enum class Deviations { not_written, written } deviations = Deviations::not_written;    ///< of each new vertex

@@ -4,12 +4,11 @@
 #include "batch/batch_command.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "flow_words.h"
+#include "fill_words.h"
 #include "interrupt.h"
 #include "number_range.h"
 #include "outputs.h"
 #include "paper/paper_commands.h"
-#include "stitch_words.h"
 
 #include "core/memory.h"
 #include "core/threads.h"
@@ -47,31 +46,6 @@ std::string quoted_command_line(int argc, char** argv) {
   return line;
 }
 
-/// --weld, for the commands whose loops follow from it.
-void add_weld(CLI::App& command, CoincidentVertices& coincident) {
-  command.add_flag_callback(
-      "--weld", [&coincident] { coincident = CoincidentVertices::weld; },
-      "Join vertices at exactly the same place first, such as along the seams of a texture");
-}
-
-/// --double, for the commands whose output has the coordinates of the input.
-void add_double(CLI::App& command, FloatText& float_text) {
-  command.add_flag_callback(
-      "--double", [&float_text] { float_text = FloatText::all_digits; },
-      "Keep all digits of a text PLY that declares single precision; without it, as every reader of floats gets them");
-}
-
-void add_verbose(CLI::App& command, Detail& detail) {
-  command.add_flag_callback(
-      "--verbose", [&detail] { detail = Detail::all; },
-      "Print every loop, and report each with all figures; of more than 50 only counts and the largest are printed");
-}
-
-void add_check(CLI::App& command, Check& check, const char* what) {
-  command.add_flag_callback(
-      "--check", [&check] { check = Check::printable; }, what);
-}
-
 void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
   info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
@@ -82,196 +56,6 @@ void add_info(CLI::App& app, InfoCommand& command) {
             "Tell whether the surface could be printed: open, non-manifold and reversed edges, intersections");
   add_verbose(*info, command.detail);
   info->footer("Example:\n  loopmend info scan.ply\n  loopmend info scan.ply --json -");
-}
-
-/// Options whose types need a word-to-value table or a lambda.
-struct FillWords {
-  FlowWords flow;
-  bool include_outer_rim = false, trim_crossing = false, repair = false, cut_intersections = false, cut_handles = false,
-       keep_partial = false;
-  std::string stitch;                ///< "0.5" or "5%"; empty: no stitching
-  std::string base;                  ///< "5" or "2:5"; empty: none
-  std::vector<std::string> bridges;  ///< "A,B"
-  std::string islands = "join", texture = "grain", materials = "copy";
-  bool mirror = false;
-  std::string mirror_plane;  ///< "x,y,z,nx,ny,nz"; empty: none
-};
-
-void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
-  CLI::App* fill = app.add_subcommand("fill", "Fill boundary loops with smooth patches");
-  fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
-  fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
-  add_weld(*fill, command.coincident);
-  add_double(*fill, command.float_text);
-  add_check(*fill, command.check, "Tell whether what was written could be printed, as 'info --check' does");
-  fill->add_flag_callback(
-      "--patches-only", [&command] { command.content = FillCommand::Content::patches; },
-      "Write the patches alone, without the scan");
-  add_verbose(*fill, command.detail);
-  fill->add_option(
-          "--loops", command.loops,
-          "Loops by the numbers that 'info' prints, or 'all'; behind a number how its patch meets the scan: flat "
-          "(a plane or minimal surface), tangent, smooth")
-      ->type_name("all|1,3:flat,...")
-      ->capture_default_str();
-  fill->add_option("--at-vertex", command.at_vertices, "Loops through these input vertices, 0-based")
-      ->type_name("V,...");
-  fill->add_option("--max-edges", command.max_edges, "Leave loops with more edges")->check(between(1e-300, 1e300));
-  fill->add_option("--max-diameter", command.max_diameter, "Leave wider loops (mesh units)")
-      ->check(between(1e-300, 1e300));
-  fill->add_option("--all-but-largest", command.all_but_largest,
-                   "Leave the N largest loops, those of outer rims among them")
-      ->check(between(0, 2147483647))
-      ->type_name("N");
-  fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
-  fill->add_option("--islands", words.islands,
-                   "Pieces of surface within a hole: join them to its patch, or cover them with it")
-      ->check(CLI::IsMember({"join", "cover"}))
-      ->capture_default_str();
-  fill->add_flag_callback(
-      "--auto", [&command] { command.prepare = FillCommand::Prepare::where_needed; },
-      "Do first what this mesh needs, and nothing else: --stitch where boundaries nearly coincide, --repair where "
-      "loops "
-      "run along edges of more than two faces, --trim-crossing where no patch could be valid");
-  fill->add_option("--stitch", words.stitch,
-                   "Zip boundaries that lie within L of each other first (mesh units), or within P percent of their "
-                   "edges; 10% where nothing follows")
-      ->type_name("[L|P%]");
-  fill->add_flag(
-      "--repair", words.repair,
-      "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, bodies "
-      "that are inside out among them, remove "
-      "degenerate and duplicate faces and crumbs");
-  fill->add_flag("--cut-intersections", words.cut_intersections,
-                 "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled");
-  fill->add_flag(
-      "--cut-handles", words.cut_handles,
-      "Repair as --repair does, and cut open handles of at most eight edges, as noise leaves them, for their holes to "
-      "be filled");
-  fill->add_flag_callback(
-      "--cut-no-data", [&command] { command.no_data = FillCommand::NoData::cut; },
-      "Remove first the faces at vertices that mark missing data, such as heights of -9999; their holes are filled");
-  fill->add_option("--base", words.base,
-                   "Build a base first under the largest loop, or loop N: a straight wall to a plane D below it (mesh "
-                   "units), for prints")
-      ->type_name("[N:]D");
-  fill->add_option(
-          "--bridge", words.bridges,
-          "Lay a strip between the boundary vertices A and B (0-based) first, to part a complex hole; repeatable")
-      ->type_name("A,B")
-      ->expected(1)
-      ->take_all();
-  fill->add_option("--trim-rim", command.trim_rounds)->check(between(0, 100))->group("");  // its name before
-  fill->add_option("--trim-boundary", command.trim_rounds,
-                   "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped), and up "
-                   "to ten of those that cross the surface")
-      ->check(between(0, 100))
-      ->type_name("N");
-  fill->add_flag("--trim-crossing", words.trim_crossing,
-                 "First remove the boundary triangles that run through the surface where no patch could be valid, and "
-                 "nothing else");
-  fill->add_option("--texture", words.texture,
-                   "Texture of patches in a scan with a texture (OBJ, PLY): like the scan's, smooth colours, or none")
-      ->check(CLI::IsMember({"grain", "smooth", "none"}))
-      ->capture_default_str();
-  fill->add_option(
-          "--materials", words.materials,
-          "Material files and pictures of OBJ: copied beside an output in another folder, or named where they are")
-      ->check(CLI::IsMember({"copy", "reference"}))
-      ->capture_default_str();
-  fill->add_flag_callback(
-      "--mark", [&command] { command.write.new_faces = NewFaces::labelled; },
-      "Label the new triangles: face property patch of PLY, group loopmend_patch of OBJ, object of glTF and 3MF");
-  fill->add_flag_callback(
-      "--deviation", [&command] { command.deviations = FillCommand::Deviations::written; },
-      "PLY: write how far each new vertex is likely from what was there, as vertex property expected_deviation");
-  CLI::Option* mirror = fill->add_flag(
-      "--mirror", words.mirror,
-      "Close holes by a copy of the other side, mirrored, where the surface around them fits its image; the planes of "
-      "symmetry are looked for");
-  fill->add_option("--mirror-plane", words.mirror_plane, "The same with this plane: a point of it, and its normal")
-      ->type_name("X,Y,Z,NX,NY,NZ")
-      ->excludes(mirror);
-  add_flow_options(*fill, words.flow, DensityOption::offer, ReliefOption::offer);
-  fill->add_option("--threads", command.fill.threads, "Loops worked on at once; 0: one for each core")
-      ->check(between(0, 1024))
-      ->capture_default_str();
-  fill->add_flag("--keep-partial", words.keep_partial, "Write what is finished when stopped by Ctrl-C or a signal");
-  fill->add_option("--max-time", command.max_seconds,
-                   "Leave what is not finished after so many seconds, and write the rest")
-      ->check(between(1e-300, 1e9))
-      ->type_name("SECONDS");
-  fill->add_option("--max-memory", command.max_memory_mb,
-                   "Leave loops whose patches would need more memory in all (default: 90 % of what is free)")
-      ->check(between(1e-300, 1e9))
-      ->type_name("MB");
-  fill->footer(
-      "All holes are filled by default; the outer rim of an open sheet is left.\n"
-      "The input's vertices and faces come first in the output, in their order, bit-identical.\n"
-      "Examples:\n"
-      "  loopmend fill scan.ply -o filled.ply\n"
-      "  loopmend fill scan.ply -o filled.stl --loops 2,5 --report report.json\n"
-      "  loopmend fill scan.obj -o filled.ply --flow wf --mode steps --steps 20 --sigma 1\n"
-      "Exit codes: 0 all done; 1 some loops failed, have a bad patch, or none could be filled, the rest is written; 2 "
-      "wrong usage;\n"
-      "3 input unreadable; 4 output unwritable; 128 + signal: stopped, 130 by Ctrl-C.");
-}
-
-/// @throws UsageError unless the text is two whole numbers.
-std::pair<int, int> bridge_ends(const std::string& text) {
-  int a = 0, b = 0, used = 0;
-  if (std::sscanf(text.c_str(), "%d,%d%n", &a, &b, &used) != 2 || used != static_cast<int>(text.size()))
-    throw UsageError("--bridge takes two input vertices such as 17,230, not '" + text + "'");
-  return {a, b};
-}
-
-/// @throws UsageError unless the text is six finite numbers, the last three not all 0.
-MirrorPlane mirror_plane_of(const std::string& text) {
-  Vec3 point, normal;
-  int used = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%n", &point[0], &point[1], &point[2], &normal[0], &normal[1],
-                  &normal[2], &used) != 6 ||
-      used != static_cast<int>(text.size()))
-    throw UsageError("--mirror-plane takes a point and a normal, six numbers such as 0,0,0,1,0,0, not '" + text + "'");
-  try {
-    return make_mirror_plane(point, normal);
-  } catch (const InvalidArgument& error) {
-    throw UsageError("--mirror-plane " + text + ": " + error.what());
-  }
-}
-
-void take_mirror(const FillWords& words, FillOptions& options) {
-  if (words.mirror) options.mirror = FillOptions::Mirror::find;
-  if (!words.mirror_plane.empty()) options.mirror_planes = {mirror_plane_of(words.mirror_plane)};
-  if ((words.mirror || !words.mirror_plane.empty()) && words.flow.flow == "none")
-    throw UsageError("--mirror has no effect with --flow none, which leaves the first shape");
-}
-
-void take_words(const FillWords& words, FillCommand& command) {
-  command.outer_rim = words.include_outer_rim ? FillCommand::OuterRim::include : FillCommand::OuterRim::leave;
-  command.verbosity = words.flow.verbosity();
-  command.write.encoding = words.flow.encoding();
-  command.write.texture = std::nullopt;
-  if (words.texture != "none")
-    command.write.texture = words.texture == "grain" ? TextureFill::grain : TextureFill::smooth;
-  command.write.materials = words.materials == "copy" ? MaterialFiles::copy : MaterialFiles::reference;
-  command.report = words.flow.report;
-  const int threads = command.fill.threads;
-  command.fill = options_of(words.flow);
-  command.fill.threads = threads;
-  take_mirror(words, command.fill);
-  command.fill.islands = words.islands == "cover" ? FillOptions::Islands::cover : FillOptions::Islands::join;
-  if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
-  if (!words.stitch.empty()) {
-    command.stitch = FillCommand::Stitch::yes;
-    command.stitch_tolerance = stitch_tolerance_of(words.stitch);
-  }
-  if (words.trim_crossing) command.trim_pierced = FillCommand::TrimPierced::yes;
-  if (words.repair || words.cut_intersections || words.cut_handles) command.repair = harmless_repairs;
-  if (words.cut_intersections) command.repair.insert(Defect::intersections);
-  if (words.cut_handles) command.repair.insert(Defect::handles);
-  if (!words.base.empty()) command.base = base_of(words.base);
-  for (const std::string& text : words.bridges) command.bridges.push_back(bridge_ends(text));
 }
 
 /// @throws UsageError unless `loopmend fill` takes these options, and batch leaves them to the caller.
@@ -292,10 +76,7 @@ void check_fill_options(const std::vector<std::string>& options) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string("options of fill, behind -- or in a manifest: ") + error.what());
   }
-  if (!words.stitch.empty()) stitch_tolerance_of(words.stitch);
-  if (!words.base.empty()) base_of(words.base);
-  FillOptions mirrored;
-  take_mirror(words, mirrored);
+  take_words(words, fill);
   if (!words.flow.report.empty()) throw UsageError("--report is not for batch: every scan has a report of its own");
   if (words.keep_partial)
     throw UsageError("--keep-partial is not for batch: the next run fills again what was stopped");
@@ -414,9 +195,9 @@ int run(int argc, char** argv) {
     batch.command_line = quoted_command_line(argc, argv);
     return run_batch(batch, check_fill_options);
   }
-  fill.fill.threads = affordable_threads(fill.fill.threads);
+  fill.job.fill.threads = affordable_threads(fill.job.fill.threads);
   fill.command_line = quoted_command_line(argc, argv);
-  return with_thread_budget(fill.fill.threads, [&] {
+  return with_thread_budget(fill.job.fill.threads, [&] {
     if (const auto code = paper.run(app, fill.command_line)) return *code;
     take_words(words, fill);
     return run_fill(fill);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bounds.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
 #include "open_model.h"
 #include "outputs.h"
-#include "prepared_scan.h"
 #include "report.h"
 #include "verdict.h"
 
@@ -13,7 +11,6 @@
 #include "core/system_memory.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
-#include "neighborhood/trim_boundary.h"
 
 #include <algorithm>
 #include <chrono>
@@ -192,7 +189,7 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
 }
 
 /// What would help where no loop is a hole.
-void print_cure(std::FILE* out, const PreparedScan& scan, int wide_cracks) {
+void print_cure(std::FILE* out, const ScanPlan& scan, int wide_cracks) {
   const auto count = [&](LoopChoice::Cure cure) {
     return std::count_if(scan.choices.begin(), scan.choices.end(),
                          [&](const LoopChoice& choice) { return choice.cure == cure; });
@@ -257,13 +254,13 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
 }
 
 /// Fills the chosen loops, and shows how far it has come.
-std::vector<HoleResult> fill_and_show(PreparedScan& scan, const FillCommand& command, const Deadline& deadline,
+std::vector<HoleResult> fill_and_show(ScanPlan& scan, const FillCommand& command, const Deadline& deadline,
                                       const CancelToken& cancel) {
   ProgressLine progress(command.verbosity);
   if (const std::size_t count = scan.chosen().size(); count > 0)
     progress.say("filling " + counted(count, "loop", "loops"));
   const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
-  return fill_chosen(scan, command, deadline, show, cancel);
+  return fill_chosen(scan, command.job, deadline, show, cancel);
 }
 
 nlohmann::ordered_json faces_json(const std::vector<BadBoundaryFace>& faces) {
@@ -274,7 +271,7 @@ nlohmann::ordered_json faces_json(const std::vector<BadBoundaryFace>& faces) {
 }
 
 /// @param bad  triangles that are left at the boundaries of the loops that are filled
-nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const PreparedScan& scan,
+nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ScanPlan& scan,
                                    const std::vector<BadBoundaryFace>& bad, const std::vector<HoleResult>& results) {
   nlohmann::ordered_json json;
   json["schema_version"] = report_schema_version;
@@ -284,7 +281,7 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["prepared"] = preparation_json(scan.done);
   json["trimmed_faces"] = faces_json(scan.trimmed);
   json["bad_rim_faces"] = faces_json(bad);
-  if (!scan.trimmable.empty() && command.trim_rounds == 0)
+  if (!scan.trimmable.empty() && command.job.prepare.trim_rounds == 0)
     json["suggestion"] = counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
                          " at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
   json["loops"] = nlohmann::ordered_json::array();
@@ -310,7 +307,7 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
 }
 
 /// What was done to the scan before it was filled.
-void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const PreparedScan& scan) {
+void print_changes(std::FILE* out, const FillCommand& command, const ImportReport& import, const ScanPlan& scan) {
   if (command.coincident == CoincidentVertices::weld)
     std::fprintf(out, "%s welded; the output is compared with the welded mesh.\n",
                  counted(import.vertices_welded, "vertex was", "vertices were").c_str());
@@ -327,7 +324,7 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
   if (scan.spared_pieces > 0)
     std::fprintf(out, "%s not trimmed: more than a fifth of the triangles would have gone.\n",
                  counted(scan.spared_pieces, "piece of surface was", "pieces of surface were").c_str());
-  if (!scan.trimmed.empty() && command.trim_rounds == 0)
+  if (!scan.trimmed.empty() && command.job.prepare.trim_rounds == 0)
     std::fprintf(out, "%s removed where a boundary ran through the surface.\n",
                  counted(scan.trimmed.size(), "triangle was", "triangles were").c_str());
   else if (!scan.trimmed.empty())
@@ -357,11 +354,11 @@ int run_fill(const FillCommand& command) {
   ImportedMesh opened = read_mesh(command.input, command.coincident, command.float_text);
   SoupRecord as_read = record_of(opened.soup);
   SurfaceModel model = model_of(command.input, std::move(opened.soup),
-                                needs_whole_view(command) ? View::whole : View::filling, std::move(opened.survey));
+                                needs_whole_view(command.job) ? View::whole : View::filling, std::move(opened.survey));
   const CancelToken cancel;
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);
-  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), command, cancel);
+  ScanPlan scan = plan_scan(std::move(as_read), std::move(model), command.job, cancel);
   const std::vector<BadBoundaryFace> bad = bad_boundary_faces(scan.model, scan.to_trim);
   TriangleSoup& soup = scan.model.soup;
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
@@ -413,7 +410,7 @@ int run_fill(const FillCommand& command) {
     print_beside(out, written);
     print_import_losses(out, opened.report);
     if (!scan.near.closing.empty()) print_coincident(out, opened.report, scan.loops);
-    if (outcome.open_cuts > 0 && !outcome.in_vain() && command.prepare == FillCommand::Prepare::as_asked)
+    if (outcome.open_cuts > 0 && !outcome.in_vain() && command.job.prepare.extent == PrepareOptions::Extent::as_asked)
       std::fprintf(
           out, "%s along edges of more than two faces and left open: fill again with --auto.\n",
           counted(outcome.open_cuts, "loop that looks like a hole runs", "loops that look like holes run").c_str());

@@ -3,9 +3,9 @@
 
 #include "number_range.h"
 
-#include "cli/option_parser.h"
+#include "evolution/option_names.h"
 
-#include <map>
+#include "cli/option_parser.h"
 
 namespace loopmend {
 
@@ -23,7 +23,7 @@ HoleOptions add_hole_options(CLI::App& command, FlowWords& words) {
               "--edges", words.edges,
               "Sharp edges that end at the hole, for mmcvf: auto, they run on across it where both sides say how; "
               "round, one smooth patch")
-          ->check(CLI::IsMember({"auto", "round"}))
+          ->check(CLI::IsMember(names_in(edges_names)))
           ->capture_default_str();
   CLI::Option* relief =
       command
@@ -31,7 +31,7 @@ HoleOptions add_hole_options(CLI::App& command, FlowWords& words) {
               "--relief", words.relief,
               "smooth: the patch continues the smooth surface under the scan; continued: and has random relief as "
               "strong as that around the hole")
-          ->check(CLI::IsMember({"smooth", "continued"}))
+          ->check(CLI::IsMember(names_in(relief_names)))
           ->capture_default_str();
   command.add_option("--relief-seed", words.relief_seed, "Another seed gives other relief of the same strength")
       ->check(CLI::NonNegativeNumber)
@@ -42,18 +42,20 @@ HoleOptions add_hole_options(CLI::App& command, FlowWords& words) {
 }  // namespace
 
 void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density, ReliefOption relief) {
+  std::vector<std::string> flows = names_in(flow_names);
+  flows.emplace_back("none");
   command.add_option("--flow", words.flow, "The flow that makes the patch smooth; none leaves the first shape")
-      ->check(CLI::IsMember({"mmcvf", "wf", "sdf", "mcf", "none"}))
+      ->check(CLI::IsMember(flows))
       ->capture_default_str();
   command.add_option("--mode", words.mode, "steady: straight to the steady state; steps: the semi-implicit scheme")
-      ->check(CLI::IsMember({"steady", "steps"}))
+      ->check(CLI::IsMember(names_in(mode_names)))
       ->capture_default_str();
   command.add_option("--steps", words.steps, "At most so many steps (default 60)")->check(between(1, 1e6));
   command.add_option("--sigma", words.sigma, "Size of a step, dimensionless: 10 is large, 0.1 shows the flow at work")
       ->check(between(1e-6, 1e8))
       ->capture_default_str();
   command.add_option("--solver", words.solver, "Linear solver of the steps")
-      ->check(CLI::IsMember({"auto", "direct", "gmres"}))
+      ->check(CLI::IsMember(names_in(solver_names)))
       ->capture_default_str();
   CLI::Option* boundary =
       command
@@ -61,18 +63,14 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
               "--boundary", words.boundary,
               "Curvature around the hole, for mmcvf: auto, that of the smooth surface under relief and noise; exact, "
               "as it is (the flow itself); robust, hardly (robust fairing in place of the flow)")
-          ->check(CLI::IsMember({"auto", "exact", "robust"}))
+          ->check(CLI::IsMember(names_in(boundary_names)))
           ->capture_default_str();
-  command
-      .add_option("--rim", words.boundary)  // the name of earlier versions, which said smooth for robust
-      ->check(CLI::IsMember({"auto", "exact", "smooth"}))
-      ->group("");
   CLI::Option* continuity =
       command
           .add_option(
               "--continuity", words.continuity,
               "What runs through the seam, for mmcvf; position and tangent are linear fairings in place of the flow")
-          ->check(CLI::IsMember({"position", "tangent", "curvature"}))
+          ->check(CLI::IsMember(names_in(continuity_names)))
           ->capture_default_str();
   if (density == DensityOption::offer)
     command.add_option("--density", words.density, "Vertices along a length, relative to the mesh around")
@@ -96,38 +94,24 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
 }
 
 EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow) {
-  static const std::map<std::string, SolverKind> solvers{
-      {"auto", SolverKind::automatic}, {"direct", SolverKind::direct}, {"gmres", SolverKind::gmres}};
-  static const std::map<std::string, BoundaryTrust> boundaries{{"auto", BoundaryTrust::automatic},
-                                                               {"exact", BoundaryTrust::exact},
-                                                               {"robust", BoundaryTrust::robust},
-                                                               {"smooth", BoundaryTrust::robust}};
-  static const std::map<std::string, SeamContinuity> continuities{{"position", SeamContinuity::position},
-                                                                  {"tangent", SeamContinuity::tangent},
-                                                                  {"curvature", SeamContinuity::curvature}};
   EvolutionOptions options;
   options.flow = flow;
-  options.boundary = boundaries.at(words.boundary);
-  options.continuity = continuities.at(words.continuity);
-  options.mode = words.mode == "steps" ? EvolutionMode::steps : EvolutionMode::steady;
-  options.solver = solvers.at(words.solver);
+  options.boundary = value_named(boundary_names, words.boundary).value();
+  options.continuity = value_named(continuity_names, words.continuity).value();
+  options.mode = value_named(mode_names, words.mode).value();
+  options.solver = value_named(solver_names, words.solver).value();
   options.sigma = words.sigma;
-  options.relief = {words.relief == "continued" ? ReliefChoice::Kind::continued : ReliefChoice::Kind::smooth,
-                    words.relief_seed};
-  options.edges = words.edges == "round" ? SharpEdges::rounded : SharpEdges::continued;
+  options.relief = {value_named(relief_names, words.relief).value(), words.relief_seed};
+  options.edges = value_named(edges_names, words.edges).value();
   if (words.steps > 0) options.max_steps = words.steps;
   return options;
 }
 
 FillOptions options_of(const FlowWords& words) {
-  static const std::map<std::string, FlowKind> flows{
-      {"mmcvf", FlowKind::mmcvf}, {"wf", FlowKind::wf}, {"sdf", FlowKind::sdf}, {"mcf", FlowKind::mcf}};
   FillOptions options;
   options.initial.density = words.density;
-  if (words.flow == "none")
-    options.evolution.reset();
-  else
-    options.evolution = evolution_of(words, flows.at(words.flow));
+  options.evolution.reset();
+  if (const auto flow = value_named(flow_names, words.flow)) options.evolution = evolution_of(words, *flow);
   return options;
 }
 

@@ -28,9 +28,9 @@ TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result) {
     wanted.push_back(&patch);
     patches.push_back(&patch.state->patch);
   }
-  const std::vector<std::string> faults = paste_patches(model, patches);
-  for (std::size_t k = 0; k < faults.size(); ++k)
-    if (!faults[k].empty()) leave_open(*wanted[k], result);
+  const std::vector<PastedPatch> outcomes = paste_patches(model, patches);
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    if (!outcomes[k].fault.empty()) leave_open(*wanted[k], result);
   return model.soup;
 }
 

@@ -4,7 +4,7 @@
 #include "document/engine_words.h"
 #include "document/labels.h"
 #include "jobs/problem_base.h"
-#include "problems/facing_loops.h"
+#include "mesh/facing_loops.h"
 #include "views/mesh_view.h"
 #include "views/surface_probe.h"
 

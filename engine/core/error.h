@@ -35,4 +35,10 @@ class InvalidArgument : public Error {
   using Error::Error;
 };
 
+/// The system withholds what the work needs, such as address space (ulimit -v) or threads (ulimit -u).
+class LimitError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace loopmend

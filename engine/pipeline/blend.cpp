@@ -115,7 +115,7 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (cancel.cancelled() || blend.outcome.status == PatchStatus::failed) return blend;
   if (blend.outcome.status == PatchStatus::filled && blend.outcome.message.empty())
     blend.outcome.message = outcome.message;
-  const std::string fault = paste_patches(agreed, {&blend.outcome.patch}).front();
+  const std::string fault = paste_patches(agreed, {&blend.outcome.patch}).front().fault;
   if (!fault.empty()) throw InvalidArgument(fault);
   check_exterior(model.soup, agreed.soup, blend.turned_faces);
   model = std::move(agreed);

@@ -78,7 +78,7 @@ GroupResult open_group(const std::vector<BoundaryLoop>& loops, PatchStatus statu
 }
 
 /// Of a patch with about so many new vertices. @returns why it is not made; empty where there is no reason.
-std::string why_too_large(double vertices, double needed_mb, double most_memory_mb) {
+std::string memory_message(double vertices, double needed_mb, double most_memory_mb) {
   if (!(needed_mb > most_memory_mb)) return "";
   if (!(vertices < 1e9)) return "its edges are too short for its size: left open; a smaller density needs less memory";
   char text[200];
@@ -90,10 +90,10 @@ std::string why_too_large(double vertices, double needed_mb, double most_memory_
 }
 
 /// Before there is a patch.
-std::string why_too_large(const SurfaceModel& model, const BoundaryLoop& loop, const FillOptions& options) {
+std::string why_expected_too_large(const SurfaceModel& model, const BoundaryLoop& loop, const FillOptions& options) {
   if (!options.evolution || std::isinf(options.most_memory_mb)) return "";
   const double vertices = expected_new_vertices(model, loop, options.initial.density);
-  return why_too_large(vertices, expected_memory_mb(vertices), options.most_memory_mb);
+  return memory_message(vertices, expected_memory_mb(vertices), options.most_memory_mb);
 }
 
 GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
@@ -118,7 +118,7 @@ GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops
     const InitialPatch initial = make_surveyed_patch(scan.model, loops, options.initial, cancel);
     if (initial.patch && options.evolution) {
       const int vertices = initial.patch->free_count;
-      const std::string why = why_too_large(vertices, memory_mb_of(vertices), options.most_memory_mb);
+      const std::string why = why_too_large(vertices, options.most_memory_mb);
       if (!why.empty() && loops.size() > 1) return each_alone(scan, loops, options, cancel);
       if (!why.empty()) return open_group(loops, PatchStatus::failed, why);
     }
@@ -140,7 +140,7 @@ std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<Boun
     why = outcome.message;
     if (!outcome.bridge || cancel.cancelled()) return std::nullopt;
     const int vertices = outcome.bridge->start.free_count;
-    why = why_too_large(vertices, memory_mb_of(vertices), options.most_memory_mb);
+    why = why_too_large(vertices, options.most_memory_mb);
     if (!why.empty()) return std::nullopt;
     const double bridge_seconds = seconds();
     PatchResult result = solve_bridge(scan, *outcome.bridge, options.evolution, nullptr, cancel);
@@ -210,13 +210,15 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
   // Room for a fault: from here on memory is asked for by paste_patches alone. Either the model is unchanged, or these results
   // are handed back.
   for (HoleResult& result : results) result.message.reserve(std::strlen(no_memory_message));
-  const std::vector<std::string> faults = paste_patches(model, geometry);
+  const std::vector<PastedPatch> outcomes = paste_patches(model, geometry);
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    if (faults[k].empty()) continue;
     for (HoleResult& result : results) {
       if (result.patch.get() != patches[k]) continue;
+      result.first_point = outcomes[k].first_point;
+      result.first_triangle = outcomes[k].first_triangle;
+      if (outcomes[k].fault.empty()) continue;
       result.status = PatchStatus::failed;
-      result.message = faults[k];
+      result.message = outcomes[k].fault;
     }
   }
   return results;
@@ -262,7 +264,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
     std::string why;
     try {
       if (loop.kind != LoopKind::cut) why = why_no_patch_exists(scan, loop);
-      if (why.empty()) why = why_too_large(model, loop, options);
+      if (why.empty()) why = why_expected_too_large(model, loop, options);
     } catch (const std::exception& error) {
       why = error.what();
     }
@@ -316,6 +318,10 @@ void check(const FillOptions& options) {
   if (options.evolution) check(*options.evolution);
   if (!options.evolution && (options.mirror == FillOptions::Mirror::find || !options.mirror_planes.empty()))
     throw InvalidArgument("a patch without a flow is left as its first shape, and is no mirror image: choose a flow");
+}
+
+std::string why_too_large(int free_vertices, double most_memory_mb) {
+  return memory_message(free_vertices, memory_mb_of(free_vertices), most_memory_mb);
 }
 
 std::string island_not_joined(const std::string& why) {

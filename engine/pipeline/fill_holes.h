@@ -4,9 +4,11 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "evolution/option_names.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/solve_group.h"
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -30,6 +32,9 @@ struct FillOptions : GroupOptions {
 /// @throws InvalidArgument if an option is out of range.
 void check(const FillOptions& options);
 
+inline constexpr std::array<Named<FillOptions::Islands>, 2> islands_names{
+    {{"join", FillOptions::Islands::join}, {"cover", FillOptions::Islands::cover}}};
+
 struct FillProgress {
   int loops_done = 0;
   int loops_total = 0;
@@ -50,6 +55,9 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
 /// these islands. Crumbs, and pieces that face the hole with their inside, are no such pieces.
 std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& model,
                                                           const std::vector<BoundaryLoop>& asked);
+
+/// Why a patch of so many free vertices is not solved: it would take more than these megabytes, above 0. Empty where it is.
+std::string why_too_large(int free_vertices, double most_memory_mb);
 
 /// What is said of a hole whose patch covers an island that should have been joined. @param why  no bridge was made.
 std::string island_not_joined(const std::string& why);

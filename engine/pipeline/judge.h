@@ -85,7 +85,7 @@ class Judge {
   Creases creases_;
   std::vector<LoopPlace> places_;
   std::vector<std::vector<char>> expected_creases_;  ///< per loop and edge; empty: none
-  std::vector<std::vector<double>> initial_bends_;  ///< degrees, per loop and edge
+  std::vector<std::vector<double>> initial_bends_;   ///< degrees, per loop and edge
   std::vector<SeamReport> initial_seams_;
 };
 

@@ -77,13 +77,13 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPar
 
 }  // namespace
 
-std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<const Patch*>& patches) {
+std::vector<PastedPatch> paste_patches(SurfaceModel& model, const std::vector<const Patch*>& patches) {
   const SoupRecord before = record_of(model.soup);
   std::vector<std::size_t> order(patches.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return first_loop(*patches[a]) < first_loop(*patches[b]); });
-  std::vector<std::string> faults(patches.size(), no_memory_message);
+  std::vector<PastedPatch> outcomes(patches.size(), {no_memory_message});
   std::vector<PastedPart> pasted;
   pasted.reserve(patches.size());
   std::size_t points = 0, triangles = 0;
@@ -96,13 +96,16 @@ std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<co
   chords.add_faces(model);
   reserve_patches(model, points, triangles);
   for (std::size_t k : order) {
+    const int first_point = static_cast<int>(model.soup.points.size());
+    const int first_triangle = static_cast<int>(model.soup.triangles.size());
     try {
-      faults[k] = paste(model, *patches[k], pasted, chords);
+      outcomes[k].fault = paste(model, *patches[k], pasted, chords);
+      if (outcomes[k].fault.empty()) outcomes[k] = {"", first_point, first_triangle};
     } catch (const std::bad_alloc&) {  // as it says already
     }
   }
   check_exterior(before, model.soup);
-  return faults;
+  return outcomes;
 }
 
 namespace {

@@ -12,13 +12,20 @@
 
 namespace loopmend {
 
+/// What became of a patch.
+struct PastedPatch {
+  std::string fault;        ///< why it was left out; empty: it was pasted
+  int first_point = -1;     ///< of its own in the surface, which follow one another; -1: left out
+  int first_triangle = -1;  ///< the same for its triangles
+};
+
 /// Pastes the patches in the order of their smallest loop numbers, whatever order they come in. Patches that were solved
 /// without knowing of each other are tested against each other first: one that would intersect an earlier one is left out, and one
 /// that would make an edge with more than two faces of surface and patches together (mesh/chord_faces.h).
-/// @returns one entry for each patch: why it was left out; empty where it was pasted.
+/// @returns one entry for each patch, in the order in which they came.
 /// A patch for which there is no memory left is left out, too. @throws std::bad_alloc, with the model unchanged;
 /// std::logic_error if a point or triangle of the model was changed, which would be a fault of this program.
-std::vector<std::string> paste_patches(SurfaceModel& model, const std::vector<const Patch*>& patches);
+std::vector<PastedPatch> paste_patches(SurfaceModel& model, const std::vector<const Patch*>& patches);
 
 /// What a soup was, to tell later whether it is still so, without a copy of it: counts, and a checksum (CRC-32) of each
 /// stretch of its points and triangles.

@@ -22,10 +22,12 @@ struct HoleResult {
   /// Shared by holes that were solved together; null where there is none. Where the hole was left open all the same, `status`
   /// and `message` say so, and this is what was not pasted.
   std::shared_ptr<const PatchResult> patch;
-  int place = 0;          ///< of the hole among the patch's loops
-  int free_vertices = 0;  ///< of the part of the patch that the hole bounds
-  double seconds = 0;     ///< from the group's start to this result
-  MirrorFit mirror;       ///< of the mirror image at this hole, where one was asked for
+  int place = 0;  ///< of the hole among the patch's loops
+  int first_point = -1,
+      first_triangle = -1;  ///< the patch's own in the surface that it was pasted into; -1: not pasted
+  int free_vertices = 0;    ///< of the part of the patch that the hole bounds
+  double seconds = 0;       ///< from the group's start to this result
+  MirrorFit mirror;         ///< of the mirror image at this hole, where one was asked for
 
   /// The patch's, or an empty one where there is none.
   const PatchResult& outcome() const {

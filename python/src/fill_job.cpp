@@ -7,93 +7,42 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <numeric>
 #include <set>
-#include <stdexcept>
+#include <utility>
 
 namespace loopmend {
 
 namespace {
 
-/// A patch in the soup: it was pasted as it is, its own vertices and faces in their order.
-struct PastedPatch {
-  const Patch* patch = nullptr;
-  int first_vertex = 0, first_face = 0;
-  std::vector<int> piece;                               ///< per own face: the piece of the patch that it belongs to
-  std::map<std::pair<int, int>, int> face_at_halfedge;  ///< over patch vertices
-};
-
-PastedPatch pasted_patch(const Patch& patch, int first_vertex, int first_face) {
-  PastedPatch pasted{&patch, first_vertex, first_face, {}, {}};
+/// The connected part of a patch that has an edge with this loop, as it stands in the soup.
+NewPart part_at(const HoleResult& hole) {
+  const Patch& patch = hole.patch->patch;
+  std::map<std::pair<int, int>, int> face_at;  // by half-edge
   for (int f = 0; f < patch.patch_triangles; ++f) {
     const Triangle& t = patch.triangles[static_cast<std::size_t>(f)];
-    for (std::size_t c = 0; c < 3; ++c) pasted.face_at_halfedge[{t[c], t[(c + 1) % 3]}] = f;
+    for (std::size_t c = 0; c < 3; ++c) face_at[{t[c], t[(c + 1) % 3]}] = f;
   }
-  pasted.piece.assign(static_cast<std::size_t>(patch.patch_triangles), -1);
-  int pieces = 0;
-  for (int start = 0; start < patch.patch_triangles; ++start) {
-    if (pasted.piece[static_cast<std::size_t>(start)] >= 0) continue;
-    std::vector<int> front{start};
-    pasted.piece[static_cast<std::size_t>(start)] = pieces;
-    while (!front.empty()) {
-      const Triangle t = patch.triangles[static_cast<std::size_t>(front.back())];
-      front.pop_back();
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto beyond = pasted.face_at_halfedge.find({t[(c + 1) % 3], t[c]});
-        if (beyond == pasted.face_at_halfedge.end()) continue;
-        int& piece = pasted.piece[static_cast<std::size_t>(beyond->second)];
-        if (piece >= 0) continue;
-        piece = pieces;
-        front.push_back(beyond->second);
-      }
-    }
-    ++pieces;
-  }
-  return pasted;
-}
-
-/// The piece of the patch that has an edge with this loop.
-NewPart part_at(const PastedPatch& pasted, int place) {
-  const std::vector<int>& loop = pasted.patch->loops[static_cast<std::size_t>(place)];
-  int piece = -1;
-  for (std::size_t k = 0; k < loop.size() && piece < 0; ++k) {
+  const std::vector<int>& loop = patch.loops[static_cast<std::size_t>(hole.place)];
+  std::vector<int> front;
+  for (std::size_t k = 0; k < loop.size() && front.empty(); ++k) {
     const int a = loop[k], b = loop[(k + 1) % loop.size()];
     for (const auto& edge : {std::pair(a, b), std::pair(b, a)})
-      if (const auto face = pasted.face_at_halfedge.find(edge); face != pasted.face_at_halfedge.end())
-        piece = pasted.piece[static_cast<std::size_t>(face->second)];
+      if (const auto face = face_at.find(edge); face != face_at.end()) front.push_back(face->second);
+  }
+  std::set<int> vertices, faces(front.begin(), front.end());
+  while (!front.empty()) {
+    const Triangle t = patch.triangles[static_cast<std::size_t>(front.back())];
+    front.pop_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (t[c] < patch.free_count) vertices.insert(hole.first_point + t[c]);
+      const auto beyond = face_at.find({t[(c + 1) % 3], t[c]});
+      if (beyond != face_at.end() && faces.insert(beyond->second).second) front.push_back(beyond->second);
+    }
   }
   NewPart part;
-  std::set<int> vertices;
-  for (int f = 0; f < pasted.patch->patch_triangles; ++f) {
-    if (pasted.piece[static_cast<std::size_t>(f)] != piece) continue;
-    part.faces.push_back(pasted.first_face + f);
-    for (const int v : pasted.patch->triangles[static_cast<std::size_t>(f)])
-      if (v < pasted.patch->free_count) vertices.insert(pasted.first_vertex + v);
-  }
   part.vertices.assign(vertices.begin(), vertices.end());
+  for (const int f : faces) part.faces.push_back(hole.first_triangle + f);
   return part;
-}
-
-/// Patches stand in the soup in the order of their smallest loop numbers (pipeline/paste.h).
-void locate_parts(FilledScan& done) {
-  std::map<int, const PatchResult*> in_order;
-  for (const HoleResult& hole : done.holes)
-    if (is_filled(hole.status) && hole.patch) {
-      const std::vector<int>& numbers = hole.patch->patch.loop_numbers;
-      in_order[*std::min_element(numbers.begin(), numbers.end())] = hole.patch.get();
-    }
-  std::map<const PatchResult*, PastedPatch> pasted;
-  auto vertex = static_cast<int>(done.given_vertices), face = static_cast<int>(done.given_faces);
-  for (const auto& [number, result] : in_order) {
-    pasted[result] = pasted_patch(result->patch, vertex, face);
-    vertex += result->patch.free_count;
-    face += result->patch.patch_triangles;
-  }
-  if (vertex != static_cast<int>(done.soup.points.size()) || face != static_cast<int>(done.soup.triangles.size()))
-    throw std::logic_error("the patches are not where they should be in the filled mesh: nothing is handed on");
-  for (const HoleResult& hole : done.holes)
-    done.parts.push_back(is_filled(hole.status) && hole.patch ? part_at(pasted.at(hole.patch.get()), hole.place)
-                                                              : NewPart());
 }
 
 /// Takes the faces of the scan away, and the vertices that no patch uses, as `fill --patches-only` does.
@@ -103,7 +52,8 @@ void keep_patches_only(FilledScan& done) {
   TriangleSelection patches = select_triangles(done.soup, in_patch);
   const auto& number = patches.point_number;
   const auto end_of_given = number.begin() + static_cast<std::ptrdiff_t>(done.given_vertices);
-  done.given_vertices = static_cast<std::size_t>(std::count_if(number.begin(), end_of_given, [](int v) { return v >= 0; }));
+  done.given_vertices =
+      static_cast<std::size_t>(std::count_if(number.begin(), end_of_given, [](int v) { return v >= 0; }));
   for (NewPart& part : done.parts) {
     for (int& v : part.vertices) v = number[static_cast<std::size_t>(v)];
     for (int& f : part.faces) f -= static_cast<int>(done.given_faces);
@@ -113,29 +63,28 @@ void keep_patches_only(FilledScan& done) {
 }
 
 FilledScan filled(FillJob& job, const OnFillProgress& progress, const CancelToken& cancel) {
-  const Deadline deadline(std::chrono::steady_clock::now(), job.command.max_seconds, cancel);
+  const Deadline deadline(std::chrono::steady_clock::now(), job.max_seconds, cancel);
   FilledScan done;
-  SoupRecord as_read = record_of(job.soup);
-  SurfaceModel model = make_surface_model(std::move(job.soup));
-  PreparedScan scan = prepare_scan(std::move(as_read), std::move(model), job.command, cancel);
-  done.holes = fill_chosen(scan, job.command, deadline, progress, cancel);
+  SoupRecord given = record_of(job.soup);
+  ScanPlan plan = plan_scan(std::move(given), make_surface_model(std::move(job.soup)), job.job, cancel);
+  done.holes = fill_chosen(plan, job.job, deadline, progress, cancel);
   done.stopped = cancel.cancelled();
-  done.turned_faces = scan.turned_faces();
-  done.prepared = std::move(scan.done);
-  done.trimmed = std::move(scan.trimmed);
-  done.given_vertices = scan.given.points;
-  done.given_faces = scan.given.triangles;
-  done.soup = std::move(scan.model.soup);
-  locate_parts(done);
-  if (job.command.content == FillCommand::Content::patches) keep_patches_only(done);
+  done.turned_faces = plan.turned_faces();
+  done.prepared = std::move(plan.done);
+  done.trimmed = std::move(plan.trimmed);
+  done.given_vertices = plan.given.points;
+  done.given_faces = plan.given.triangles;
+  done.soup = std::move(plan.model.soup);
+  for (const HoleResult& hole : done.holes) done.parts.push_back(hole.first_point >= 0 ? part_at(hole) : NewPart());
+  if (job.content == FillJob::Content::patches) keep_patches_only(done);
   return done;
 }
 
 }  // namespace
 
 FilledScan run_fill_job(FillJob job, const OnFillProgress& progress, const CancelToken& cancel) {
-  check(job.command.fill);
-  return with_thread_budget(job.command.fill.threads, [&] { return filled(job, progress, cancel); });
+  check(job.job.fill);
+  return with_thread_budget(job.job.fill.threads, [&] { return filled(job, progress, cancel); });
 }
 
 }  // namespace loopmend

@@ -2,7 +2,7 @@
 // One call of loopmend.fill(), without Python.
 #pragma once
 
-#include "cli/prepared_scan.h"
+#include "pipeline/scan_job.h"
 
 #include <vector>
 
@@ -10,7 +10,9 @@ namespace loopmend {
 
 struct FillJob {
   TriangleSoup soup;
-  FillCommand command;  ///< without files: which loops, what to prepare, the fill's options, and what is handed back
+  ScanJob job;
+  std::optional<double> max_seconds;                                   ///< above 0
+  enum class Content { surface, patches } content = Content::surface;  ///< what is handed back
 };
 
 /// Where a hole's part of the patch is in the filled soup; empty where the hole was left open.
@@ -31,7 +33,7 @@ struct FilledScan {
 };
 
 /// What is finished when `cancel` is set, or when the command's time is over, is kept.
-/// @throws InvalidArgument, UsageError as the command line.
+/// @throws InvalidArgument as plan_scan().
 FilledScan run_fill_job(FillJob job, const OnFillProgress& progress, const CancelToken& cancel);
 
 }  // namespace loopmend

@@ -89,8 +89,8 @@ void run_interruptibly(const std::function<void(const CancelToken& cancel, const
     try {
       answer(events, on_event);
     } catch (const py::error_already_set& raised) {
-      const bool is_kept = on_interrupt == OnInterrupt::keep_finished && !cancel.cancelled() &&
-                           raised.matches(PyExc_KeyboardInterrupt);
+      const bool is_kept =
+          on_interrupt == OnInterrupt::keep_finished && !cancel.cancelled() && raised.matches(PyExc_KeyboardInterrupt);
       if (!is_kept) stop = std::current_exception();
       cancel.cancel();
     } catch (...) {

@@ -7,8 +7,6 @@
 #include "results.h"
 #include "words.h"
 
-#include "cli/stitch_words.h"
-
 #include "analysis/curvature_field.h"
 #include "core/version.h"
 #include "io/read_mesh.h"
@@ -46,64 +44,65 @@ int whole_number(const py::dict& options, const char* name, int most) {
   return value;
 }
 
-std::string listed(const std::vector<int>& numbers) {
-  std::string list;
-  for (const int number : numbers) {
-    if (!list.empty()) list += ",";
-    list += std::to_string(number);
-  }
-  return list;
-}
-
 /// True, a length, or a text such as "5%".
-void take_stitch(const py::object& stitch, FillCommand& command) {
+void take_stitch(const py::object& stitch, PrepareOptions& prepare) {
   if (stitch.is(py::bool_(false)) || stitch.is_none()) return;
-  command.stitch = FillCommand::Stitch::yes;
-  if (!stitch.is(py::bool_(true))) command.stitch_tolerance = stitch_tolerance_of(py::str(stitch));
+  prepare.stitch = PrepareOptions::Stitch::yes;
+  if (!stitch.is(py::bool_(true))) prepare.stitch_tolerance = stitch_tolerance_of(py::str(stitch));
 }
 
-FillCommand fill_command(const py::dict& options) {
-  FillCommand command;
-  static_cast<GroupOptions&>(command.fill) = group_options(options);
-  if (const auto loops = option<std::optional<std::string>>(options, "loops")) command.loops = *loops;
-  if (const auto at = option<std::optional<std::vector<int>>>(options, "at_vertices"))
-    command.at_vertices = listed(*at);
-  command.max_edges = limit<int>(options, "max_edges");
-  command.max_diameter = limit<double>(options, "max_diameter");
-  command.all_but_largest = whole_number(options, "all_but_largest", std::numeric_limits<int>::max());
-  command.max_seconds = limit<double>(options, "max_time");
-  command.max_memory_mb = limit<double>(options, "max_memory");
-  if (option<bool>(options, "include_outer_rim")) command.outer_rim = FillCommand::OuterRim::include;
-  take_stitch(options["stitch"], command);
+LoopSelection loop_selection(const py::dict& options) {
+  LoopSelection loops;
+  if (const auto text = option<std::optional<std::string>>(options, "loops")) loops.numbers = loop_numbers_of(*text);
+  if (const auto vertices = option<std::optional<std::vector<int>>>(options, "at_vertices")) {
+    if (vertices->empty()) throw InvalidArgument("at_vertices names no vertex");
+    loops.at_vertices = *vertices;
+  }
+  loops.max_edges = limit<int>(options, "max_edges");
+  loops.max_diameter = limit<double>(options, "max_diameter");
+  loops.all_but_largest = whole_number(options, "all_but_largest", std::numeric_limits<int>::max());
+  if (option<bool>(options, "include_outer_rim")) loops.outer_rim = LoopSelection::OuterRim::include;
+  return loops;
+}
+
+PrepareOptions prepare_options(const py::dict& options) {
+  PrepareOptions prepare;
+  take_stitch(options["stitch"], prepare);
   const bool cut_intersections = option<bool>(options, "cut_intersections");
   const bool cut_handles = option<bool>(options, "cut_handles");
-  if (option<bool>(options, "auto")) command.prepare = FillCommand::Prepare::where_needed;
-  if (option<bool>(options, "repair") || cut_intersections || cut_handles) command.repair = harmless_repairs;
-  if (cut_intersections) command.repair.insert(Defect::intersections);
-  if (cut_handles) command.repair.insert(Defect::handles);
-  if (const auto base = option<std::optional<std::string>>(options, "base")) command.base = base_of(*base);
-  if (option<bool>(options, "cut_no_data")) command.no_data = FillCommand::NoData::cut;
-  command.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
-  if (option<bool>(options, "trim_crossing")) command.trim_pierced = FillCommand::TrimPierced::yes;
-  command.trim_rounds = whole_number(options, "trim_boundary", 100);
-  command.fill.threads = whole_number(options, "threads", 1024);
-  if (option<bool>(options, "patches_only")) command.content = FillCommand::Content::patches;
-  if (option<bool>(options, "keep_partial")) command.when_stopped = FillCommand::WhenStopped::keep_finished;
-  command.fill.islands = worded<FillOptions::Islands>(
-      options, "islands", {{"join", FillOptions::Islands::join}, {"cover", FillOptions::Islands::cover}});
-  if (option<bool>(options, "mirror")) command.fill.mirror = FillOptions::Mirror::find;
+  if (option<bool>(options, "auto")) prepare.extent = PrepareOptions::Extent::where_needed;
+  if (option<bool>(options, "repair") || cut_intersections || cut_handles) prepare.repair = harmless_repairs;
+  if (cut_intersections) prepare.repair.insert(Defect::intersections);
+  if (cut_handles) prepare.repair.insert(Defect::handles);
+  if (const auto base = option<std::optional<std::string>>(options, "base")) prepare.base = base_of(*base);
+  if (option<bool>(options, "cut_no_data")) prepare.no_data = PrepareOptions::NoData::cut;
+  prepare.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
+  if (option<bool>(options, "trim_crossing")) prepare.trim_pierced = PrepareOptions::TrimPierced::yes;
+  prepare.trim_rounds = whole_number(options, "trim_boundary", 100);
+  return prepare;
+}
+
+FillOptions fill_options(const py::dict& options) {
+  FillOptions fill;
+  static_cast<GroupOptions&>(fill) = group_options(options);
+  fill.threads = whole_number(options, "threads", 1024);
+  fill.islands = named(options, "islands", islands_names);
+  if (option<bool>(options, "mirror")) fill.mirror = FillOptions::Mirror::find;
   if (!options["mirror_plane"].is_none()) {
     const auto plane = option<std::array<double, 6>>(options, "mirror_plane");
-    command.fill.mirror_planes = {make_mirror_plane({plane[0], plane[1], plane[2]}, {plane[3], plane[4], plane[5]})};
+    fill.mirror_planes = {make_mirror_plane({plane[0], plane[1], plane[2]}, {plane[3], plane[4], plane[5]})};
   }
-  check(command.fill);
-  return command;
+  check(fill);
+  return fill;
 }
 
 py::dict fill(const py::array& vertices, const py::array& faces, const py::object& colors, const py::dict& options,
               const py::object& on_progress) {
-  FillJob job{soup_of(vertices, faces, colors), fill_command(options)};
-  const bool keep = job.command.when_stopped == FillCommand::WhenStopped::keep_finished;
+  FillJob job{soup_of(vertices, faces, colors), {}, limit<double>(options, "max_time")};
+  job.job = {prepare_options(options), loop_selection(options), fill_options(options),
+             limit<double>(options, "max_memory")};
+  if (option<bool>(options, "patches_only")) job.content = FillJob::Content::patches;
+  const bool keep = option<bool>(options, "keep_partial");
   FilledScan done;
   run_interruptibly(
       [&](const CancelToken& cancel, const PostEvent& post) {
@@ -212,14 +211,6 @@ void register_errors(py::module_& m) {
   py::register_exception<ReadError>(m, "ReadError", file_error);
   py::register_exception<WriteError>(m, "WriteError", file_error);
   const py::object invalid = py::register_exception<InvalidArgument>(m, "InvalidArgument", value_error);
-  py::register_exception_translator([](std::exception_ptr thrown) {
-    try {
-      if (thrown) std::rethrow_exception(std::move(thrown));
-    } catch (const UsageError& wrong) {
-      const py::object type = py::module_::import("loopmend._core").attr("InvalidArgument");
-      PyErr_SetString(type.ptr(), wrong.what());
-    }
-  });
   error.attr("__doc__") = "Base of what Loopmend raises. The message says what is wrong, where, and what to do.";
   m.attr("ReadError").attr("__doc__") = "A file cannot be read: it is missing, no mesh, malformed or damaged.";
   m.attr("WriteError").attr("__doc__") = "A file cannot be written. What stood there before is untouched.";

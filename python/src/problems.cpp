@@ -7,7 +7,7 @@
 #include "words.h"
 
 #include "analysis/seam_report.h"
-#include "cli/paper/part_loops.h"
+#include "mesh/part_loops.h"
 #include "pipeline/blend.h"
 #include "pipeline/evolve_region.h"
 #include "pipeline/interpolate.h"

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "core/error.h"
+#include "evolution/option_names.h"
 #include "pipeline/fill_holes.h"
 
 #include <pybind11/pybind11.h>
 
-#include <map>
+#include <array>
 #include <string>
 
 namespace loopmend {
@@ -23,14 +24,14 @@ T option(const pybind11::dict& options, const char* name) {
   }
 }
 
-/// @throws InvalidArgument for a word that is not in the table; the message lists those that are.
-template <class T>
-T worded(const pybind11::dict& options, const char* name, const std::map<std::string, T>& table) {
-  const auto word = option<std::string>(options, name);
-  if (const auto found = table.find(word); found != table.end()) return found->second;
-  std::string words;
-  for (const auto& [known, value] : table) words += (words.empty() ? "" : ", ") + known;
-  throw InvalidArgument(std::string(name) + " takes one of " + words + ", not '" + word + "'");
+/// @throws InvalidArgument for a name that is not in the table; the message lists those that are.
+template <class T, std::size_t n>
+T named(const pybind11::dict& options, const char* option_name, const std::array<Named<T>, n>& table) {
+  const auto name = option<std::string>(options, option_name);
+  if (const auto value = value_named(table, name)) return *value;
+  std::string known;
+  for (const Named<T>& entry : table) known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  throw InvalidArgument(std::string(option_name) + " takes one of " + known + ", not '" + name + "'");
 }
 
 /// flow, mode, steps, sigma, solver, boundary, continuity, density.

@@ -59,7 +59,7 @@ TEST_F(BoundaryOptions, InACleanNeighborhoodAutoAndExactGiveTheSameBits) {
   const Points automatic = read_mesh(out).soup.points;
   fill(clean, "--boundary exact");
   EXPECT_EQ(read_mesh(out).soup.points, automatic);
-  EXPECT_EQ(fill(clean, "--rim smooth")["loops"][0]["steps"], 3);
+  EXPECT_EQ(fill(clean, "--boundary robust")["loops"][0]["steps"], 3);
 }
 
 TEST_F(BoundaryOptions, LowerContinuityLeavesWhatItDoesNotPromise) {
@@ -114,7 +114,7 @@ TEST_F(BoundaryOptions, ASingleVertexOffASmoothBoundaryIsToldAndNotTakenForShape
 }
 
 TEST_F(BoundaryOptions, WrongWordsAreRefused) {
-  for (const char* wrong : {"--boundary rough", "--rim robust", "--continuity g2", "--trim-rim -1", "--trim-rim 101"})
+  for (const char* wrong : {"--boundary rough", "--continuity g2", "--trim-boundary -1", "--trim-boundary 101"})
     EXPECT_EQ(loopmend_program("fill '" + clean.string() + "' -o '" + out.string() + "' " + wrong).code, 2) << wrong;
 }
 

@@ -29,8 +29,17 @@ TEST(PastePatches, TheOrderInWhichTheyComeDoesNotMatter) {
   const std::vector<Patch> patches = patches_of(open);
   ASSERT_EQ(patches.size(), 2u);
   SurfaceModel one = open, other = open;
-  EXPECT_EQ(paste_patches(one, {&patches[0], &patches[1]}), std::vector<std::string>(2));
-  EXPECT_EQ(paste_patches(other, {&patches[1], &patches[0]}), std::vector<std::string>(2));
+  const auto in_order = paste_patches(one, {&patches[0], &patches[1]});
+  const auto reversed = paste_patches(other, {&patches[1], &patches[0]});
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(in_order[k].fault, "");
+    EXPECT_EQ(reversed[k].fault, "");
+    EXPECT_EQ(in_order[k].first_point, reversed[1 - k].first_point);
+    EXPECT_EQ(in_order[k].first_triangle, reversed[1 - k].first_triangle);
+  }
+  EXPECT_EQ(in_order[0].first_point, static_cast<int>(open.soup.points.size()));
+  EXPECT_EQ(in_order[1].first_point, in_order[0].first_point + patches[0].free_count);
+  EXPECT_EQ(in_order[1].first_triangle, in_order[0].first_triangle + patches[0].patch_triangles);
   EXPECT_EQ(one.soup.points, other.soup.points);
   EXPECT_EQ(one.soup.triangles, other.soup.triangles);
   EXPECT_TRUE(find_boundary_loops(one).empty());
@@ -44,9 +53,10 @@ TEST(PastePatches, OneThatIntersectsAnEarlierOneIsLeftOut) {
   const Vec3 far = second.to_frame(patches[0].to_mesh(Vec3::Zero()) * 3);
   second.positions[0] = far;
   SurfaceModel model = open;
-  const std::vector<std::string> faults = paste_patches(model, {&second, &patches[0]});
-  EXPECT_EQ(faults[1], "");
-  EXPECT_NE(faults[0].find("would cut that of loop 1"), std::string::npos) << faults[0];
+  const std::vector<PastedPatch> outcomes = paste_patches(model, {&second, &patches[0]});
+  EXPECT_EQ(outcomes[1].fault, "");
+  EXPECT_NE(outcomes[0].fault.find("would cut that of loop 1"), std::string::npos) << outcomes[0].fault;
+  EXPECT_EQ(outcomes[0].first_point, -1);
   EXPECT_EQ(find_boundary_loops(model).size(), 1u);
 }
 

@@ -2,11 +2,11 @@
 #include "scan_runs.h"
 
 #include "child.h"
-#include "cli/bounds.h"
 #include "cli/exit_codes.h"
 #include "cli/outputs.h"
 #include "core/error.h"
 #include "core/path_text.h"
+#include "core/system_memory.h"
 #include "core/threads.h"
 
 #include <algorithm>
@@ -229,7 +229,7 @@ RunSettings settings_of(const BatchCommand& command, std::size_t scans) {
   RunSettings settings;
   settings.jobs = static_cast<int>(std::min(scans, static_cast<std::size_t>(command.jobs > 0 ? command.jobs : cores)));
   settings.threads = std::max(1, cores / settings.jobs);
-  const double memory = memory_left_for_patches({}) / settings.jobs;
+  const double memory = memory_left_mb({}) / settings.jobs;
   if (std::isfinite(memory) && settings.jobs > 1) settings.max_memory = std::max(1.0, std::floor(memory));
   return settings;
 }

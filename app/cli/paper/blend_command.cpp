@@ -3,8 +3,8 @@
 #include "cli/exit_codes.h"
 #include "cli/outputs.h"
 #include "cli/report.h"
+#include "opened_parts.h"
 #include "paper_commands.h"
-#include "part_loops.h"
 
 #include "core/path_text.h"
 #include "core/version.h"

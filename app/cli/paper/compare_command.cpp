@@ -4,8 +4,8 @@
 #include "cli/outputs.h"
 #include "cli/report.h"
 #include "comparison_files.h"
+#include "opened_parts.h"
 #include "paper_commands.h"
-#include "part_loops.h"
 #include "vertex_selection.h"
 
 #include "core/path_text.h"

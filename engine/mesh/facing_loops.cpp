@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problems/facing_loops.h"
+#include "mesh/facing_loops.h"
 
 #include "core/error.h"
 #include "mesh/loop_facing.h"

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "part_loops.h"
+#include "mesh/part_loops.h"
 
-#include "cli/commands.h"
-#include "io/write_mesh.h"
+#include "core/error.h"
+#include "mesh/facing_loops.h"
 
-#include "problems/facing_loops.h"
-
-#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -28,16 +25,16 @@ std::size_t number_in(const std::string& text, std::size_t count) {
 NamedLoop loop_named(const JoinedParts& parts, const std::string& word) {
   const std::size_t colon = word.find(':');
   if (colon == std::string::npos)
-    throw UsageError("--loops takes FILE:LOOP,FILE:LOOP,..., such as 1:2,2:1, not '" + word + "'");
+    throw InvalidArgument("--loops takes FILE:LOOP,FILE:LOOP,..., such as 1:2,2:1, not '" + word + "'");
   const std::size_t part = number_in(word.substr(0, colon), parts.loops.size());
   if (part == 0)
-    throw UsageError("--loops " + word + ": there is no file " + word.substr(0, colon) + "; " +
-                     std::to_string(parts.loops.size()) + " were given");
+    throw InvalidArgument("--loops " + word + ": there is no file " + word.substr(0, colon) + "; " +
+                          std::to_string(parts.loops.size()) + " were given");
   const auto& loops = parts.loops[part - 1];
   const std::size_t loop = number_in(word.substr(colon + 1), loops.size());
   if (loop == 0)
-    throw UsageError("--loops " + word + ": file " + std::to_string(part) + " has " + std::to_string(loops.size()) +
-                     " loops; 'loopmend info' lists them");
+    throw InvalidArgument("--loops " + word + ": file " + std::to_string(part) + " has " +
+                          std::to_string(loops.size()) + " loops; 'loopmend info' lists them");
   return {word, loops[loop - 1]};
 }
 
@@ -61,23 +58,6 @@ std::vector<NamedLoop> loops_that_face(const JoinedParts& parts) {
 
 }  // namespace
 
-OpenedParts open_parts(const std::vector<std::filesystem::path>& paths) {
-  OpenedParts parts;
-  std::vector<TriangleSoup> soups;
-  for (const std::filesystem::path& path : paths) {
-    OpenedModel opened = open_model(path);
-    parts.paths.push_back(path);
-    parts.imports.push_back(opened.import);
-    if (paths.size() > 1)
-      for (const NotKept& entry : carried_attributes(opened.model.soup))
-        count_not_kept(parts.imports.back().not_kept, entry.what, entry.count);
-    parts.repairs.push_back(opened.model.repairs);
-    soups.push_back(std::move(opened.model.soup));
-  }
-  parts.joined = join_parts(soups);
-  return parts;
-}
-
 std::vector<NamedLoop> choose_part_loops(const JoinedParts& parts, const std::string& words) {
   std::vector<NamedLoop> chosen;
   if (!words.empty()) {
@@ -88,15 +68,15 @@ std::vector<NamedLoop> choose_part_loops(const JoinedParts& parts, const std::st
   } else {
     const auto& loops = parts.loops.front();
     if (loops.size() != 2)
-      throw UsageError("the file has " + std::to_string(loops.size()) + (loops.size() == 1 ? " loop" : " loops") +
-                       ", not two: name those to be joined, such as --loops 1:1,1:2");
+      throw InvalidArgument("the file has " + std::to_string(loops.size()) + (loops.size() == 1 ? " loop" : " loops") +
+                            ", not two: name those to be joined, such as --loops 1:1,1:2");
     for (std::size_t l = 0; l < 2; ++l) chosen.push_back({name_of(0, l), loops[l]});
   }
-  if (chosen.size() < 2) throw UsageError("a blend needs at least two loops: --loops names one");
+  if (chosen.size() < 2) throw InvalidArgument("a blend needs at least two loops: --loops names one");
   for (std::size_t k = 0; k < chosen.size(); ++k)
     for (std::size_t l = 0; l < k; ++l)
       if (chosen[k].loop.number == chosen[l].loop.number)
-        throw UsageError("--loops names loop " + chosen[k].name + " twice");
+        throw InvalidArgument("--loops names loop " + chosen[k].name + " twice");
   return chosen;
 }
 

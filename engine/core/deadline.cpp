@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bounds.h"
+#include "core/deadline.h"
 
-#include "commands.h"
-#include "core/system_memory.h"
+#include "core/error.h"
 
-#include <algorithm>
 #include <system_error>
 
 namespace loopmend {
-
-namespace {
-
-constexpr double share_of_the_available = 0.9;
-
-}  // namespace
 
 Deadline::Deadline(std::chrono::steady_clock::time_point start, std::optional<double> seconds,
                    const CancelToken& token) {
@@ -44,12 +36,6 @@ Deadline::~Deadline() {
   }
   gone_.notify_one();
   thread_.join();
-}
-
-double memory_left_for_patches(std::optional<double> most_mb) {
-  constexpr double least = 1e-3, megabyte = 1 << 20;
-  if (most_mb) return std::max(least, *most_mb - memory_of_process() / megabyte);
-  return std::max(least, share_of_the_available * memory_to_be_had() / megabyte);
 }
 
 }  // namespace loopmend

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "loop_selection.h"
+#include "pipeline/choose_loops.h"
+
+#include "core/error.h"
 
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -18,7 +19,7 @@ std::string count_of_loops(const std::vector<BoundaryLoop>& loops) {
   return "the mesh has " + std::to_string(loops.size()) + " loops, numbers 1 to " + std::to_string(loops.size());
 }
 
-/// Between commas; blanks around them are allowed. @throws UsageError where there is nothing.
+/// Between commas; blanks around them are allowed. @throws InvalidArgument where there is nothing.
 std::vector<std::string> items_of(const std::string& text, const std::string& option) {
   std::vector<std::string> items;
   std::istringstream list(text);
@@ -26,7 +27,7 @@ std::vector<std::string> items_of(const std::string& text, const std::string& op
     const auto first = item.find_first_not_of(" \t");
     items.push_back(first == std::string::npos ? "" : item.substr(first, item.find_last_not_of(" \t") - first + 1));
   }
-  if (items.empty()) throw UsageError(option + " names nothing. It takes whole numbers such as 1,3");
+  if (items.empty()) throw InvalidArgument(option + " names nothing. It takes whole numbers such as 1,3");
   return items;
 }
 
@@ -35,7 +36,7 @@ int number_of(std::string_view item, const std::string& text, const std::string&
   int value = 0;
   const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
   if (item.empty() || error != std::errc() || end != item.data() + item.size())
-    throw UsageError(option + " takes whole numbers such as 1,3, not '" + text + "'");
+    throw InvalidArgument(option + " takes whole numbers such as 1,3, not '" + text + "'");
   return value;
 }
 
@@ -43,16 +44,16 @@ SeamContinuity continuity_of(const std::string& word) {
   if (word == "flat") return SeamContinuity::position;
   if (word == "tangent") return SeamContinuity::tangent;
   if (word == "smooth") return SeamContinuity::curvature;
-  throw UsageError("--loops takes flat, tangent or smooth behind a number, as in 3:flat, not '" + word + "'");
+  throw InvalidArgument("--loops takes flat, tangent or smooth behind a number, as in 3:flat, not '" + word + "'");
 }
 
-/// Loops through a vertex of the input. @throws UsageError when there is none.
+/// Loops through a vertex of the input. @throws InvalidArgument when there is none.
 void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int vertex,
                   std::map<std::size_t, std::optional<SeamContinuity>>& named) {
   const std::string name = "vertex " + std::to_string(vertex);
   if (vertex < 0 || vertex >= static_cast<int>(model.soup.points.size()))
-    throw UsageError("there is no " + name + ": the mesh has " + std::to_string(model.soup.points.size()) +
-                     ", numbered from 0");
+    throw InvalidArgument("there is no " + name + ": the mesh has " + std::to_string(model.soup.points.size()) +
+                          ", numbered from 0");
   bool found = false;
   for (std::size_t k = 0; k < loops.size(); ++k)
     for (int v : loops[k].vertices)
@@ -66,38 +67,31 @@ void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
     const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
     used = used || std::find(t.begin(), t.end(), vertex) != t.end();
   });
-  throw UsageError(name + (used ? " lies on no boundary loop" : " belongs to no face"));
+  throw InvalidArgument(name + (used ? " lies on no boundary loop" : " belongs to no face"));
 }
 
-/// Indices into `loops` that are named on the command line, with the shape named there; empty when none is.
+/// Indices into `loops` that are named, each with the continuity that is named for it; empty when none is.
 std::map<std::size_t, std::optional<SeamContinuity>> named_loops(const SurfaceModel& model,
                                                                  const std::vector<BoundaryLoop>& loops,
-                                                                 const FillCommand& command) {
+                                                                 const LoopSelection& selection) {
   std::map<std::size_t, std::optional<SeamContinuity>> named;
-  if (command.loops != "all") {
-    for (const std::string& item : items_of(command.loops, "--loops")) {
-      const std::size_t colon = item.find(':');
-      const int number = number_of(std::string_view(item).substr(0, colon), command.loops, "--loops");
-      if (number < 1 || number > static_cast<int>(loops.size()))
-        throw UsageError("there is no loop " + std::to_string(number) + ": " + count_of_loops(loops) +
-                         ". 'loopmend info' lists them");
-      std::optional<SeamContinuity>& shape = named[static_cast<std::size_t>(number - 1)];
-      if (colon != std::string::npos) shape = continuity_of(item.substr(colon + 1));
-    }
+  for (const auto& [number, continuity] : selection.numbers) {
+    if (number < 1 || number > static_cast<int>(loops.size()))
+      throw InvalidArgument("there is no loop " + std::to_string(number) + ": " + count_of_loops(loops) +
+                            ". 'loopmend info' lists them");
+    named[static_cast<std::size_t>(number - 1)] = continuity;
   }
-  if (command.at_vertices)
-    for (const std::string& item : items_of(*command.at_vertices, "--at-vertex"))
-      add_loops_at(model, loops, number_of(item, *command.at_vertices, "--at-vertex"), named);
+  for (const int vertex : selection.at_vertices) add_loops_at(model, loops, vertex, named);
   return named;
 }
 
 /// Why nothing can be filled at a loop that nobody named; empty where something can.
-std::string why_no_hole(const BoundaryLoop& loop, FillCommand::OuterRim outer_rim) {
+std::string why_no_hole(const BoundaryLoop& loop, LoopSelection::OuterRim outer_rim) {
   if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut";
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
     return "crack: a face at the same place covers it already";
   if (loop.kind == LoopKind::crack) return "crack: nothing is missing, its sides are only not joined";
-  if (loop.kind == LoopKind::outer_rim && outer_rim == FillCommand::OuterRim::leave && loop.coincident > 0)
+  if (loop.kind == LoopKind::outer_rim && outer_rim == LoopSelection::OuterRim::leave && loop.coincident > 0)
     return "boundary that coincides with another along " + std::to_string(loop.coincident) +
            " edges: the mesh is split there";
   return "";
@@ -111,18 +105,14 @@ LoopChoice::Cure cure_of(const BoundaryLoop& loop) {
 }
 
 /// Why a loop is left that could be filled; empty where it is not left.
-std::string reason_to_leave(const BoundaryLoop& loop, const FillCommand& command, bool named) {
-  if (!named && loop.kind == LoopKind::outer_rim && command.outer_rim == FillCommand::OuterRim::leave)
+std::string reason_to_leave(const BoundaryLoop& loop, const LoopSelection& selection, bool named) {
+  if (!named && loop.kind == LoopKind::outer_rim && selection.outer_rim == LoopSelection::OuterRim::leave)
     return "outer rim of an open sheet, since " + why_outer_rim(loop) + ": left open (--include-outer-rim fills it)";
-  if (command.max_edges && loop.edges() > *command.max_edges)
-    return "has more than " + std::to_string(*command.max_edges) + " edges (--max-edges)";
-  if (command.max_diameter && loop.diameter > *command.max_diameter) return "is wider than --max-diameter";
+  if (selection.max_edges && loop.edges() > *selection.max_edges)
+    return "has more than " + std::to_string(*selection.max_edges) + " edges (--max-edges)";
+  if (selection.max_diameter && loop.diameter > *selection.max_diameter) return "is wider than --max-diameter";
   return "";
 }
-
-}  // namespace
-
-namespace {
 
 /// The first so many of the loops, which begin with the largest, that are holes or outer rims are left.
 void leave_largest(const std::vector<BoundaryLoop>& loops, int count, std::vector<LoopChoice>& choices) {
@@ -136,36 +126,54 @@ void leave_largest(const std::vector<BoundaryLoop>& loops, int count, std::vecto
 
 }  // namespace
 
-LoopChoice choose_unnamed(const BoundaryLoop& loop, const FillCommand& command) {
+std::map<int, std::optional<SeamContinuity>> loop_numbers_of(const std::string& text) {
+  std::map<int, std::optional<SeamContinuity>> numbers;
+  if (text == "all") return numbers;
+  for (const std::string& item : items_of(text, "--loops")) {
+    const std::size_t colon = item.find(':');
+    std::optional<SeamContinuity>& shape = numbers[number_of(std::string_view(item).substr(0, colon), text, "--loops")];
+    if (colon != std::string::npos) shape = continuity_of(item.substr(colon + 1));
+  }
+  return numbers;
+}
+
+std::vector<int> vertex_numbers_of(const std::string& text) {
+  std::vector<int> vertices;
+  for (const std::string& item : items_of(text, "--at-vertex"))
+    vertices.push_back(number_of(item, text, "--at-vertex"));
+  return vertices;
+}
+
+LoopChoice choose_unnamed(const BoundaryLoop& loop, const LoopSelection& selection) {
   LoopChoice choice;
-  choice.why_not = why_no_hole(loop, command.outer_rim);
+  choice.why_not = why_no_hole(loop, selection.outer_rim);
   if (!choice.why_not.empty()) {
     choice.left = LoopChoice::Left::no_hole;
     choice.cure = cure_of(loop);
   }
-  if (choice.why_not.empty()) choice.why_not = reason_to_leave(loop, command, false);
+  if (choice.why_not.empty()) choice.why_not = reason_to_leave(loop, selection, false);
   choice.fill = choice.why_not.empty();
   choice.is_outer_rim = loop.kind == LoopKind::outer_rim;
   return choice;
 }
 
 std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                     const FillCommand& command) {
-  const std::map<std::size_t, std::optional<SeamContinuity>> named = named_loops(model, loops, command);
+                                     const LoopSelection& selection) {
+  const std::map<std::size_t, std::optional<SeamContinuity>> named = named_loops(model, loops, selection);
   std::vector<LoopChoice> choices(loops.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
     LoopChoice& choice = choices[k];
     if (named.empty()) {
-      choice = choose_unnamed(loops[k], command);
+      choice = choose_unnamed(loops[k], selection);
       continue;
     }
     const auto own = named.find(k);
-    choice.why_not = own != named.end() ? reason_to_leave(loops[k], command, true) : "not selected";
+    choice.why_not = own != named.end() ? reason_to_leave(loops[k], selection, true) : "not selected";
     if (own != named.end()) choice.continuity = own->second;
     choice.fill = choice.why_not.empty();
     choice.is_outer_rim = loops[k].kind == LoopKind::outer_rim;
   }
-  leave_largest(loops, command.all_but_largest, choices);
+  leave_largest(loops, selection.all_but_largest, choices);
   return choices;
 }
 

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/prepare.h"
+
+#include "core/error.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/rounding_cracks.h"
+#include "pipeline/hand_bridge.h"
+#include "repair/base.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string_view>
+
+namespace loopmend {
+
+namespace {
+
+/// @param a, b  vertices of the mesh as it was read.
+TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
+  const std::string name = "bridge (" + std::to_string(a) + ", " + std::to_string(b) + "): ";
+  const int count = static_cast<int>(model.soup.points.size());
+  if (a < 0 || b < 0 || a >= count || b >= count)
+    throw InvalidArgument(name + "the mesh has " + std::to_string(count) + " vertices, numbered from 0");
+  try {
+    return with_bridge(model, a, b);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(name + error.what());
+  }
+}
+
+bool has_cuts(const SurfaceModel& model) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
+}
+
+bool has_sides_to_join(const SurfaceModel& model) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.coincident > 0; }) ||
+         !near_boundaries(model).closing.empty();
+}
+
+struct OpenEdges {
+  int all = 0, cut = 0;
+};
+
+OpenEdges open_edges(const std::vector<BoundaryLoop>& loops) {
+  OpenEdges open;
+  for (const BoundaryLoop& loop : loops) {
+    open.all += loop.edges();
+    if (loop.kind == LoopKind::cut) open.cut += loop.edges();
+  }
+  return open;
+}
+
+struct JoinedAgain {
+  TriangleSoup soup;
+  std::size_t vertices = 0;
+};
+
+/// Stitches what repair has parted. Where that makes edges of more than two faces, only vertices that lie on each other at cracks are
+/// joined. Empty unless the surface then has fewer open edges, and no more of them at edges of more than two faces.
+std::optional<JoinedAgain> joined_again(const SurfaceModel& model, const StitchTolerance& tolerance) {
+  const OpenEdges before = open_edges(find_boundary_loops(model));
+  const auto gains = [&](const JoinedAgain& joined) {
+    if (joined.vertices == 0) return false;
+    const OpenEdges after = open_edges(find_boundary_loops(make_surface_model(joined.soup)));
+    return after.all < before.all && after.cut <= before.cut;
+  };
+  StitchedSurface stitched = stitch_boundaries(model, tolerance);
+  JoinedAgain joined{std::move(stitched.soup), stitched.joined_vertices};
+  if (gains(joined)) return joined;
+  joined.soup = model.soup;
+  const VertexSurvey survey = survey_vertices(joined.soup.triangles, joined.soup.points.size());
+  joined.vertices = join_rounding_cracks(joined.soup, survey).vertices;
+  if (gains(joined)) return joined;
+  return std::nullopt;
+}
+
+/// @returns how many.
+std::size_t remove_faces_at(const std::vector<int>& vertices, TriangleSoup& soup) {
+  std::vector<char> is_marked(soup.points.size(), 0);
+  for (int v : vertices) is_marked[static_cast<std::size_t>(v)] = 1;
+  std::vector<int> points(soup.points.size()), rows;
+  std::iota(points.begin(), points.end(), 0);
+  Triangles kept;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    const Triangle& t = soup.triangles[f];
+    if (std::any_of(t.begin(), t.end(), [&](int v) { return is_marked[static_cast<std::size_t>(v)] != 0; })) continue;
+    kept.push_back(t);
+    rows.push_back(static_cast<int>(f));
+  }
+  const TriangleSoup given = soup;
+  soup.triangles = std::move(kept);
+  copy_rows(given, points, rows, soup);
+  return given.triangles.size() - soup.triangles.size();
+}
+
+/// @throws InvalidArgument where there is no such loop.
+TriangleSoup based(const SurfaceModel& model, const PrepareOptions::Base& base, int& number) {
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  const std::size_t place = base.loop == 0 ? 0 : static_cast<std::size_t>(base.loop) - 1;
+  if (place >= loops.size())
+    throw InvalidArgument("--base: there is no loop " + std::to_string(place + 1) +
+                          "; 'loopmend info' lists the loops");
+  number = loops[place].number;
+  return with_base(model, loops[place], base.distance);
+}
+
+/// All of the text as a finite number.
+std::optional<double> number_in(std::string_view text) {
+  double value = 0;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+StitchTolerance stitch_tolerance_of(const std::string& text) {
+  constexpr double most_percent = 40;
+  std::string_view word = text;
+  const bool is_percent = word.ends_with('%');
+  if (is_percent) word.remove_suffix(1);
+  const std::optional<double> number = number_in(word);
+  if (!number || *number < 0 || (is_percent && *number > most_percent))
+    throw InvalidArgument("--stitch takes a length such as 0.5, or up to 40 % of the edges there such as 5%, not '" +
+                          text + "'");
+  if (is_percent) return {*number / 100, std::nullopt};
+  return {StitchTolerance().edges, *number};
+}
+
+PrepareOptions::Base base_of(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const bool names_loop = colon != std::string::npos;
+  const std::optional<double> loop = names_loop ? number_in(std::string_view(text).substr(0, colon)) : 0;
+  const std::optional<double> distance = number_in(std::string_view(text).substr(names_loop ? colon + 1 : 0));
+  const bool is_number = loop && *loop == std::floor(*loop) && *loop >= (names_loop ? 1 : 0) && *loop < 1e9;
+  if (!is_number || !distance || !(*distance > 0))
+    throw InvalidArgument("--base takes a length above 0 such as 5, or a loop and a length such as 2:5, not '" + text +
+                          "'");
+  return {static_cast<int>(*loop), *distance};
+}
+
+bool Preparation::changed_nothing() const {
+  return !stitched && !repaired && bridges == 0 && base_loop == 0 && no_data_faces == 0;
+}
+
+Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeModel& make_model,
+                    const CancelToken& cancel) {
+  const bool where_needed = options.extent == PrepareOptions::Extent::where_needed;
+  const auto stitches = [&] { return options.stitch == PrepareOptions::Stitch::yes; };
+  Preparation done;
+  done.before = model.repairs;
+  const auto replace = [&](TriangleSoup soup) {
+    done.turned_faces += model.repairs.reoriented_faces;
+    model = make_model(std::move(soup));
+  };
+  done.no_data = find_no_data(model.soup.points);
+  if (options.no_data == PrepareOptions::NoData::cut && !done.no_data.vertices.empty()) {
+    TriangleSoup soup = as_read(model);
+    done.no_data_faces = remove_faces_at(done.no_data.vertices, soup);
+    replace(std::move(soup));
+  }
+  if (where_needed && has_sides_to_join(model)) options.stitch = PrepareOptions::Stitch::yes;
+  if (stitches()) {
+    done.stitched = stitch_boundaries(model, options.stitch_tolerance);
+    replace(std::move(done.stitched->soup));
+    if (where_needed && !done.stitched->any()) done.stitched.reset();
+  }
+  if (where_needed && has_cuts(model)) options.repair.insert(harmless_repairs.begin(), harmless_repairs.end());
+  if (!options.repair.empty()) {
+    RepairedSurface repaired = repair_surface(as_read(model), options.repair, cancel);
+    done.repaired = repaired.counts;
+    replace(std::move(repaired.soup));
+    if ((where_needed && has_sides_to_join(model)) || stitches())
+      if (std::optional<JoinedAgain> joined = joined_again(model, options.stitch_tolerance)) {
+        done.joined_again = joined->vertices;
+        replace(std::move(joined->soup));
+      }
+  }
+  for (const auto& [a, b] : options.bridges) {
+    replace(bridged(model, a, b));
+    ++done.bridges;
+  }
+  if (options.base) replace(based(model, *options.base, done.base_loop));
+  if (!where_needed) return done;
+  options.stitch = PrepareOptions::Stitch::yes;  // what it can join is joined
+  options.repair.insert(harmless_repairs.begin(), harmless_repairs.end());
+  options.trim_pierced = PrepareOptions::TrimPierced::yes;
+  return done;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/scan_job.h"
+
+#include "core/error.h"
+#include "core/system_memory.h"
+#include "filling/bridge_loops.h"
+#include "neighborhood/trim_boundary.h"
+#include "pipeline/filling_view.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace loopmend {
+
+namespace {
+
+/// @throws ReadError in place of InvalidArgument where the source is known.
+SurfaceModel model_from(const std::filesystem::path& source, TriangleSoup soup) {
+  if (source.empty()) return make_surface_model(std::move(soup));
+  try {
+    return make_surface_model(std::move(soup));
+  } catch (const InvalidArgument& error) {
+    throw ReadError(source, error.what(), "", "Check the mesh in the program that made it.");
+  }
+}
+
+/// Choices among the loops of a trimmed scan: what grew out of those chosen before. The boundary of a crumb that only touches one of
+/// these is not chosen for that.
+std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loops, const ScanPlan& before,
+                                           const std::vector<BoundaryLoop>& grown, const ScanJob& job) {
+  const std::vector<BoundaryLoop> chosen = before.chosen();
+  const auto nearest = [&](const BoundaryLoop& loop) {  // the shape of the loop that this one grew out of
+    std::pair<double, std::optional<SeamContinuity>> best{std::numeric_limits<double>::infinity(), std::nullopt};
+    for (std::size_t k = 0; k < before.loops.size(); ++k) {
+      const double distance = (before.loops[k].center - loop.center).norm();
+      if (before.choices[k].fill && distance < best.first) best = {distance, before.choices[k].continuity};
+    }
+    return best.second;
+  };
+  const bool named = job.loops.names_loops();
+  const bool outer_rims = std::any_of(chosen.begin(), chosen.end(),
+                                      [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; });
+  std::vector<LoopChoice> choices(loops.size());
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const bool can_be_filled = loops[k].kind == LoopKind::hole || (outer_rims && loops[k].kind == LoopKind::outer_rim);
+    choices[k].fill = can_be_filled && std::any_of(grown.begin(), grown.end(), [&](const BoundaryLoop& loop) {
+                        return loop.number == loops[k].number;
+                      });
+    if (choices[k].fill) {
+      choices[k].continuity = nearest(loops[k]);
+      continue;
+    }
+    if (!named) choices[k] = choose_unnamed(loops[k], job.loops);
+    if (std::exchange(choices[k].fill, false) || named) choices[k].why_not = "not selected";
+  }
+  return choices;
+}
+
+/// Trims the boundaries of the loops that are to be filled, and chooses anew: what grew out of them.
+void trim(ScanPlan& plan, const ScanJob& job) {
+  const std::vector<BoundaryLoop> chosen = plan.chosen();
+  TrimmedModel trimmed = job.prepare.trim_rounds > 0 ? trim_boundary(plan.model, chosen, job.prepare.trim_rounds)
+                                                     : trim_pierced(plan.model, chosen);
+  plan.trimmed = std::move(trimmed.removed);
+  plan.to_trim = trimmed.loops;
+  plan.spared_pieces = trimmed.spared;
+  if (plan.trimmed.empty()) return;
+  TriangleSoup given = as_read(std::move(plan.model));
+  std::vector<char> gone(given.triangles.size(), 0);
+  for (const BadBoundaryFace& bad : plan.trimmed) gone[static_cast<std::size_t>(bad.face)] = 1;
+  Triangles left;
+  for (std::size_t f = 0; f < gone.size(); ++f)
+    if (!gone[f]) left.push_back(given.triangles[f]);
+  given.triangles = std::move(left);
+  plan.given = record_of(given);
+  std::vector<int>& turned = trimmed.model.turned_faces;
+  turned.clear();
+  for (std::size_t f = 0; f < given.triangles.size(); ++f)
+    if (trimmed.model.soup.triangles[f] != given.triangles[f]) turned.push_back(static_cast<int>(f));
+  trimmed.model.repairs.reoriented_faces = turned.size();
+  plan.model = std::move(trimmed.model);
+  std::vector<BoundaryLoop> loops = find_boundary_loops(plan.model);
+  plan.choices = choices_after_trim(loops, plan, trimmed.loops, job);
+  plan.loops = std::move(loops);
+}
+
+/// How near the sides of a hole must be for it to be a crack. In the shared scans no hole comes near to that; a slit in a dummy's
+/// head, which is filled, has 0.03. Those of an outer rim may be as far apart as stitching joins them: nothing is filled there.
+constexpr double crack_in_edges = 0.01;
+
+/// Loops that nobody named, more than half of whose edges --stitch would close, are no holes: a patch between sides that nearly
+/// touch would cross them.
+void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
+  const bool named = job.loops.names_loops();
+  if (plan.loops.empty() || job.prepare.stitch == PrepareOptions::Stitch::yes) return;
+  plan.near = near_boundaries(plan.model);
+  if (plan.near.closing.empty() || named) return;
+  const NearBoundaries nearest = near_boundaries(plan.model, {crack_in_edges, std::nullopt});
+  for (std::size_t k = 0; k < plan.loops.size(); ++k) {
+    const BoundaryLoop& loop = plan.loops[k];
+    LoopChoice& choice = plan.choices[k];
+    const bool is_rim = loop.kind == LoopKind::outer_rim;
+    if (choice.left != LoopChoice::Left::as_asked || (!choice.fill && !is_rim)) continue;
+    const int closing = closing_edges(plan.model, loop, is_rim ? plan.near : nearest);
+    if (2 * closing <= loop.edges()) continue;
+    choice.fill = false;
+    choice.left = LoopChoice::Left::wide_crack;
+    choice.why_not = "crack: " + std::to_string(closing) + " of its " + std::to_string(loop.edges()) +
+                     " edges lie beside another within a tenth of their length (--stitch joins them)";
+  }
+}
+
+/// Names what closes a loop that is no hole, or makes one of it; nothing that was done already, or that would join nothing.
+/// @param command  with what was done
+void name_cures(ScanPlan& plan, const ScanJob& job) {
+  for (std::size_t k = 0; k < plan.loops.size(); ++k) {
+    LoopChoice& choice = plan.choices[k];
+    if (choice.cure == LoopChoice::Cure::repair && !job.prepare.repair.empty()) choice.cure = LoopChoice::Cure::none;
+    if (choice.cure == LoopChoice::Cure::stitch && closing_edges(plan.model, plan.loops[k], plan.near) == 0)
+      choice.cure = LoopChoice::Cure::none;
+    switch (choice.cure) {
+      case LoopChoice::Cure::none: break;
+      case LoopChoice::Cure::stitch: choice.why_not += " (--stitch joins them)"; break;
+      case LoopChoice::Cure::repair: choice.why_not += " (--repair makes a hole of it, or nothing)"; break;
+    }
+  }
+}
+
+/// The loops to be filled by the shape that was named for them; first those without.
+std::map<std::optional<SeamContinuity>, std::vector<BoundaryLoop>> loops_of_each_shape(const ScanPlan& plan) {
+  std::map<std::optional<SeamContinuity>, std::vector<BoundaryLoop>> loops;
+  for (std::size_t k = 0; k < plan.loops.size(); ++k)
+    if (plan.choices[k].fill) loops[plan.choices[k].continuity].push_back(plan.loops[k]);
+  return loops;
+}
+
+/// @throws InvalidArgument where a shape is named that the flow does not know.
+void check_shapes(const ScanPlan& plan, const ScanJob& job) {
+  const bool named = std::any_of(plan.choices.begin(), plan.choices.end(),
+                                 [](const LoopChoice& choice) { return choice.continuity.has_value(); });
+  const std::optional<EvolutionOptions>& flow = job.fill.evolution;
+  if (named && !(flow && flow->flow == FlowKind::mmcvf && flow->mode == EvolutionMode::steady))
+    throw InvalidArgument(
+        "--loops takes flat, tangent and smooth only with --flow mmcvf and --mode steady, the defaults");
+}
+
+/// A patch over each loop alone leaves the wall hollow, or goes through it.
+void name_rings(const ScanPlan& plan, std::vector<HoleResult>& results) {
+  for (const auto& [i, j] : plan.rings)
+    for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
+      std::string& message = results[static_cast<std::size_t>(own)].message;
+      if (!message.empty()) message += "; ";
+      message += "a wall ends at this loop and at loop " + std::to_string(other + 1) +
+                 ": 'loopmend blend --loops 1:" + std::to_string(std::min(i, j) + 1) +
+                 ",1:" + std::to_string(std::max(i, j) + 1) + "' joins them by a ring";
+    }
+}
+
+}  // namespace
+
+std::vector<BoundaryLoop> ScanPlan::chosen() const {
+  std::vector<BoundaryLoop> result;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (choices[k].fill) result.push_back(loops[k]);
+  return result;
+}
+
+bool needs_whole_view(const ScanJob& job) {
+  const PrepareOptions& prepare = job.prepare;
+  return prepare.extent == PrepareOptions::Extent::where_needed || prepare.stitch == PrepareOptions::Stitch::yes ||
+         prepare.no_data == PrepareOptions::NoData::cut || !prepare.repair.empty() || !prepare.bridges.empty() ||
+         prepare.base || prepare.trims();
+}
+
+ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, const CancelToken& cancel) {
+  ScanJob job = asked;
+  ScanPlan plan;
+  plan.given = std::move(given);
+  plan.model = std::move(model);
+  const auto make_model = [&](TriangleSoup soup) { return model_from(job.source, std::move(soup)); };
+  plan.done = prepare(plan.model, job.prepare, make_model, cancel);
+  if (!plan.done.changed_nothing()) plan.given = record_of(plan.model.soup, plan.model.turned_faces);
+  plan.loops = find_boundary_loops(plan.model);
+  plan.choices = choose_loops(plan.model, plan.loops, job.loops);
+  if (widen_filling_view(plan.model, plan.loops, plan.chosen())) {  // the same loops, of other view vertices
+    plan.loops = find_boundary_loops(plan.model);
+    plan.choices = choose_loops(plan.model, plan.loops, job.loops);
+  }
+  check_shapes(plan, job);
+  leave_wide_cracks(plan, job);
+  plan.to_trim = plan.chosen();
+  if (job.prepare.trims()) trim(plan, job);
+  name_cures(plan, job);
+  // Only where `blend` finds the same loops in the file.
+  if (job.numbering == ScanJob::Numbering::of_source && plan.done.changed_nothing() && plan.trimmed.empty())
+    plan.rings = find_rings(plan.model, plan.loops, cancel);
+  plan.trimmable = few_of_their_pieces(plan.model, bad_boundary_faces(plan.model, plan.to_trim));
+  return plan;
+}
+
+std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const Deadline& deadline,
+                                    const OnFillProgress& progress, const CancelToken& cancel) {
+  FillOptions options = job.fill;
+  options.on_cancel = FillOptions::OnCancel::keep_finished;  // where nothing is to be kept, nobody looks at the results
+  options.most_memory_mb = memory_left_mb(job.max_memory_mb);
+  std::map<int, HoleResult> filled;
+  for (const auto& [continuity, loops] : loops_of_each_shape(plan)) {
+    if (continuity) options.evolution->continuity = *continuity;
+    for (HoleResult& result : fill_holes(plan.model, loops, options, progress, cancel))
+      filled[result.loop.number] = std::move(result);
+    options.evolution = job.fill.evolution;
+  }
+  check_exterior(plan.given, plan.model.soup, plan.model.turned_faces);
+  const bool out_of_time = deadline.passed();
+  std::vector<HoleResult> results;
+  for (std::size_t k = 0; k < plan.loops.size(); ++k) {
+    const LoopChoice& choice = plan.choices[k];
+    const auto done = filled.find(plan.loops[k].number);
+    results.push_back(done != filled.end() ? std::move(done->second)
+                                           : open_hole(plan.loops[k], PatchStatus::skipped, choice.why_not));
+    const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
+    const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.near) : 0;
+    if (closing > 0)
+      results[k].message = std::to_string(closing) +
+                           " of its edges lie beside another within a tenth of their length: --stitch joins them" +
+                           (results[k].message.empty() ? "" : ". Without it, " + results[k].message);
+    if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
+      results[k].message = "not finished in the time that --max-time allows: left open";
+  }
+  name_rings(plan, results);
+  return results;
+}
+
+}  // namespace loopmend
