@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes the translations of the window from its sources, as the build does.
+
+Usage: make_ts.py FOLDER   writes loopmend_de.ts and loopmend_en.ts there
+       make_ts.py --check  exit code 1 where a string has no translation
+
+It calls lupdate, and fills loopmend_de.ts from german.json and loopmend_en.ts, which has plural forms only (all else is English in
+the sources), from english_plurals.json. It names the strings that are not translated yet.
+"""
+import json
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+here = Path(__file__).resolve().parent
+app = here.parent.parent / "app"
+
+
+def fill(path, words, plurals):
+    """Writes the words into the file. Returns the strings that have none."""
+    tree = ET.parse(path)
+    missing = []
+    for message in tree.getroot().iter("message"):
+        source = message.find("source").text
+        target = message.find("translation")
+        target.attrib.pop("type", None)
+        for child in list(target):
+            target.remove(child)
+        if message.get("numerus"):
+            found = source in plurals
+            for form in plurals.get(source, [source, source]):
+                ET.SubElement(target, "numerusform").text = form
+        else:
+            found = source in words
+            target.text = words.get(source)
+        if not found:
+            target.set("type", "unfinished")
+            missing.append(source)
+    tree.write(path, encoding="utf-8", xml_declaration=True)
+    return missing
+
+
+def make(folder, language, words, plurals, options):
+    """Returns whether every string is translated. A file that is right already keeps its time, so that nothing is built again."""
+    name = f"loopmend_{language}.ts"
+    with tempfile.TemporaryDirectory() as scratch:
+        made = Path(scratch) / name
+        subprocess.run(["lupdate", "-silent", "-locations", "none", *options, str(app), "-ts", str(made)],
+                       check=True, stderr=subprocess.DEVNULL)
+        missing = fill(made, words, plurals)
+        text = made.read_bytes()
+    if folder and not ((folder / name).exists() and (folder / name).read_bytes() == text):
+        (folder / name).write_bytes(text)
+    for source in missing:
+        print(f"not translated ({language}):", repr(source))
+    return not missing
+
+
+def main(argument):
+    folder = None if argument == "--check" else Path(argument)
+    german = json.loads((here / "german.json").read_text(encoding="utf-8"))
+    english = json.loads((here / "english_plurals.json").read_text(encoding="utf-8"))
+    complete = make(folder, "en", {}, english, ["-pluralonly"])
+    complete = make(folder, "de", german["words"], german["plurals"], []) and complete
+    return 0 if complete or folder else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
