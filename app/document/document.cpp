@@ -92,6 +92,26 @@ const Verdict* Document::verdict(int loop) const {
   return at < patch->state->verdicts.size() ? &patch->state->verdicts[at] : nullptr;
 }
 
+ExpectedDeviation Document::deviation(int loop) const {
+  const OpenPatch* patch = patch_of(loop);
+  if (!patch) return {};
+  const auto at =
+      static_cast<std::size_t>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  const std::vector<ExpectedDeviation>& all = patch->state->deviation.loops;
+  return at < all.size() ? all[at] : ExpectedDeviation();
+}
+
+bool Document::to_look_at(int loop) const {
+  switch (state(loop)) {
+    case HoleState::failed:
+    case HoleState::cutting:
+    case HoleState::bad:
+    case HoleState::look:
+    case HoleState::stalled: return true;
+    default: return false;
+  }
+}
+
 std::string Document::message(int loop) const {
   if (const OpenPatch* patch = patch_of(loop)) return patch->state->message;
   const auto it = failures_.find(loop);

@@ -74,6 +74,10 @@ class Document : public QObject {
   std::string message(int loop) const;
   /// On the part of its patch; null where there is no patch, or nothing has judged it.
   const Verdict* verdict(int loop) const;
+  /// Mesh units; not known where there is no patch, or no estimate.
+  ExpectedDeviation deviation(int loop) const;
+  /// Whether a person should look at it: a fault, a doubt, or a hole that could not be filled.
+  bool to_look_at(int loop) const;
   /// A hole, or a loop that touches itself; the outer rim when it is included. Others are left out unless selected.
   bool fillable(int loop) const;
   OuterRims outer_rims() const { return outer_rims_; }

@@ -35,9 +35,7 @@ bool HoleFilter::in_group(int loop) const {
     case HoleGroup::to_do: return state == HoleState::open || state == HoleState::failed;
     case HoleGroup::filled: return document_.patch_of(loop) != nullptr;
     case HoleGroup::accepted: return state == HoleState::accepted;
-    case HoleGroup::fault:
-      return state == HoleState::failed || state == HoleState::cutting || state == HoleState::bad ||
-             state == HoleState::look || state == HoleState::stalled;
+    case HoleGroup::fault: return document_.to_look_at(loop);
     case HoleGroup::left_out: return state == HoleState::left_out;
   }
   return true;
@@ -47,7 +45,7 @@ bool HoleFilter::filterAcceptsRow(int loop, const QModelIndex&) const {
   if (loop >= document_.loop_count() || !document_.present(loop) || !in_group(loop)) return false;
   if (words_.isEmpty()) return true;
   const BoundaryLoop& l = document_.loop(loop);
-  const QString cells = labels::kind(l.kind) + QLatin1Char(' ') + labels::state(document_.state(loop)) +
+  const QString cells = labels::kind(l.kind) + QLatin1Char(' ') + labels::verdict_or_state(document_, loop) +
                         QLatin1Char(' ') + document_.scan(document_.scan_of(loop))->name.toLower();
   const QString number = QString::number(l.number);
   return std::all_of(words_.begin(), words_.end(),

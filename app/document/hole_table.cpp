@@ -8,9 +8,39 @@
 #include <QColor>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace loopmend {
+
+namespace {
+
+bool is_number(int column) {
+  return column < HoleTable::kind || column == HoleTable::crease || column == HoleTable::deviation;
+}
+
+/// The smaller, the sooner a person should look at it.
+int urgency(HoleState state) {
+  switch (state) {
+    case HoleState::bad: return 0;
+    case HoleState::cutting: return 1;
+    case HoleState::failed: return 2;
+    case HoleState::look: return 3;
+    case HoleState::stalled: return 4;
+    case HoleState::open: return 5;
+    case HoleState::running:
+    case HoleState::stepped: return 6;
+    case HoleState::filled: return 7;
+    case HoleState::faired:
+    case HoleState::early_stop:
+    case HoleState::converged: return 8;
+    case HoleState::accepted: return 9;
+    case HoleState::left_out: return 10;
+  }
+  return 10;
+}
+
+}  // namespace
 
 HoleTable::HoleTable(const Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
   rows_ = document.loop_count();
@@ -41,7 +71,7 @@ QVariant HoleTable::data(const QModelIndex& index, int role) const {
     case sort_role: return sort_key(loop, column);
     case Qt::ToolTipRole: return tool_tip(loop, column);
     case Qt::TextAlignmentRole:
-      return static_cast<int>(Qt::AlignVCenter | (column < kind ? Qt::AlignRight : Qt::AlignLeft));
+      return static_cast<int>(Qt::AlignVCenter | (is_number(column) ? Qt::AlignRight : Qt::AlignLeft));
     default: return {};
   }
 }
@@ -49,7 +79,7 @@ QVariant HoleTable::data(const QModelIndex& index, int role) const {
 QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole)
-    return static_cast<int>(Qt::AlignVCenter | (section < kind ? Qt::AlignRight : Qt::AlignLeft));
+    return static_cast<int>(Qt::AlignVCenter | (is_number(section) ? Qt::AlignRight : Qt::AlignLeft));
   if (role == Qt::ToolTipRole) {
     switch (section) {
       case number: return tr("The loop's number within its scan, by falling perimeter");
@@ -63,7 +93,14 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
       case boundary:
         return tr(
             "How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough");
-      case state: return tr("What has been done about it");
+      case crease: return tr("Largest bend of the surface along the seam, in degrees; known once the hole is filled");
+      case deviation:
+        return tr(
+            "How far the patch is likely from what was there (80 %), in the scan's unit; known once the hole is "
+            "filled");
+      case state:
+        return tr(
+            "The verdict on the patch, or what has been done about the hole; sorted, those to look at come first");
       default: return {};
     }
   }
@@ -78,6 +115,8 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
     case kind: return tr("Kind");
     case scan: return tr("Scan");
     case boundary: return tr("Boundary");
+    case crease: return tr("Crease");
+    case deviation: return tr("Likely off");
     case state: return tr("State");
     default: return {};
   }
@@ -104,7 +143,13 @@ QVariant HoleTable::text(int loop, int column) const {
     case kind: return labels::kind(l.kind);
     case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
     case boundary: return boundary_of(loop) ? labels::neighborhood(boundary_of(loop)->split.kind()) : QString();
-    case state: return labels::state(document_.state(loop));
+    case crease:
+      return document_.verdict(loop) ? tr("%1\u00b0").arg(std::lround(document_.verdict(loop)->crease_deg)) : QString();
+    case deviation: {
+      const ExpectedDeviation expected = document_.deviation(loop);
+      return expected.is_known() ? labels::number(expected.likely) : QString();
+    }
+    case state: return labels::verdict_or_state(document_, loop);
     default: return {};
   }
 }
@@ -121,7 +166,9 @@ QVariant HoleTable::sort_key(int loop, int column) const {
     case kind: return static_cast<int>(l.kind);
     case scan: return document_.scan_of(loop);
     case boundary: return boundary_of(loop) ? boundary_of(loop)->noise_per_edge : -1;
-    case state: return static_cast<int>(document_.state(loop));
+    case crease: return document_.verdict(loop) ? document_.verdict(loop)->crease_deg : -1;
+    case deviation: return document_.deviation(loop).is_known() ? document_.deviation(loop).likely : -1;
+    case state: return urgency(document_.state(loop));
     default: return {};
   }
 }
@@ -138,7 +185,7 @@ const BoundarySummary* HoleTable::boundary_of(int loop) const {
 QVariant HoleTable::tool_tip(int loop, int column) const {
   if (column == kind) return labels::kind_help(document_.loop(loop).kind);
   if (column == boundary) return boundary_of(loop) ? labels::boundary_help(*boundary_of(loop)) : QString();
-  if (column != state) return {};
+  if (column < crease) return {};
   const QString more = labels::engine_words(document_.message(loop));
   const Verdict* verdict = document_.verdict(loop);
   QString help = labels::state_help(document_.state(loop));

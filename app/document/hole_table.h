@@ -13,7 +13,21 @@ class HoleTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { number, edges, diameter, perimeter, area, planarity, kind, scan, boundary, state, column_count };
+  enum Column {
+    number,
+    edges,
+    diameter,
+    perimeter,
+    area,
+    planarity,
+    kind,
+    scan,
+    boundary,
+    crease,
+    deviation,
+    state,
+    column_count
+  };
   /// For sorting: the bare number behind a cell.
   static constexpr int sort_role = Qt::UserRole + 1;
 

@@ -96,6 +96,13 @@ QString state(HoleState state) {
   return {};
 }
 
+QString verdict_or_state(const Document& document, int loop) {
+  const HoleState now = document.state(loop);
+  const bool came_to_an_end = now == HoleState::converged || now == HoleState::early_stop || now == HoleState::faired;
+  if (now == HoleState::left_out && document.present(loop)) return kind(document.loop(loop).kind);
+  return came_to_an_end && document.verdict(loop) ? tr("good") : state(now);
+}
+
 QString state_help(HoleState state) {
   switch (state) {
     case HoleState::open: return tr("Not filled yet.");

@@ -26,8 +26,9 @@ enum class ScanOrigin {
 struct OpenedScan {
   QString path;  ///< empty where it is not from a file
   ScanOrigin from = ScanOrigin::file;
-  QString name;      ///< as shown
-  QString mended;    ///< the file whose scan this one is, trimmed, stitched, repaired or bridged; empty where there is none
+  QString name;  ///< as shown
+  QString
+      mended;  ///< the file whose scan this one is, trimmed, stitched, repaired or bridged; empty where there is none
   KeptFilePtr kept;  ///< where it came out of a session that holds it; `path` may then be of a file that is gone
   ImportReport import;
   std::shared_ptr<const SurfaceModel> model;

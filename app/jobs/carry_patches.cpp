@@ -2,8 +2,8 @@
 #include "jobs/carry_patches.h"
 
 #include <algorithm>
-#include <utility>
 #include <optional>
+#include <utility>
 
 namespace loopmend {
 namespace {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/evolve_patches.h"
 
+#include "core/system_memory.h"
 #include "core/threads.h"
 #include "document/timeline.h"
 #include "jobs/state_making.h"
 #include "jobs/steady_run.h"
+#include "pipeline/fill_holes.h"
 
 #include <algorithm>
 #include <atomic>
@@ -146,6 +148,13 @@ class Drive {
     return true;
   }
 
+  /// @returns whether the patch needs more memory than there is; it then stays as it is.
+  bool too_large(const EvolveTask::Item& item) {
+    const std::string why = why_too_large(item.patch.state->patch.free_count, memory_left_mb({}));
+    if (!why.empty()) fail(item.patch.id, why.c_str());
+    return !why.empty();
+  }
+
   void fail(int id, const char* words) {
     const std::lock_guard lock(mutex_);
     result_.failures[id] = words;
@@ -186,7 +195,7 @@ class Drive {
   }
 
   void settle(const EvolveTask::Item& item) {
-    if (stopped() || rigid(item)) return;
+    if (stopped() || rigid(item) || too_large(item)) return;
     try {
       const std::vector<EvolveTask::Item> items = parts_of(item);
       if (stopped()) return;
@@ -210,7 +219,7 @@ class Drive {
     std::vector<std::pair<int, Stepper>> steppers;
     for (const EvolveTask::Item& item : task_.items) {
       if (stopped()) break;
-      if (rigid(item)) continue;
+      if (rigid(item) || too_large(item)) continue;
       try {
         steppers.emplace_back(item.patch.id, Stepper(task_, item, recorder_));
       } catch (const std::exception& error) {

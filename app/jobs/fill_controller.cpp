@@ -196,6 +196,7 @@ void FillController::on_filled(FillResult result, const std::set<int>& wanted, c
   if (!refilled.empty())
     Q_EMIT logged(tr("Some of these holes lie so close to filled ones that both were filled anew, as one."));
   say_fill_outcome(result, wanted);
+  if (!done.empty()) Q_EMIT filled(done);
   if (!then) return;
   std::set<int> to_smooth = then->patch_ids;
   for (int loop : done)

@@ -39,6 +39,7 @@ enum class Mending {
   trim,           ///< --trim-boundary 3: bad triangles at the boundaries of these holes are removed
   trim_crossing,  ///< --trim-crossing: there, only those that run through the surface
   stitch,         ///< --stitch: boundaries that nearly coincide are zipped, all over the scan
+  prepare,        ///< --auto: the scan is stitched, repaired and trimmed where it needs that
   repair,         ///< --repair: the scan becomes an oriented manifold
   bridge,         ///< --bridge A,B: a strip parts a hole into two, or joins two
   erase,          ///< faces that were painted go
@@ -149,6 +150,7 @@ class FillController : public QObject {
   void preview_ready(std::shared_ptr<const SurfaceShape> shape);
   void preview_dropped();
   void ghosts_changed(std::vector<std::shared_ptr<const SurfaceShape>> ghosts);
+  void filled(const std::set<int>& loops);  ///< by initial patches, from which a flow may follow
   void failed(const QString& words);
   void notice(const QString& words);
   void logged(const QString& words);

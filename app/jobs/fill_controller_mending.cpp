@@ -13,7 +13,7 @@ void FillController::mend(Mending what, const std::set<int>& loops) {
   std::map<int, MendingTask> by_scan;
   for (int loop : loops)
     if (document_.present(loop)) by_scan[document_.scan_of(loop)].loops.push_back(document_.loop(loop));
-  if (loops.empty() && (what == Mending::stitch || what == Mending::repair))
+  if (loops.empty() && (what == Mending::stitch || what == Mending::repair || what == Mending::prepare))
     for (int scan : document_.scans()) by_scan[scan];
   if (by_scan.empty()) return;
   std::vector<MendingTask> tasks;

@@ -124,6 +124,17 @@ void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
   add_patch(group, group.indices, std::move(outcome.bridge->membrane), outcome.message, result);
 }
 
+/// Takes loops out of the task that no patch can close.
+void refuse(FillTask& task, const CancelToken& cancel, FillResult& result) {
+  std::erase_if(task.wanted, [&](const auto& entry) {
+    const auto& [index, loop] = entry;
+    if (cancel.cancelled() || loop.kind == LoopKind::cut) return false;
+    const std::string why = why_no_patch_exists(task.scan_context->index(), loop);
+    if (!why.empty()) result.failures[index] = why;
+    return !why.empty();
+  });
+}
+
 /// What goes wrong in one group leaves the others alone.
 FillResult failed(const Group& group, const char* why) {
   FillResult result;
@@ -137,8 +148,10 @@ FillResult failed(const Group& group, const char* why) {
 FillResult make_initial_patches(const std::vector<FillTask>& tasks, const std::function<void(int)>& progress,
                                 const CancelToken& cancel) {
   FillResult result;
+  std::vector<FillTask> possible = tasks;
+  for (FillTask& task : possible) refuse(task, cancel, result);
   std::vector<Group> groups;
-  for (const FillTask& task : tasks) {
+  for (const FillTask& task : possible) {
     std::vector<Group> more = groups_of(task);
     std::move(more.begin(), more.end(), std::back_inserter(groups));
   }

@@ -6,6 +6,7 @@
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/hand_bridge.h"
+#include "pipeline/scan_job.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 
@@ -57,11 +58,7 @@ std::optional<MendedScan> stitched(const MendingTask& task) {
                     FillController::tr("Stitch %1").arg(old.name), words};
 }
 
-std::optional<MendedScan> repaired(const MendingTask& task) {
-  const OpenedScan& old = *task.opened;
-  RepairedSurface result = repair_surface(old.model->soup, task.defects, task.cancel);
-  const RepairCounts& counts = result.counts;
-  if (!counts.any()) return std::nullopt;
+QStringList list_of(const RepairCounts& counts) {
   QStringList done;
   const auto add = [&done](std::size_t count, const QString& text) {
     if (count > 0) done << text;
@@ -77,10 +74,39 @@ std::optional<MendedScan> repaired(const MendingTask& task) {
   add(counts.turned_faces, FillController::tr("%Ln faces turned", nullptr, n(counts.turned_faces)));
   add(counts.cut_handles, FillController::tr("%Ln tiny handles cut open", nullptr, n(counts.cut_handles)));
   add(counts.removed_pieces, FillController::tr("%Ln loose crumbs removed", nullptr, n(counts.removed_pieces)));
-  const QString words =
-      FillController::tr("%1: %2. Ctrl+Z takes it back.").arg(old.name, done.join(QStringLiteral(", ")));
+  return done;
+}
+
+QString sentence_of(const OpenedScan& scan, const QStringList& done) {
+  return FillController::tr("%1: %2. Ctrl+Z takes it back.").arg(scan.name, done.join(QStringLiteral(", ")));
+}
+
+std::optional<MendedScan> repaired(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  RepairedSurface result = repair_surface(as_read(*old.model), task.defects, task.cancel);
+  if (!result.counts.any()) return std::nullopt;
   return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
-                    FillController::tr("Repair %1").arg(old.name), words};
+                    FillController::tr("Repair %1").arg(old.name), sentence_of(old, list_of(result.counts))};
+}
+
+/// What `fill --auto` does before it fills.
+std::optional<MendedScan> prepared(const MendingTask& task) {
+  const OpenedScan& old = *task.opened;
+  ScanJob job;
+  job.prepare.extent = PrepareOptions::Extent::where_needed;
+  ScanPlan plan = plan_scan(record_of(as_read(*old.model)), *old.model, job, task.cancel);
+  QStringList done;
+  const auto n = [](std::size_t count) { return static_cast<int>(count); };
+  const std::size_t joined = (plan.done.stitched ? plan.done.stitched->joined_vertices : 0) + plan.done.joined_again;
+  if (joined > 0) done << FillController::tr("%Ln vertices joined", nullptr, n(joined));
+  if (plan.done.stitched && plan.done.stitched->split_faces > 0)
+    done << FillController::tr("%Ln faces split", nullptr, n(plan.done.stitched->split_faces));
+  if (plan.done.repaired) done << list_of(*plan.done.repaired);
+  if (!plan.trimmed.empty())
+    done << FillController::tr("%Ln crossing triangles removed", nullptr, n(plan.trimmed.size()));
+  if (done.isEmpty()) return std::nullopt;
+  return MendedScan{task.scan, made_scan(std::move(plan.model.soup), old.name, old.origin),
+                    FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
 }
 
 MendedScan bridged(const MendingTask& task) {
@@ -186,6 +212,7 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
     case Mending::trim: result = trimmed(task); break;
     case Mending::trim_crossing: result = trimmed_where_it_crosses(task); break;
     case Mending::stitch: result = stitched(task); break;
+    case Mending::prepare: result = prepared(task); break;
     case Mending::repair: result = repaired(task); break;
     case Mending::bridge: result = bridged(task); break;
     case Mending::erase: result = erased(task); break;
@@ -206,6 +233,7 @@ QString nothing_to_mend(Mending what) {
           "There are no bad triangles at these boundaries. A right click on the hole offers to erase a ring of faces.");
     case Mending::trim_crossing: return FillController::tr("No edge of these boundaries runs through the surface.");
     case Mending::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
+    case Mending::prepare: return FillController::tr("Nothing stands in the way of filling this scan.");
     case Mending::repair: return FillController::tr("There is nothing to repair.");
     case Mending::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
     case Mending::bridge:
@@ -219,6 +247,7 @@ QString mending_title(Mending what) {
     case Mending::trim: return FillController::tr("Trimming boundaries");
     case Mending::trim_crossing: return FillController::tr("Trimming crossing triangles");
     case Mending::stitch: return FillController::tr("Stitching boundaries");
+    case Mending::prepare: return FillController::tr("Preparing the scan");
     case Mending::repair: return FillController::tr("Repairing the scan");
     case Mending::bridge: return FillController::tr("Bridging a hole");
     case Mending::erase: return FillController::tr("Erasing a region");

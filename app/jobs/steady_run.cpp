@@ -24,7 +24,7 @@ std::string message_of(const PatchResult& result) {
     switch (result.method) {
       case Method::robust_fairing: return "robust fairing in place of the flow";
       case Method::sharp_edges: return "sharp edges continued in place of the flow";
-    case Method::linear_fairing: return "linear fairing in place of the flow";
+      case Method::linear_fairing: return "linear fairing in place of the flow";
       case Method::split_flow: return result.reason.empty() ? "the flow on the smooth surface under the scan" : "";
       case Method::mixed_order: return "the flow with bending energy mixed in";
       case Method::initial_patch:

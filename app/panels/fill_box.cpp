@@ -134,7 +134,7 @@ FillChoice FillBox::choice() const {
 
 void FillBox::mend(Mending what) {
   const bool of_holes = what == Mending::trim || what == Mending::trim_crossing;
-  // Stitching and repairing concern the whole of the scans, whatever is filled already.
+  // The others concern whole scans, whatever is filled already.
   controller_.mend(what, of_holes ? loops_to_fill(document_, selection_) : selection_.selected());
 }
 

@@ -101,7 +101,7 @@ QWidget* HolesPanel::build_filter() {
                                     {tr("Open loops"), HoleGroup::to_do},
                                     {tr("Filled"), HoleGroup::filled},
                                     {tr("Accepted"), HoleGroup::accepted},
-                                    {tr("Problems"), HoleGroup::fault},
+                                    {tr("To look at"), HoleGroup::fault},
                                     {tr("Left out"), HoleGroup::left_out}})
     group_->addItem(text, static_cast<int>(group));
   explain(group_, tr("Group"), tr("Show only the loops of one group"));
@@ -168,7 +168,8 @@ void HolesPanel::build_table() {
     const QPoint place = table_->viewport()->mapToGlobal(at);
     table_->indexAt(at).isValid() ? Q_EMIT hole_menu_wanted(place) : show_column_menu(place);
   });
-  for (int column : {HoleTable::perimeter, HoleTable::area, HoleTable::planarity, HoleTable::scan})
+  for (int column : {HoleTable::perimeter, HoleTable::area, HoleTable::planarity, HoleTable::kind, HoleTable::scan,
+                     HoleTable::boundary})
     table_->setColumnHidden(column, true);
   fit_columns();
 }
@@ -203,10 +204,10 @@ void HolesPanel::show_column_menu(const QPoint& at) {
 void HolesPanel::fit_state_column() {
   constexpr int sign_and_margins = 32;
   int needed = 0;
-  std::set<HoleState> states;
+  std::set<QString> texts;
   for (int loop = 0; loop < document_.loop_count(); ++loop)
-    if (document_.present(loop)) states.insert(document_.state(loop));
-  for (HoleState state : states) needed = std::max(needed, fontMetrics().horizontalAdvance(labels::state(state)));
+    if (document_.present(loop)) texts.insert(labels::verdict_or_state(document_, loop));
+  for (const QString& text : texts) needed = std::max(needed, fontMetrics().horizontalAdvance(text));
   needed += sign_and_margins;
   int left = table_->viewport()->width();
   for (int column = 0; column < HoleTable::state; ++column)
@@ -283,15 +284,17 @@ void HolesPanel::show_selection() {
 void HolesPanel::go(Way way) {
   const int count = sorted_->rowCount();
   if (count == 0) return;
-  int row = way == Way::next ? -1 : count;
+  const bool forward = way != Way::previous;
+  int row = forward ? -1 : count;
   if (!selection_.selected().empty()) {
-    const int loop = way == Way::next ? *selection_.selected().rbegin() : *selection_.selected().begin();
+    const int loop = forward ? *selection_.selected().rbegin() : *selection_.selected().begin();
     if (const QModelIndex at = sorted_->mapFromSource(model_->index(loop, 0)); at.isValid()) row = at.row();
   }
   // Outer rims and cracks are passed over, unless there is nothing else.
   for (int tried = 0; tried < count; ++tried) {
-    row = (row + (way == Way::next ? 1 : count - 1)) % count;
-    if (document_.fillable(loop_at(sorted_->index(row, 0)))) break;
+    row = (row + (forward ? 1 : count - 1)) % count;
+    const int loop = loop_at(sorted_->index(row, 0));
+    if (way == Way::next_to_look_at ? document_.to_look_at(loop) : document_.fillable(loop)) break;
   }
   const int loop = loop_at(sorted_->index(std::clamp(row, 0, count - 1), 0));
   selection_.select({loop});

@@ -28,7 +28,7 @@ class HolesPanel : public QWidget {
  public:
   HolesPanel(Document& document, HoleSelection& selection, QWidget* parent = nullptr);
 
-  enum class Way { next, previous };
+  enum class Way { next, previous, next_to_look_at };
   /// Selects the next loop of the table, and flies there.
   void go(Way way);
   void focus_filter();

@@ -233,6 +233,7 @@ void MainWindow::connect_document() {
 
 void MainWindow::connect_panels() {
   connect(holes_, &HolesPanel::fly_to, view_, &MeshView::fly_to);
+  connect(&controller_, &FillController::filled, view_, &MeshView::fly_to_unseen);
   connect(holes_, &HolesPanel::fill_wanted, &patch_->fill_box(),
           qOverload<const std::set<int>&>(&FillBox::fill_and_smooth));
   connect(patch_, &PatchPanel::updated, this, &MainWindow::update_actions);

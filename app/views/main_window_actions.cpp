@@ -93,6 +93,7 @@ void MainWindow::connect_view_actions() {
   a.on("undo", this, [this] { undo_.undo(); });
   a.on("redo", this, [this] { undo_.redo(); });
   a.on("nextHole", this, [this] { holes_->go(HolesPanel::Way::next); });
+  a.on("nextToLookAt", this, [this] { holes_->go(HolesPanel::Way::next_to_look_at); });
   a.on("previousHole", this, [this] { holes_->go(HolesPanel::Way::previous); });
   a.on("filter", holes_, &HolesPanel::focus_filter);
   a.on("selectAll", holes_, &HolesPanel::select_all_holes);
@@ -104,7 +105,8 @@ void MainWindow::connect_patch_actions() {
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
   for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim},
                                    {"trimCrossingAction", Mending::trim_crossing},
-                                   {"stitchAction", Mending::stitch}})
+                                   {"stitchAction", Mending::stitch},
+                                   {"prepareAction", Mending::prepare}})
     a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
   a.on("eraseRingAction", this, [this] { controller_.mend(Mending::erase, selection_.selected()); });
   a.on("partAction", this, [this] { controller_.mend(Mending::part, selection_.selected()); });
@@ -194,6 +196,7 @@ void MainWindow::update_actions() {
   const int cracks = cracks_left(document_);
   a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %Ln crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));
   follow("repairAction", "repair");
+  follow("prepareAction", "repair");
   const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
   a["eraseRingAction"]->setEnabled(idle && !loops_to_fill(document_, selection_).empty() &&
                                    !selection_.selected().empty());

@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace loopmend {
 
@@ -76,6 +77,8 @@ class MeshView : public QWidget {
   void frame();
   /// Turns and moves until the loop is seen from above. What hides it is shown.
   void fly_to(int loop);
+  /// Flies to the widest of the loops, unless one of them is seen from above already.
+  void fly_to_unseen(const std::set<int>& loops);
   bool is_flying() const;
 
   /// As seen, without overlay, in device pixels.

@@ -339,6 +339,23 @@ void MeshView::fly_to(int loop) {
   impl_->flight->start(impl_->camera(), pose_of(goal), [this] { redraw(); });
 }
 
+void MeshView::fly_to_unseen(const std::set<int>& loops) {
+  constexpr double least_cosine = 0.3;  // between the line of sight and the direction in which the hole opens
+  const Document& document = impl_->document;
+  const Vec3 eye = pose_of(impl_->camera()).position;
+  int widest = no_loop;
+  for (int loop : loops) {
+    if (loop >= document.loop_count() || !document.present(loop)) continue;
+    const BoundaryLoop& target = document.loop(loop);
+    const Vec3 to_eye = (eye - (target.center - document.origin())).normalized();
+    const bool faces = facing(*document.scan(document.scan_of(loop))->model, target).dot(to_eye) > least_cosine;
+    const bool inside = rect().contains(position_of(loop, 0)) && rect().contains(position_of(loop, target.edges() / 2));
+    if (faces && inside && !impl_->visibility.is_hidden_loop(loop)) return;
+    if (widest == no_loop || target.diameter > document.loop(widest).diameter) widest = loop;
+  }
+  fly_to(widest);
+}
+
 QImage MeshView::picture() const { return impl_->canvas->grabFramebuffer(); }
 
 bool MeshView::is_flying() const { return impl_->flight->is_flying(); }

@@ -53,6 +53,10 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select every hole"), "Ctrl+A", nullptr},
     {"nextHole", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Next hole"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select the next hole of the table and fly there"), "N", nullptr},
+    {"nextToLookAt", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Next to &look at"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Select the next hole whose patch has a fault or a doubt, or that stayed open, and fly there"),
+     "L", nullptr},
     {"previousHole", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Previous hole"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select the hole before and fly there"), "Shift+N", nullptr},
     {"filter", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Filter holes"),
@@ -113,6 +117,10 @@ const Spec specs[] = {
     {"initialAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Initial &patch only"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all; no flow runs yet"), "Ctrl+Shift+F",
      nullptr},
+    {"prepareAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Prepare the sca&n"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Stitch, repair and trim where the scan needs that to be filled, and change nothing else"),
+     "", nullptr},
     {"trimAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Tri&m the boundary"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Remove bad triangles at the boundaries of the selected holes, or of all"),
@@ -205,9 +213,26 @@ QMenu* WindowActions::make_hole_menu() {
   auto* menu = new QMenu(window_);
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const char* name : {"fillAction", "initialAction", "runAction", "-", "toolFillPartAction", "-", "trimAction",
-                           "trimCrossingAction", "eraseRingAction", "stitchAction", "repairAction", "toolBridgeAction",
-                           "partAction", "-", "acceptAction", "rejectAction", "-", "compare", "copyAction"}) {
+  for (const char* name : {"fillAction",
+                           "initialAction",
+                           "runAction",
+                           "-",
+                           "toolFillPartAction",
+                           "-",
+                           "prepareAction",
+                           "trimAction",
+                           "trimCrossingAction",
+                           "eraseRingAction",
+                           "stitchAction",
+                           "repairAction",
+                           "toolBridgeAction",
+                           "partAction",
+                           "-",
+                           "acceptAction",
+                           "rejectAction",
+                           "-",
+                           "compare",
+                           "copyAction"}) {
     if (*name == '-')
       menu->addSeparator();
     else
@@ -238,7 +263,8 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   close_ = new QMenu(tr("C&lose"), file);
   file->insertMenu((*this)["sample"], recent_);
   file->insertMenu((*this)["quit"], close_);
-  add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "filter", "-", "preferences"});
+  add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "nextToLookAt", "filter", "-",
+                         "preferences"});
   QMenu* view = add_menu(
       tr("&View"), {"curvature",    "gaussian",   "plain",      "zebra",        "isophotes", "scanColors", "-",
                     "wireframe",    "seams",      "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
@@ -248,6 +274,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   add_menu(tr("&Patch"), {"fillAction",
                           "initialAction",
                           "-",
+                          "prepareAction",
                           "trimAction",
                           "trimCrossingAction",
                           "eraseRingAction",

@@ -70,6 +70,31 @@ TEST_F(HoleFilterTest, SortsByTheNumbersBehindTheCells) {
   EXPECT_EQ(shown(), (Loops{boundary, square, diamond}));
 }
 
+TEST_F(HoleFilterTest, SortsWhatAPersonShouldLookAtToTheTop) {
+  const auto with_verdict = [](PatchStatus status, Grade grade, double crease_deg) {
+    auto state = std::make_shared<PatchState>(*state_at(status));
+    Verdict& verdict = state->verdicts.emplace_back();
+    verdict.grade = grade;
+    verdict.crease_deg = crease_deg;
+    return state;
+  };
+  add_patch(document, {square}, with_verdict(PatchStatus::converged, Grade::good, 2.4));
+  const int doubtful = add_patch(document, {diamond}, with_verdict(PatchStatus::converged, Grade::look, 31.6));
+  filter.sort(HoleTable::state, Qt::AscendingOrder);
+  EXPECT_EQ(shown(), (Loops{diamond, square, boundary}));
+  EXPECT_TRUE(document.to_look_at(diamond));
+  EXPECT_FALSE(document.to_look_at(square));
+  const auto cell = [&](int loop, int column) {
+    return table.data(table.index(loop, column), Qt::DisplayRole).toString();
+  };
+  EXPECT_EQ(cell(square, HoleTable::state), QStringLiteral("good")) << "the verdict, not how the solver ended";
+  EXPECT_EQ(cell(diamond, HoleTable::state), QStringLiteral("look"));
+  EXPECT_EQ(cell(boundary, HoleTable::state), QStringLiteral("outer rim")) << "why it is left out";
+  EXPECT_EQ(cell(diamond, HoleTable::crease), QStringLiteral("32\u00b0"));
+  document.replace({doubtful}, {});
+  EXPECT_EQ(cell(diamond, HoleTable::crease), QString());
+}
+
 TEST_F(HoleFilterTest, LeavesOutTheLoopsOfAScanThatWasTakenAway) {
   document.add_scan(scan_from(QStringLiteral("/scans/other.ply")));
   document.take_scan(0);

@@ -9,6 +9,7 @@
 #include "document/labels.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "pipeline/scan_job.h"
 #include "samples/analytic_surfaces.h"
 #include "views/file_controller.h"
 
@@ -95,6 +96,7 @@ class MendingTest : public QObject {
   void export_dialog_tells_the_verdict();
   void patches_are_exported_by_themselves();
   void defects_are_listed_and_mended_one_by_one();
+  void preparing_does_what_the_command_line_does_with_auto();
   void fix_all_leaves_nothing_to_fix_data();
   void fix_all_leaves_nothing_to_fix();
   void doll_becomes_printable();
@@ -186,6 +188,33 @@ void MendingTest::defects_are_listed_and_mended_one_by_one() {
   QVERIFY(has_counted(dialog));
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
   dialog->close();
+}
+
+/// A ball with a hole, and a fin that stands on an edge of it: both run along an edge of three faces.
+void MendingTest::preparing_does_what_the_command_line_does_with_auto() {
+  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
+  const Triangle t = soup.triangles[soup.triangles.size() / 2];
+  soup.points.push_back(1.5 * soup.points[static_cast<std::size_t>(t[0])]);
+  soup.triangles.push_back({t[0], t[1], static_cast<int>(soup.points.size()) - 1});
+  const QString path = folder_.filePath(QStringLiteral("fin.ply"));
+  write_mesh(path.toStdString(), soup);
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  trigger(window, "prepareAction");
+  QVERIFY(wait_idle(window));
+  const OpenedScan& prepared = *window.document().scan(window.document().scans().front());
+  const auto is_cut = [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; };
+  QVERIFY(std::none_of(prepared.loops.begin(), prepared.loops.end(), is_cut));
+  ScanJob job;
+  job.prepare.extent = PrepareOptions::Extent::where_needed;
+  const ScanPlan plan = plan_scan(record_of(soup), make_surface_model(soup), job);
+  QCOMPARE(prepared.model->soup.points, plan.model.soup.points);
+  QCOMPARE(prepared.model->soup.triangles, plan.model.soup.triangles);
+  trigger(window, "prepareAction");  // nothing is left to do: one step of undo
+  QVERIFY(wait_idle(window));
+  window.undo().undo();
+  const OpenedScan& back = *window.document().scan(window.document().scans().front());
+  QVERIFY(std::any_of(back.loops.begin(), back.loops.end(), is_cut));
 }
 
 void MendingTest::fix_all_leaves_nothing_to_fix_data() {
@@ -300,9 +329,12 @@ void MendingTest::a_dome_over_a_flat_loop_is_red() {
   settle();
   QVERIFY2(pixels_of(table, state, red) > 5, "the sign in the table is not red");
   auto* group = part<QComboBox>(window, "holesGroup");
-  group->setCurrentIndex(group->findText(QStringLiteral("Problems")));
+  group->setCurrentIndex(group->findText(QStringLiteral("To look at")));
   QCOMPARE(table->model()->rowCount(), 1);
   group->setCurrentIndex(0);
+  key(window, Qt::Key_L);
+  QCOMPARE(window.selection().selected(), std::set<int>{0});
+  window.selection().select({});
   // The flat cap that is made by default is marked by nothing.
   key(window, Qt::Key_Z, Qt::ControlModifier);
   window.selection().select({0});

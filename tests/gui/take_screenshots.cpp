@@ -80,7 +80,8 @@ void show_story(MainWindow& window, const QString& file) {
   window.open(file);
   wait_idle(window);
   shoot(window, "opened");
-  const QPoint at = visible_point(window, 0);
+  const int hole = first_hole(window.document());
+  const QPoint at = visible_point(window, hole);
   if (at.x() >= 0) {
     shoot(window, "hover");
     QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, at);
@@ -91,9 +92,9 @@ void show_story(MainWindow& window, const QString& file) {
   press(window, "fill");
   wait_idle(window);
   shoot(window, "filled");
-  window.view().fly_to(0);
+  window.view().fly_to(hole);
   linger(800);
-  window.selection().select({0});
+  window.selection().select({hole});
   part<QSlider>(window, "sigma")->setValue(-10);
   press(window, "run");
   linger(300);
@@ -101,9 +102,10 @@ void show_story(MainWindow& window, const QString& file) {
   window.controller().cancel();
   linger(200);
   window.selection().select({});
+  while (window.undo().can_undo()) window.undo().undo();
   press(window, "fillAndSmooth");
   wait_idle(window, 300);
-  window.selection().select({0});
+  window.selection().select({hole});
   linger(200);
   shoot(window, "window");
   shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");

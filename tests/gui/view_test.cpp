@@ -81,6 +81,7 @@ class ViewTest : public QObject {
   void frame_keeps_clear_of_the_legend_data();
   void frame_keeps_clear_of_the_legend();
   void each_scan_may_have_its_own_range();
+  void a_filled_hole_comes_into_view();
   void a_distance_is_measured();
   void a_plane_cuts_the_picture_open();
   void a_large_scan_is_reduced_at_first();
@@ -93,6 +94,28 @@ class ViewTest : public QObject {
   }
   QTemporaryDir folder_;
 };
+
+/// Seen from behind, the hole is hidden by the ball; seen from its side, the eye stays where it is.
+void ViewTest::a_filled_hole_comes_into_view() {
+  const auto is_cap = [](const Vec3& p) { return p.z() > 0.9; };
+  Shown shown({file("ball.ply", cut(make_icosphere(3), is_cap))});
+  MainWindow& window = shown.window;
+  const auto fill_from = [&](NamedView side) {
+    window.view().look_from(side);
+    const Viewpoint before = window.view().viewpoint();
+    window.selection().select({0});
+    press(window, "fill");
+    if (!wait_idle(window) || !wait_until([&] { return !window.view().is_flying(); })) return before;
+    return window.view().viewpoint();
+  };
+  const Viewpoint turned = fill_from(NamedView::back);
+  QVERIFY2((turned.eye - turned.focus).normalized().z() > 0.5, "the eye is not above the hole");
+  window.undo().undo();
+  window.view().look_from(NamedView::front);
+  const Viewpoint above = window.view().viewpoint();
+  const Viewpoint stayed = fill_from(NamedView::front);
+  QVERIFY(near(stayed.eye, above.eye) && near(stayed.focus, above.focus));
+}
 
 void ViewTest::the_picture_is_moved_and_asked_by_keys() {
   Shown shown({sample_file(folder_)});
