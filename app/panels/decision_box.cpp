@@ -71,7 +71,11 @@ void DecisionBox::build() {
   grid->addWidget(timeline_, 1, 0, 1, 2);
   grid->addWidget(accept_, 2, 0);
   grid->addWidget(reject_, 2, 1);
-  grid->addWidget(copy_, 3, 0, 1, 2);
+  auto* seam = make_button("showSeam", tr("Seam and plots"),
+                           tr("Show or hide the seam in numbers, the energy of the run, a section, and the log"));
+  connect(seam, &QPushButton::clicked, this, &DecisionBox::seam_wanted);
+  grid->addWidget(seam, 3, 0, 1, 2);
+  grid->addWidget(copy_, 4, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }

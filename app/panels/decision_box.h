@@ -30,6 +30,7 @@ class DecisionBox : public QGroupBox {
   void update_timeline();
 
  Q_SIGNALS:
+  void seam_wanted();
   void notice(const QString& words);
   /// The patch whose state the timeline tells, or no_patch; again whenever that state is another.
   void state_told(int patch_id);

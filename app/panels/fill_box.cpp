@@ -12,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -100,13 +101,19 @@ void FillBox::build() {
   grid->addWidget(estimate_, 1, 0, 1, 3);
   grid->addWidget(whole_, 2, 0, 1, 3);
   grid->addWidget(fill_, 3, 0, 1, 3);
-  grid->addWidget(density_label, 4, 0);
-  grid->addWidget(density_, 4, 1);
-  grid->addWidget(preview_, 4, 2);
-  grid->addWidget(islands_, 5, 0, 1, 3);
   auto* mending = new QHBoxLayout;
   for (QPushButton* button : {trim_, stitch_, repair_}) mending->addWidget(button);
-  grid->addLayout(mending, 6, 0, 1, 3);
+  grid->addLayout(mending, 4, 0, 1, 3);
+  auto* more = new QWidget;
+  auto* rest = new QGridLayout(more);
+  rest->setContentsMargins(0, 0, 0, 0);
+  rest->addWidget(density_label, 0, 0);
+  rest->addWidget(density_, 0, 1);
+  rest->addWidget(preview_, 0, 2);
+  rest->addWidget(islands_, 1, 0, 1, 3);
+  rest->setColumnStretch(1, 1);
+  grid->addWidget(make_fold("moreOfFill", tr("More options"), more), 5, 0, 1, 3);
+  grid->addWidget(more, 6, 0, 1, 3);
   grid->setColumnStretch(1, 1);
 }
 

@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -85,19 +86,26 @@ void FlowBox::build() {
                          tr("Two to four flows from one start, side by side, in a window of their own (C)"));
   grid->addWidget(target_, 0, 0, 1, 2);
   grid->addWidget(flow_, 1, 0, 1, 2);
-  grid->addWidget(help_, 2, 0, 1, 2);
-  grid->addWidget(boundary_label, 3, 0);
-  grid->addWidget(boundary_, 3, 1);
-  grid->addWidget(continuity_label, 4, 0);
-  grid->addWidget(continuity_, 4, 1);
-  grid->addWidget(relief_, 5, 0, 1, 2);
-  grid->addWidget(edges_, 6, 0, 1, 2);
-  grid->addWidget(run_, 7, 0);
-  grid->addWidget(compare_, 7, 1);
-  grid->addWidget(sigma_label, 8, 0);
-  grid->addWidget(sigma_value_, 8, 1);
-  grid->addWidget(sigma_, 9, 0);
-  grid->addWidget(step_, 9, 1);
+  grid->addWidget(run_, 2, 0);
+  grid->addWidget(compare_, 2, 1);
+  auto* more = new QWidget;
+  auto* rest = new QGridLayout(more);
+  rest->setContentsMargins(0, 0, 0, 0);
+  rest->addWidget(help_, 0, 0, 1, 2);
+  rest->addWidget(boundary_label, 1, 0);
+  rest->addWidget(boundary_, 1, 1);
+  rest->addWidget(continuity_label, 2, 0);
+  rest->addWidget(continuity_, 2, 1);
+  rest->addWidget(relief_, 3, 0);
+  rest->addWidget(edges_, 3, 1);
+  rest->addWidget(sigma_label, 4, 0);
+  rest->addWidget(sigma_value_, 4, 1);
+  rest->addWidget(sigma_, 5, 0);
+  rest->addWidget(step_, 5, 1);
+  rest->setColumnStretch(0, 1);
+  rest->setColumnStretch(1, 1);
+  grid->addWidget(make_fold("moreOfFlow", tr("More options"), more), 3, 0, 1, 2);
+  grid->addWidget(more, 4, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }

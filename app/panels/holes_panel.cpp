@@ -22,6 +22,7 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QTableView>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -64,6 +65,7 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
   below->addWidget(summary_, 1);
   below->addWidget(all_);
   layout->addLayout(below);
+  layout->addWidget(make_fold("fillBySize", tr("Fill by size, outer rims"), small_));
   layout->addWidget(small_);
 
   connect(&document, &Document::opened, this, &HolesPanel::update_summary);
@@ -168,8 +170,8 @@ void HolesPanel::build_table() {
     const QPoint place = table_->viewport()->mapToGlobal(at);
     table_->indexAt(at).isValid() ? Q_EMIT hole_menu_wanted(place) : show_column_menu(place);
   });
-  for (int column : {HoleTable::perimeter, HoleTable::area, HoleTable::planarity, HoleTable::kind, HoleTable::scan,
-                     HoleTable::boundary})
+  for (int column : {HoleTable::edges, HoleTable::perimeter, HoleTable::area, HoleTable::planarity, HoleTable::kind,
+                     HoleTable::scan, HoleTable::boundary})
     table_->setColumnHidden(column, true);
   fit_columns();
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/parts.h"
 
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QPushButton>
 #include <QScreen>
+#include <QToolButton>
 
 namespace loopmend {
 
@@ -24,6 +26,25 @@ QDialogButtonBox* make_dialog_buttons(QDialogButtonBox::StandardButtons which) {
   auto* buttons = new QDialogButtonBox(which);
   for (QAbstractButton* button : buttons->buttons()) button->setIcon({});
   return buttons;
+}
+
+QToolButton* make_fold(const char* name, const QString& title, QWidget* content) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setText(title);
+  explain(button, title, QCoreApplication::translate("loopmend", "Show or hide what is rarely needed"));
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setArrowType(Qt::RightArrow);
+  button->setAutoRaise(true);
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  content->setObjectName(QLatin1String(name) + QStringLiteral("Content"));
+  content->hide();
+  QObject::connect(button, &QToolButton::toggled, content, [button, content](bool open) {
+    button->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    content->setVisible(open);
+  });
+  return button;
 }
 
 void explain(QWidget* widget, const QString& name, const QString& help) {

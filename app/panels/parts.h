@@ -9,6 +9,7 @@
 #include <QString>
 
 class QPushButton;
+class QToolButton;
 class QWidget;
 
 namespace loopmend {
@@ -19,6 +20,8 @@ QPushButton* make_button(const char* name, const QString& text, const QString& h
 QuietLabel* make_note(const char* name);
 /// Without the style's icons, which are made for a light ground.
 QDialogButtonBox* make_dialog_buttons(QDialogButtonBox::StandardButtons which);
+/// A button that shows and hides what is rarely needed; hidden at first. The content is put into a layout beside it.
+QToolButton* make_fold(const char* name, const QString& title, QWidget* content);
 /// Tooltip, and the same words for screen readers.
 void explain(QWidget* widget, const QString& name, const QString& help);
 

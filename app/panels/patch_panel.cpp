@@ -8,11 +8,28 @@
 #include "panels/flow_box.h"
 #include "panels/progress_box.h"
 
+#include <QGroupBox>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace loopmend {
+
+namespace {
+
+/// What opens must not make the panel wider.
+int width_with_folds(const QWidget& content) {
+  constexpr int margins_of_box_and_panel = 40;
+  int width = content.minimumSizeHint().width();
+  for (const auto* box : content.findChildren<QGroupBox*>())
+    for (const auto* fold : box->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+      width = std::max(width, fold->minimumSizeHint().width() + margins_of_box_and_panel);
+  return width;
+}
+
+}  // namespace
 
 PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection, FillController& controller,
                        QWidget* parent)
@@ -41,7 +58,7 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   auto* progress = new ProgressBox(controller);
   progress->setContentsMargins(8, 0, 8, 0);
   whole->addWidget(progress);
-  setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width() + 2);
+  setMinimumWidth(width_with_folds(*content) + scroll->verticalScrollBar()->sizeHint().width() + 2);
   connect(fill_, &FillBox::wanted, &controller,
           [this, &controller](const std::set<int>& loops, const std::set<int>& patch_ids, const FillChoice& choice) {
             controller.fill_and_smooth(loops, patch_ids, choice, flow_->options());

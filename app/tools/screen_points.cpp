@@ -30,7 +30,7 @@ bool ScreenPoints::is_seen(const ViewSpace& space, int i) {
   project(space);
   const Eigen::Vector3f& p = pixels_[static_cast<std::size_t>(i)];
   if (p.z() < 0) return false;
-  constexpr int around = 1;
+  constexpr int around = 2;  // pixels: a surface that is seen at a slant is deeper beside its vertex
   constexpr float slack = 3e-4F;
   const int x = static_cast<int>(std::lround(p.x())), y = static_cast<int>(std::lround(p.y()));
   for (int j = std::max(0, y - around); j <= std::min(height_ - 1, y + around); ++j)

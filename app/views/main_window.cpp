@@ -37,6 +37,8 @@
 #include <QMimeData>
 #include <QRadioButton>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QTimer>
@@ -115,6 +117,20 @@ void MainWindow::build_centre() {
   setCentralWidget(middle);
 }
 
+namespace {
+
+QWidget* scrolled(QWidget* content) {
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+  return scroll;
+}
+
+}  // namespace
+
 void MainWindow::build_docks() {
   setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
@@ -135,13 +151,14 @@ void MainWindow::build_docks() {
     dock_toggles_ << made->toggleViewAction();
     return made;
   };
-  QDockWidget* left = dock("holesDock", tr("Holes"), holes_, Qt::LeftDockWidgetArea);
-  QDockWidget* scene = dock("sceneDock", tr("Scene"), scene_, Qt::LeftDockWidgetArea);
+  QDockWidget* holes = dock("holesDock", tr("Holes"), holes_, Qt::RightDockWidgetArea);
+  QDockWidget* scene = dock("sceneDock", tr("Scene"), scene_, Qt::RightDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
-  QDockWidget* look = dock("lookDock", tr("Display"), look_, Qt::RightDockWidgetArea);
+  QDockWidget* look = dock("lookDock", tr("Display"), scrolled(look_), Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("inspectDock", tr("Inspect"), inspect_, Qt::BottomDockWidgetArea);
   QDockWidget* tools = dock("toolsDock", tr("Tools"), tools_->panel(), Qt::RightDockWidgetArea);
-  tabifyDockWidget(left, scene);
+  splitDockWidget(holes, right, Qt::Vertical);
+  tabifyDockWidget(holes, scene);
   tabifyDockWidget(right, tools);
   tabifyDockWidget(tools, look);
   connect(tools_, &ToolController::tool_changed, tools, [this, tools](Tool tool) {
@@ -151,9 +168,13 @@ void MainWindow::build_docks() {
   connect(tools, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (!visible && isVisible() && !isMinimized()) tools_->take(Tool::none);
   });
-  left->raise();
+  holes->raise();
   right->raise();
-  resizeDocks({left, right}, {424, 272}, Qt::Horizontal);
+  bottom->hide();  // plots and log, until a person asks for them
+  connect(&patch_->decision_box(), &DecisionBox::seam_wanted, bottom,
+          [bottom] { bottom->setVisible(bottom->isHidden()); });
+  resizeDocks({holes}, {370}, Qt::Horizontal);
+  resizeDocks({holes, right}, {280, 490}, Qt::Vertical);
   resizeDocks({bottom}, {214}, Qt::Vertical);
 }
 

@@ -11,10 +11,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include <clocale>
 #include <cstdio>
@@ -205,6 +208,25 @@ WhenAsked::WhenAsked(std::function<void(QDialog&)> answer) {
 
 void trigger(MainWindow& window, const char* action) {
   window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
+}
+
+void reveal(QObject* widget) {
+  if (!qobject_cast<QWidget*>(widget)) return;
+  for (QObject* above = widget ? widget->parent() : nullptr; above; above = above->parent()) {
+    auto* around = qobject_cast<QWidget*>(above);
+    if (auto* scroll = qobject_cast<QScrollArea*>(around); scroll && scroll->widget() != widget && scroll->isVisible())
+      scroll->ensureWidgetVisible(qobject_cast<QWidget*>(widget));
+    if (!around || !around->isHidden()) continue;
+    const QString fold = QString(around->objectName()).remove(QStringLiteral("Content"));
+    auto* toggle = around->window()->findChild<QToolButton*>(fold);
+    if (qobject_cast<QDockWidget*>(around))
+      around->show();
+    else if (toggle && fold != around->objectName())
+      toggle->setChecked(true);
+    else
+      continue;
+    settle();
+  }
 }
 
 void press(MainWindow& window, const char* button) {

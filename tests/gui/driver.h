@@ -44,9 +44,13 @@ class WhenAsked : public QObject {
   QTimer timer_;
 };
 
+/// Opens what hides the widget and scrolls to it, as a person would: a dock, a fold of a panel.
+void reveal(QObject* widget);
 template <class T>
 T* part(MainWindow& window, const char* name) {
-  return window.findChild<T*>(QLatin1String(name));
+  T* found = window.findChild<T*>(QLatin1String(name));
+  reveal(found);
+  return found;
 }
 void press(MainWindow& window, const char* button);
 /// As from a menu.

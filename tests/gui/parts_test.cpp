@@ -171,6 +171,7 @@ void PartsTest::ctrl_fills_the_longer_part() {
   QVERIFY(fly(window, 0));
   key(window, Qt::Key_G, Qt::ShiftModifier);
   QVERIFY(window.tools().panel()->tool() == Tool::fill_part);
+  settle();
   const int left = extreme_point(window, 0, {-1, 0.7, 0}), right = extreme_point(window, 0, {1, 0.7, 0});
   click_vertex(window, left);
   click_vertex(window, right, Qt::ControlModifier);

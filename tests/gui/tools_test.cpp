@@ -233,7 +233,7 @@ void ToolsTest::picked_points_and_a_box() {
   Shown shown({file("dodecahedron.ply", make_dodecahedron())});
   MainWindow& window = shown.window;
   key(window, Qt::Key_I);
-  QTest::mouseClick(part<QRadioButton>(window, "pointsPicked"), Qt::LeftButton);
+  part<QRadioButton>(window, "pointsPicked")->click();
   PointsTool& tool = window.tools().points();
   QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
   QWidget* canvas = window.view().canvas();

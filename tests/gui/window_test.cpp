@@ -70,6 +70,8 @@ class WindowTest : public QObject {
  private Q_SLOTS:
   void init();
   void draws_something_real();
+  void the_view_has_most_of_the_window_data();
+  void the_view_has_most_of_the_window();
   void counts_in_english();
   void whole_story_on_the_sample();
   void whole_story_on_the_bunny();
@@ -119,6 +121,27 @@ void WindowTest::draws_something_real() {
   QVERIFY2(part<Banner>(opened.window, "banner")->isHidden(), "no message was expected");
 }
 
+void WindowTest::the_view_has_most_of_the_window_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<double>("share");
+  QTest::newRow("1400x900") << QSize(1400, 900) << 0.6;
+  QTest::newRow("1280x720") << QSize(1280, 720) << 0.5;
+}
+
+void WindowTest::the_view_has_most_of_the_window() {
+  QFETCH(QSize, size);
+  QFETCH(double, share);
+  Opened opened(sample_);
+  QVERIFY(opened.opened);
+  MainWindow& window = opened.window;
+  window.resize(size - QSize(20, 40));  // with its frame on a screen of that size
+  settle();
+  const QSize view = window.view().size();
+  const double seen =
+      static_cast<double>(view.width()) * view.height() / (static_cast<double>(size.width()) * size.height());
+  QVERIFY2(seen >= share, qPrintable(QStringLiteral("%1 x %2: %3").arg(view.width()).arg(view.height()).arg(seen)));
+}
+
 void WindowTest::whole_story_on_the_sample() { whole_story(sample_); }
 
 void WindowTest::whole_story_on_the_bunny() {
@@ -148,6 +171,7 @@ void WindowTest::whole_story(const QString& path) {
 
   // Fill.
   QTest::mouseMove(window.view().canvas(), QPoint(3, 3));
+  part<QTableWidget>(window, "seamTable");  // opens its dock: the picture changes its size
   settle();
   const QImage open_picture = window.view().picture();
   press(window, "fill");
@@ -204,7 +228,7 @@ void WindowTest::rows_and_loops_light_up_together() {
   Opened opened(sample_);
   MainWindow& window = opened.window;
   auto* table = part<QTableView>(window, "holesTable");
-  const QPoint second_row = table->visualRect(table->model()->index(1, 1)).center();
+  const QPoint second_row = table->visualRect(table->model()->index(1, 0)).center();
   QTest::mouseMove(table->viewport(), second_row);
   QVERIFY(wait_until([&] { return window.selection().hovered() == 1; }));
   QTest::mouseMove(window.view().canvas(), QPoint(2, 2));
@@ -212,7 +236,7 @@ void WindowTest::rows_and_loops_light_up_together() {
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, second_row);
   QCOMPARE(window.selection().selected(), std::set<int>{1});
   QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::ControlModifier,
-                    table->visualRect(table->model()->index(2, 1)).center());
+                    table->visualRect(table->model()->index(2, 0)).center());
   QCOMPARE(window.selection().selected(), (std::set<int>{1, 2}));
   QTest::keyClick(&window, Qt::Key_Escape);
   QVERIFY(window.selection().selected().empty());
