@@ -16,6 +16,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs/user/pictures"))
+import make_cases  # noqa: E402, the models of the page "Which option for my case"
+
+
 def off(points, faces):
     lines = ["OFF", f"{len(points)} {len(faces)} 0"]
     lines += [" ".join(map(repr, p)) for p in points]
@@ -78,9 +83,11 @@ def terrain(across=60):
 
 
 def make_file(name, folder, run):
-    """The files that a page may need; PLY files are made from OFF by the program itself."""
+    """The files that a page may need; the tubes and the terrain are made from OFF by the program itself."""
     if name == "scan.ply":
         return run("loopmend sample -o scan.ply")
+    if name in make_cases.MODELS:
+        return make_cases.write_ply(folder / name, *make_cases.MODELS[name]())
     if name == "dodecahedron.off":
         return (folder / name).write_text(dodecahedron())
     texts = {"left.ply": tube(-4, -1), "right.ply": tube(1, 4), "terrain.ply": terrain()}
