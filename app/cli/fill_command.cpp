@@ -283,7 +283,7 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["bad_rim_faces"] = faces_json(bad);
   if (!scan.trimmable.empty() && command.job.prepare.trim_rounds == 0)
     json["suggestion"] = counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
-                         " at the boundaries: --trim-boundary 3 would remove them and what they leave behind";
+                         " at the boundaries; --trim-boundary 3 would remove what is bad.";
   json["loops"] = nlohmann::ordered_json::array();
   const std::size_t in_full = command.detail == Detail::all ? results.size() : most_loops_in_report;
   for (std::size_t k = 0; k < results.size(); ++k)
@@ -412,8 +412,10 @@ int run_fill(const FillCommand& command) {
     if (!scan.near.closing.empty()) print_coincident(out, opened.report, scan.loops);
     if (outcome.open_cuts > 0 && !outcome.in_vain() && command.job.prepare.extent == PrepareOptions::Extent::as_asked)
       std::fprintf(
-          out, "%s along edges of more than two faces and left open: fill again with --auto.\n",
-          counted(outcome.open_cuts, "loop that looks like a hole runs", "loops that look like holes run").c_str());
+          out, "%s left open: fill again with --auto.\n",
+          counted(outcome.open_cuts, "loop that looks like a hole runs along edges of more than two faces and is",
+                  "loops that look like holes run along edges of more than two faces and are")
+              .c_str());
     if (outcome.in_vain()) print_cure(out, scan, outcome.wide_cracks);
   }
   if (const int stopped_with = interrupt_exit_code(); stopped && stopped_with != 0) return stopped_with;
