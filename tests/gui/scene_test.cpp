@@ -78,6 +78,7 @@ QTreeWidgetItem* row(MainWindow& window, const QString& beginning) {
 }
 
 void click_check(MainWindow& window, QTreeWidgetItem* item) {
+  tree(window)->scrollToItem(item);
   const QRect place = tree(window)->visualItemRect(item);
   QTest::mouseClick(tree(window)->viewport(), Qt::LeftButton, {}, QPoint(place.left() + 8, place.center().y()));
 }
