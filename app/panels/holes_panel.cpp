@@ -67,6 +67,9 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
   layout->addLayout(below);
   layout->addWidget(make_fold("fillBySize", tr("Fill by size, outer rims"), small_));
   layout->addWidget(small_);
+  const QMargins around = layout->contentsMargins();
+  setMinimumWidth(small_->minimumSizeHint().width() + around.left() +
+                  around.right());  // opened, it must not make the column wider
 
   connect(&document, &Document::opened, this, &HolesPanel::update_summary);
   connect(&document, &Document::scans_changed, this, [this] {

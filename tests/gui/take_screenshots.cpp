@@ -31,6 +31,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cstdio>
@@ -106,6 +107,8 @@ void show_story(MainWindow& window, const QString& file) {
   press(window, "fillAndSmooth");
   wait_idle(window, 300);
   window.selection().select({hole});
+  part<QToolButton>(window, "moreOfFlow")->setChecked(false);
+  part<QPushButton>(window, "fillAndSmooth");  // scrolls to it
   linger(200);
   shoot(window, "window");
   shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");
