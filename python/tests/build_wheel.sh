@@ -23,7 +23,7 @@ if ! "$folder/builder/bin/pip" install --quiet --disable-pip-version-check "scik
 fi
 # The compiler by the name that CMake gives it, under which ccache knows what it compiled.
 PATH="$folder/builder/bin:$PATH" CC=${CC:-cc} CXX=${CXX:-c++} CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-1} \
-  "$folder/builder/bin/pip" wheel --disable-pip-version-check --no-build-isolation --no-deps -w "$folder" "$here/.." \
+  "$folder/builder/bin/pip" wheel --disable-pip-version-check --no-build-isolation --no-deps -w "$folder" "$here/../.." \
   >"$folder/log" 2>&1 || { tail -30 "$folder/log" >&2; exit 1; }
 "$python" -m venv "$folder/user"
 "$folder/user/bin/pip" install --quiet --disable-pip-version-check "$folder"/loopmend-*.whl >"$folder/log" 2>&1 ||
@@ -34,7 +34,7 @@ unset PYTHONPATH
 filled=$(user/bin/python -c '
 import loopmend
 scan = loopmend.sample()
-result = loopmend.fill(scan.vertices, scan.faces)
+result = loopmend.fill(scan)
 print(*(hole.status for hole in result.holes))')
 echo "the sample: $filled"
 [[ $filled == "skipped early_stop early_stop early_stop early_stop early_stop" ]]
