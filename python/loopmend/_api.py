@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from loopmend import _core
-from loopmend._meshes import Given, given
+from loopmend._meshes import given
 from loopmend._meshes import read as _read
 from loopmend._progress import shown
 from loopmend._types import Boundary, Continuity, Edges, Flow, Islands, Mode, OnProgress, OnStep, Path, Relief, Solver
@@ -321,7 +321,7 @@ def write(path: Path, mesh: Any, faces: Optional[ArrayLike] = None, *, colors: O
         WriteError: an unknown extension, no such folder, no permission, a full disk.
         InvalidArgument: an array is of another shape.
     """
-    taken = mesh if isinstance(mesh, Given) else given(mesh, faces, colors)
+    taken = given(mesh, faces, colors)
     with errors_in_python():
         remarks = _core.write(os.fspath(path), taken.vertices, taken.faces, _rgba(taken.colors), ascii, taken.carried)
     for remark in remarks:

@@ -253,6 +253,8 @@ def given(mesh: Any, faces: Any = None, colors: Any = None) -> Given:
     """What a caller handed over: two arrays, or a mesh of one of the types."""
     if faces is not None:
         return Given(np.asarray(mesh), np.asarray(faces), colors)
+    if isinstance(mesh, Given):
+        return mesh
     if isinstance(mesh, (str, os.PathLike)):
         mesh = read(mesh)
     if isinstance(mesh, (Mesh, FillResult)):
