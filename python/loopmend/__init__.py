@@ -6,8 +6,8 @@
     result.save("filled.ply")
 
 A mesh is a Mesh of this package, one of trimesh, PyVista, meshio or Open3D, a path, or two NumPy arrays: vertices of the shape
-(n, 3) in any unit of length, faces of the shape (m, 3) with vertex numbers from 0, counter-clockwise seen from outside. The functions call the engine of the command line `loopmend`; the same options
-give the same bits.
+(n, 3) in any unit of length, faces of the shape (m, 3) with vertex numbers from 0, counter-clockwise seen from outside. The
+functions call the engine of the command line `loopmend`; the same options give the same bits.
 
 What cannot be used raises `loopmend.Error`, or one of its subclasses, with one line that says what, where, and what to do.
 What becomes of a hole is a value in the result, never an exception. Nothing is printed. Work runs without the GIL; Ctrl-C
