@@ -11,6 +11,8 @@
 #include "views/mesh_view.h"
 
 #include <QApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
 #include <QThread>
 
 #include <algorithm>
@@ -73,6 +75,29 @@ void explain_and_leave(QtMsgType type, const QMessageLogContext&, const QString&
       "command line: loopmend --help\n(Qt says: %s)\n",
       qPrintable(message.section(QLatin1Char('\n'), 0, 0)));
   std::_Exit(exit_no_display);
+}
+
+void leave_without_opengl(const QString& reason) {
+  std::fprintf(
+      stderr,
+      "loopmend-gui: this display has no OpenGL 3.2, with which the window draws%s. Install a graphics driver (Debian: "
+      "libgl1-mesa-dri), or use the command line: loopmend --help\n",
+      reason.isEmpty() ? "" : qPrintable(QStringLiteral(" (Qt says: ") + reason + QLatin1Char(')')));
+  std::_Exit(exit_no_display);
+}
+
+/// Draws nothing. Where no context can be made, Qt and VTK end the program without a reason once the view appears.
+void check_opengl() {
+  qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtFatalMsg) leave_without_opengl(message.section(QLatin1Char('\n'), 0, 0));
+  });
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext context;
+  if (!context.create() || !context.makeCurrent(&surface) || context.format().version() < qMakePair(3, 2))
+    leave_without_opengl({});
+  context.doneCurrent();
+  qInstallMessageHandler(nullptr);
 }
 
 /// Whether the system would start so many threads beside those that run.
@@ -145,7 +170,7 @@ int main(int argc, char** argv) {
   QApplication::setDesktopFileName(QStringLiteral("org.loopmend.Loopmend"));
   qInstallMessageHandler(explain_and_leave);
   QApplication application(argc, argv);
-  qInstallMessageHandler(nullptr);
+  check_opengl();
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setStyle(QStringLiteral("Fusion"));
   loopmend::install_language(loopmend::load_preferences().language);

@@ -27,6 +27,7 @@ trap 'rm -rf "$work"' EXIT
 # The pages are copied, so that those of the whole project can be among them.
 cp -r "$root/docs" "$root/mkdocs.yml" "$work"
 cp "$root/CHANGELOG.md" "$work/docs/changes.md"
+python3 "$root/docs/python_api.py" "$root/python/loopmend" "$work/docs/user/python_api.md"
 find "$work/docs" \( -name '*.sh' -o -name '*.py' -o -name '*.sed' -o -name Doxyfile \) -delete
 mkdocs --quiet build --strict --clean --config-file "$work/mkdocs.yml" --site-dir "$site"
 mkdir -p "$site/assets/katex/contrib" "$site/assets/katex/fonts"

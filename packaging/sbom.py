@@ -87,6 +87,11 @@ def describe(package):
     return dict(zip(["name", "version", "architecture", "source", "source_version", "maintainer", "home"], values))
 
 
+def debian_version():
+    match = re.search(r'^VERSION_ID="?(\d+)', pathlib.Path("/etc/os-release").read_text(encoding="utf-8"), re.M)
+    return match[1] if match else "unknown"
+
+
 def spdx_id(*words):
     return "SPDXRef-" + "-".join(re.sub(r"[^A-Za-z0-9.]+", "-", word) for word in words)
 
@@ -107,7 +112,7 @@ def as_component(about, comment):
         "sourceInfo": f"built by Debian from {about['source']} {about['source_version']}",
         "comment": comment,
         "externalRefs": [{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl",
-                          "referenceLocator": f"{purl}?arch={about['architecture']}&distro=debian-12"}],
+                          "referenceLocator": f"{purl}?arch={about['architecture']}&distro=debian-{debian_version()}"}],
     }
     if about["home"]:
         component["homepage"] = about["home"]

@@ -3,9 +3,12 @@
 """The notices of what is compiled into the Python module: name, version and licence texts of every package whose headers its
 objects were compiled with (ninja's records), as dpkg or pip have them.
 
-  notices.py --build DIR --module FILE OUTPUT
+  notices.py --build DIR... --module FILE [--contained] OUTPUT
 
-Libraries that the module loads from the system are named; they are no part of it. Exit code 0; without dpkg the file says that
+--build: one folder, or that of the module and that of the engine which it was linked with. --contained: the libraries that the module
+loads are in the wheel, with their licences here; without it they are loaded from the system.
+
+Exit code 0; without dpkg the file says that
 the notices could not be collected.
 """
 import argparse
@@ -61,15 +64,27 @@ def section(title, text):
     return f"\n{'=' * 100}\n{title}\n{'=' * 100}\n\n{text.strip()}\n"
 
 
-def notices(build, module):
-    headers = sbom.headers_of(build, folders=("engine/", "python/"), where=r"/usr/|.*/(site|dist)-packages/")
+# Part of every system that a manylinux wheel runs on (PEP 599), and what packaging/make_wheels leaves out: no wheel contains them.
+NOT_CONTAINED = re.compile(r"(libc|libm|ld-linux.*|libpthread|libdl|librt|libz|libexpat|libstdc\+\+|libgcc_s|liblapack|libblas|libcrypto)[-.]")
+
+
+def notices(builds, module, contained):
+    headers = set()
+    for build in builds:
+        headers |= sbom.headers_of(build, folders=("engine/", "python/"), where=r"/usr/|.*/(site|dist)-packages/")
     loaded, named = sbom.libraries_of(module)
-    libraries = sorted(set(sbom.packages_of({loaded[name] for name in named if name in loaded}).values()))
+    chosen = {name for name in loaded if not NOT_CONTAINED.match(name)} if contained else {name for name in named if name in loaded}
+    libraries = sorted(set(sbom.packages_of({loaded[name] for name in chosen}).values()))
     texts = {**licences_of_debian(set(sbom.packages_of(headers).values())), **licences_of_pip(headers)}
     out = HEAD + "\nParts of these packages are compiled in:\n\n"
     out += "".join(f"  {name}\n" for name in texts)
-    out += "\nThese are loaded from the system, and are not contained:\n\n"
+    out += ("\nThese libraries are in loopmend.libs:\n\n" if contained else
+            "\nThese are loaded from the system, and are not contained:\n\n")
     out += "".join(f"  {name}\n" for name in libraries)
+    if contained:
+        for name, text in licences_of_debian(set(libraries)).items():
+            if text not in texts.values():
+                texts[name] = text
     for name, text in texts.items():
         out += section(name, text)
     for licence in sorted({name for text in texts.values() for name in COMMON.findall(text)}):
@@ -81,12 +96,13 @@ def notices(build, module):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", required=True, type=pathlib.Path)
+    parser.add_argument("--build", required=True, type=pathlib.Path, nargs="+")
+    parser.add_argument("--contained", action="store_true")
     parser.add_argument("--module", required=True, type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
     arguments = parser.parse_args()
     if shutil.which("dpkg-query"):
-        text = notices(arguments.build, arguments.module)
+        text = notices(arguments.build, arguments.module, arguments.contained)
     else:
         text = HEAD + "\nThe notices of other packages could not be collected: this was built without dpkg, whose records have them.\n"
     arguments.output.write_text(text, encoding="utf-8")

@@ -6,6 +6,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <utility>
@@ -15,6 +16,15 @@ namespace loopmend {
 namespace {
 
 constexpr int deepest_element = 64;
+/// Since 2.9, expat wants the names with 64 here (Debian 13 has 2.9, Debian 12 2.5).
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+std::uint64_t current_line(XML_Parser parser) { return static_cast<std::uint64_t>(XML_GetCurrentLineNumber64(parser)); }
+std::int64_t current_byte(XML_Parser parser) { return static_cast<std::int64_t>(XML_GetCurrentByteIndex64(parser)); }
+#else
+std::uint64_t current_line(XML_Parser parser) { return XML_GetCurrentLineNumber(parser); }
+std::int64_t current_byte(XML_Parser parser) { return XML_GetCurrentByteIndex(parser); }
+#endif
+
 /// Of one element or text: expat looks at it anew with each piece that arrives.
 constexpr std::size_t longest_token = 1 << 22;
 
@@ -46,7 +56,7 @@ struct XmlReader::State {
   std::size_t fed = 0;
   std::exception_ptr thrown{};
 
-  std::string place() const { return "line " + std::to_string(XML_GetCurrentLineNumber(parser)) + " of " + part; }
+  std::string place() const { return "line " + std::to_string(current_line(parser)) + " of " + part; }
   [[noreturn]] void fail(const std::string& problem) const {
     throw ReadError(file.path, problem, place(), "The file is damaged or incomplete; export or copy it again.");
   }
@@ -66,7 +76,8 @@ struct XmlReader::State {
   static void begin(void* data, const char* name, const char** attributes) {
     auto& state = *static_cast<State*>(data);
     state.guarded([&] {
-      if (++state.depth > deepest_element) state.fail("the XML is nested more than " + std::to_string(deepest_element) + " deep");
+      if (++state.depth > deepest_element)
+        state.fail("the XML is nested more than " + std::to_string(deepest_element) + " deep");
       state.handlers.begin(local_name(name), XmlAttributes(attributes));
     });
   }
@@ -107,7 +118,7 @@ void XmlReader::parse(std::string_view piece, bool is_last) {
   if (state_->thrown) std::rethrow_exception(state_->thrown);
   state_->fed += piece.size();
   if (status == XML_STATUS_OK) {
-    const auto done = static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(state_->parser)));
+    const auto done = static_cast<std::size_t>(std::max<std::int64_t>(0, current_byte(state_->parser)));
     if (state_->fed > done + longest_token) state_->fail("an element of the XML has no end");
     return;
   }

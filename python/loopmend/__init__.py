@@ -2,13 +2,12 @@
 """Closes holes in scanned meshes with patches whose curvature runs through the seam.
 
     import loopmend
-    mesh = loopmend.read("scan.ply")
-    result = loopmend.fill(mesh.vertices, mesh.faces)
-    loopmend.write("filled.ply", result.vertices, result.faces)
+    result = loopmend.fill("scan.ply")
+    result.save("filled.ply")
 
-Meshes are NumPy arrays: vertices of the shape (n, 3) in any unit of length, faces of the shape (m, 3) with vertex numbers
-from 0, counter-clockwise seen from outside. The functions call the engine of the command line `loopmend`; the same options
-give the same bits.
+A mesh is a Mesh of this package, one of trimesh, PyVista, meshio or Open3D, a path, or two NumPy arrays: vertices of the shape
+(n, 3) in any unit of length, faces of the shape (m, 3) with vertex numbers from 0, counter-clockwise seen from outside. The
+functions call the engine of the command line `loopmend`; the same options give the same bits.
 
 What cannot be used raises `loopmend.Error`, or one of its subclasses, with one line that says what, where, and what to do.
 What becomes of a hole is a value in the result, never an exception. Nothing is printed. Work runs without the GIL; Ctrl-C
@@ -17,6 +16,7 @@ first.
 """
 from loopmend._api import blend, boundary_loops, check, curvatures, evolve, fill, interpolate, read, sample, write
 from loopmend._core import Error, InvalidArgument, ReadError, WriteError, __version__
+from loopmend._views import render
 from loopmend.results import (
     BoundaryLoop, Check, Curvatures, ExpectedDeviation, FillResult, Finding, HoleResult, Mesh, MirrorFit, PatchResult, Seam, Verdict,
 )
@@ -24,5 +24,5 @@ from loopmend.results import (
 __all__ = [
     "BoundaryLoop", "Check", "Curvatures", "Error", "ExpectedDeviation", "FillResult", "Finding", "HoleResult", "InvalidArgument",
     "Mesh", "MirrorFit", "PatchResult", "ReadError", "Seam", "Verdict", "WriteError", "__version__", "blend", "boundary_loops", "check", "curvatures", "evolve", "fill",
-    "interpolate", "read", "sample", "write",
+    "interpolate", "read", "render", "sample", "write",
 ]

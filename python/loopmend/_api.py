@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+import warnings
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from loopmend import _core
+from loopmend._meshes import given
+from loopmend._meshes import read as _read
+from loopmend._progress import shown
+from loopmend._types import Boundary, Continuity, Edges, Flow, Islands, Mode, OnProgress, OnStep, Path, Relief, Solver
+from loopmend._words import errors_in_python, in_python
 from loopmend.results import (
     BoundaryLoop, Check, Curvatures, ExpectedDeviation, FillResult, Finding, HoleResult, Mesh, MirrorFit, PatchResult, Seam, Verdict,
 )
 
-Path = Union[str, "os.PathLike[str]"]
-OnProgress = Callable[[int, int, int], Any]
-OnStep = Callable[[int, float], Any]
+Loops = Union[None, int, BoundaryLoop, Sequence[Union[int, BoundaryLoop]], Mapping[Any, Optional[str]], str]
 
 
 def _loop(figures: Dict[str, Any]) -> Dict[str, Any]:
@@ -31,12 +35,16 @@ def _hole(figures: Dict[str, Any]) -> HoleResult:
     for name in ("seam_before", "seam_after"):
         figures[name] = _seam(figures[name])
     if figures["verdict"] is not None:
-        figures["verdict"]["findings"] = tuple(Finding(**finding) for finding in figures["verdict"]["findings"])
+        figures["verdict"]["sentence"] = in_python(figures["verdict"]["sentence"])
+        figures["verdict"]["findings"] = tuple(Finding(**{**finding, "text": in_python(finding["text"])})
+                                               for finding in figures["verdict"]["findings"])
         figures["verdict"] = Verdict(**figures["verdict"])
     if figures["expected_deviation"] is not None:
         figures["expected_deviation"] = ExpectedDeviation(**figures["expected_deviation"])
     if figures["mirror"] is not None:
         figures["mirror"] = MirrorFit(**figures["mirror"])
+    for name in ("message", "reason"):
+        figures[name] = in_python(figures[name])
     return HoleResult(**_loop(figures))
 
 
@@ -49,17 +57,24 @@ def _numbers(numbers: Union[None, int, Iterable[int]]) -> Optional[List[int]]:
     return [int(n) for n in array.ravel()]
 
 
-def _loops(loops: Union[None, int, Iterable[int], Mapping[int, Optional[str]], str]) -> Optional[str]:
-    """As --loops takes them."""
+def _loops(loops: Loops) -> Optional[str]:
+    """As --loops takes them. BoundaryLoop and HoleResult stand for their numbers."""
     if loops is None or isinstance(loops, str):
         return loops
-    numbers = _numbers(list(loops) if isinstance(loops, Mapping) else loops) or []
+    several: List[Any] = list(loops) if isinstance(loops, Iterable) else [loops]
+    numbers = _numbers([getattr(loop, "number", loop) for loop in several]) or []
     shapes = list(loops.values()) if isinstance(loops, Mapping) else [None] * len(numbers)
     return ",".join(str(number) + (f":{shape}" if shape else "") for number, shape in zip(numbers, shapes))
 
 
-def _arrays(vertices: ArrayLike, faces: ArrayLike) -> Tuple[np.ndarray, np.ndarray]:
-    return np.asarray(vertices), np.asarray(faces)
+def _rgba(colors: Any) -> Any:
+    """Colours with alpha: the engine takes four numbers."""
+    if colors is None:
+        return None
+    array = np.asarray(colors)
+    if array.ndim == 2 and array.shape[1] == 3:
+        return np.column_stack([array, np.full(len(array), 255, array.dtype)])
+    return array
 
 
 def _flow(flow: str, boundary: str, continuity: str, density: float, mode: str, steps: Optional[int], sigma: float,
@@ -69,29 +84,29 @@ def _flow(flow: str, boundary: str, continuity: str, density: float, mode: str, 
 
 
 def fill(
-    vertices: ArrayLike,
-    faces: ArrayLike,
+    mesh: Any,
+    faces: Optional[ArrayLike] = None,
     *,
-    loops: Union[None, int, Sequence[int], Mapping[int, Optional[str]], str] = None,
+    loops: Loops = None,
     at_vertices: Union[None, int, Sequence[int]] = None,
     max_edges: Optional[int] = None,
     max_diameter: Optional[float] = None,
     all_but_largest: int = 0,
     include_outer_rim: bool = False,
-    islands: str = "join",
+    islands: Islands = "join",
     mirror: bool = False,
     mirror_plane: Optional[Sequence[float]] = None,
-    flow: str = "mmcvf",
-    boundary: str = "auto",
-    continuity: str = "curvature",
-    relief: str = "smooth",
+    flow: Flow = "mmcvf",
+    boundary: Boundary = "auto",
+    continuity: Continuity = "curvature",
+    relief: Relief = "smooth",
     relief_seed: int = 1,
-    edges: str = "auto",
+    edges: Edges = "auto",
     density: float = 1.0,
-    mode: str = "steady",
+    mode: Mode = "steady",
     steps: Optional[int] = None,
     sigma: float = 10.0,
-    solver: str = "auto",
+    solver: Solver = "auto",
     stitch: Union[bool, float, str] = False,
     auto: bool = False,
     repair: bool = False,
@@ -108,7 +123,7 @@ def fill(
     patches_only: bool = False,
     threads: int = 0,
     colors: Optional[ArrayLike] = None,
-    progress: Optional[OnProgress] = None,
+    progress: Union[None, bool, OnProgress] = None,
 ) -> FillResult:
     """Fills the holes of a mesh with smooth patches.
 
@@ -116,9 +131,10 @@ def fill(
     `loopmend fill`, and give the same bits. The result does not depend on the number of threads.
 
     Parameters:
-        vertices: (n, 3), real numbers, in any unit of length.
-        faces: (m, 3), whole numbers from 0 to n − 1, counter-clockwise seen from outside.
-        loops: numbers of the loops to fill, as boundary_loops() gives them; None: all holes. A mapping such as {3: "flat",
+        mesh: a Mesh, trimesh.Trimesh, pyvista.PolyData, meshio.Mesh, open3d.geometry.TriangleMesh, the path of a file, an earlier
+            result; or vertices, (n, 3), real numbers, in any unit of length.
+        faces: with vertices: (m, 3), whole numbers from 0 to n − 1, counter-clockwise seen from outside.
+        loops: the loops to fill, as boundary_loops() gives them, or their numbers; None: all holes. A mapping such as {3: "flat",
             7: "tangent", 8: None}, or the text "3:flat,7:tangent,8", also says how the patch meets the scan there: "flat" is a
             plane or minimal surface, "smooth" has the curvature of the scan.
         at_vertices: vertex numbers; the loops through them are filled, beside those that `loops` names.
@@ -165,12 +181,13 @@ def fill(
         keep_partial: Ctrl-C hands back the patches that are finished, and raises nothing; a second one raises KeyboardInterrupt.
         patches_only: hands back the patches alone, with the vertices of the mesh that they use.
         threads: holes worked on at once, 0 to 1024; 0: one for each core.
-        colors: (n, 4) uint8, red, green, blue, alpha of each vertex: they run on over the patches.
-        progress: called as progress(loops done, loops in all, number of the loop just worked on) on the calling thread. What
-            it raises stops the work and is raised by this function.
+        colors: (n, 3) or (n, 4) uint8, red, green, blue, alpha of each vertex: they run on over the patches. None: those of the
+            mesh.
+        progress: True: a bar by tqdm. Or called as progress(loops done, loops in all, number of the loop just worked on) on the
+            calling thread. What it raises stops the work and is raised by this function.
 
     Returns:
-        FillResult. What became of a hole stands there: a hole that cannot be filled raises nothing.
+        FillResult; its `mesh` is of the type that was given, with the attributes of the mesh continued. What became of a hole stands there: a hole that cannot be filled raises nothing.
 
     Raises:
         InvalidArgument: an argument is of another shape, out of its range or names no such loop or vertex; no face can be
@@ -181,7 +198,7 @@ def fill(
     Example:
         >>> import loopmend
         >>> scan = loopmend.sample()
-        >>> result = loopmend.fill(scan.vertices, scan.faces, loops=[6])
+        >>> result = loopmend.fill(scan, loops=[6])
         >>> [hole.status for hole in result.holes]
         ['skipped', 'skipped', 'skipped', 'skipped', 'skipped', 'early_stop']
     """
@@ -197,18 +214,28 @@ def fill(
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
         "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,
     }
-    result = _core.fill(*_arrays(vertices, faces), colors, options, progress)
+    taken = given(mesh, faces, colors)
+    narrow = taken.colors is not None and np.ndim(taken.colors) == 2 and np.shape(taken.colors)[1] == 3
+    with errors_in_python(), shown(progress) as on_progress:
+        result = _core.fill(taken.vertices, taken.faces, _rgba(taken.colors), options, on_progress, taken.carried)
     result["holes"] = tuple(_hole(hole) for hole in result["holes"])
     result["trimmed_faces"] = tuple(result["trimmed_faces"])
-    return FillResult(**result)
+    if narrow and result["colors"] is not None:
+        result["colors"] = np.ascontiguousarray(result["colors"][:, :3])
+    return FillResult(**result, _back=taken.back)
 
 
-def check(vertices: ArrayLike, faces: ArrayLike) -> Check:
+def _called(function: Any, mesh: Any, faces: Optional[ArrayLike]) -> Any:
+    taken = given(mesh, faces)
+    with errors_in_python():
+        return function(taken.vertices, taken.faces)
+
+
+def check(mesh: Any, faces: Optional[ArrayLike] = None) -> Check:
     """Whether a mesh could be printed: closed, consistently turned, without faces that cut each other, and right side out.
 
     Parameters:
-        vertices: (n, 3), real numbers. Vertices at exactly the same place count as one.
-        faces: (m, 3), whole numbers from 0 to n − 1.
+        mesh, faces: as in fill(). Vertices at exactly the same place count as one.
 
     Raises:
         InvalidArgument: an array is of another shape.
@@ -217,18 +244,17 @@ def check(vertices: ArrayLike, faces: ArrayLike) -> Check:
     Example:
         >>> import loopmend
         >>> scan = loopmend.sample()
-        >>> loopmend.check(scan.vertices, scan.faces).against_it
+        >>> loopmend.check(scan).against_it
         ('6 open boundaries',)
     """
-    return Check(**_core.check(*_arrays(vertices, faces)))
+    return Check(**_called(_core.check, mesh, faces))
 
 
-def boundary_loops(vertices: ArrayLike, faces: ArrayLike) -> List[BoundaryLoop]:
+def boundary_loops(mesh: Any, faces: Optional[ArrayLike] = None) -> List[BoundaryLoop]:
     """The boundary loops of a mesh, by falling perimeter. A closed mesh has none.
 
     Parameters:
-        vertices: (n, 3), real numbers.
-        faces: (m, 3), whole numbers from 0 to n − 1.
+        mesh, faces: as in fill().
 
     Raises:
         InvalidArgument: an array is of another shape, or no face can be used.
@@ -236,18 +262,17 @@ def boundary_loops(vertices: ArrayLike, faces: ArrayLike) -> List[BoundaryLoop]:
     Example:
         >>> import loopmend
         >>> scan = loopmend.sample()
-        >>> [(loop.number, loop.kind, loop.edges) for loop in loopmend.boundary_loops(scan.vertices, scan.faces)][:2]
+        >>> [(loop.number, loop.kind, loop.edges) for loop in loopmend.boundary_loops(scan)][:2]
         [(1, 'outer rim', 409), (2, 'hole', 81)]
     """
-    return [BoundaryLoop(**_loop(figures)) for figures in _core.boundary_loops(*_arrays(vertices, faces))]
+    return [BoundaryLoop(**_loop(figures)) for figures in _called(_core.boundary_loops, mesh, faces)]
 
 
-def curvatures(vertices: ArrayLike, faces: ArrayLike) -> Curvatures:
+def curvatures(mesh: Any, faces: Optional[ArrayLike] = None) -> Curvatures:
     """Mean and Gaussian curvature and the normal at each vertex, from local fits.
 
     Parameters:
-        vertices: (n, 3), real numbers.
-        faces: (m, 3), whole numbers from 0 to n − 1. Those that disagree with their neighbours are taken as turned round.
+        mesh, faces: as in fill(). Faces that disagree with their neighbours are taken as turned round.
 
     Returns:
         Curvatures: H (n,) in 1/length, K (n,) in 1/length², normals (n, 3). NaN where no fit is possible and at vertices
@@ -256,7 +281,7 @@ def curvatures(vertices: ArrayLike, faces: ArrayLike) -> Curvatures:
     Raises:
         InvalidArgument: an array is of another shape, or no face can be used.
     """
-    return Curvatures(**_core.curvatures(*_arrays(vertices, faces)))
+    return Curvatures(**_called(_core.curvatures, mesh, faces))
 
 
 def read(path: Path, *, weld: bool = False, all_digits: bool = False) -> Mesh:
@@ -271,10 +296,10 @@ def read(path: Path, *, weld: bool = False, all_digits: bool = False) -> Mesh:
     Raises:
         ReadError: the file is missing, no mesh, malformed or damaged.
     """
-    return Mesh(**_core.read(os.fspath(path), weld, all_digits))
+    return _read(path, weld, all_digits)
 
 
-def write(path: Path, vertices: ArrayLike, faces: ArrayLike, *, colors: Optional[ArrayLike] = None,
+def write(path: Path, mesh: Any, faces: Optional[ArrayLike] = None, *, colors: Optional[ArrayLike] = None,
           ascii: bool = False) -> None:
     """Writes a mesh. The format follows the extension: .ply, .stl, .obj, .off, .glb, .gltf or .3mf, with .gz after it compressed.
 
@@ -283,16 +308,24 @@ def write(path: Path, vertices: ArrayLike, faces: ArrayLike, *, colors: Optional
 
     Parameters:
         path: of the file; its folder must exist.
-        vertices: (n, 3), real numbers.
-        faces: (m, 3), whole numbers from 0 to n − 1.
-        colors: (n, 4) uint8, red, green, blue, alpha; STL does not hold them.
+        mesh, faces: as in fill(). Of a Mesh that read() gave, and of a result made from it or from its path, all that the file
+            carried goes along, as `loopmend fill` writes it: attributes, materials, and its texture, which is painted on over the
+            patches.
+        colors: (n, 3) or (n, 4) uint8, red, green, blue, alpha; None: those of the mesh. STL does not hold them.
         ascii: writes PLY or STL as text.
+
+    Warns:
+        UserWarning: a picture or a material file of the scan cannot be used.
 
     Raises:
         WriteError: an unknown extension, no such folder, no permission, a full disk.
         InvalidArgument: an array is of another shape.
     """
-    _core.write(os.fspath(path), *_arrays(vertices, faces), colors, ascii)
+    taken = given(mesh, faces, colors)
+    with errors_in_python():
+        remarks = _core.write(os.fspath(path), taken.vertices, taken.faces, _rgba(taken.colors), ascii, taken.carried)
+    for remark in remarks:
+        warnings.warn(in_python(remark), stacklevel=2)
 
 
 def sample() -> Mesh:
@@ -307,23 +340,23 @@ def _patch(figures: Dict[str, Any]) -> PatchResult:
 
 
 def blend(
-    parts: Sequence[Tuple[ArrayLike, ArrayLike]],
+    parts: Sequence[Any],
     *,
     loops: Optional[Sequence[Tuple[int, int]]] = None,
-    flow: str = "mmcvf",
-    boundary: str = "auto",
-    continuity: str = "curvature",
+    flow: Flow = "mmcvf",
+    boundary: Boundary = "auto",
+    continuity: Continuity = "curvature",
     density: float = 1.0,
-    mode: str = "steady",
+    mode: Mode = "steady",
     steps: Optional[int] = None,
     sigma: float = 10.0,
-    solver: str = "auto",
+    solver: Solver = "auto",
     progress: Optional[OnStep] = None,
 ) -> PatchResult:
     """Joins boundary loops of one or several meshes by one smooth patch, as `loopmend blend` does.
 
     Parameters:
-        parts: for each mesh its vertices (n, 3) and faces (m, 3). Their vertices and faces come first in the result, part
+        parts: meshes as fill() takes them, or for each its vertices (n, 3) and faces (m, 3). Their vertices and faces come first in the result, part
             after part.
         loops: (part, loop) for each loop to join, both from 1; loops as boundary_loops() numbers them. None: of each part the
             loop that faces the others most; of a single part its two loops.
@@ -337,23 +370,25 @@ def blend(
     """
     words = "" if loops is None else ",".join(f"{int(part)}:{int(loop)}" for part, loop in loops)
     options = _flow(flow, boundary, continuity, density, mode, steps, sigma, solver)
-    return _patch(_core.blend([_arrays(*part) for part in parts], words, options, progress))
+    taken = [given(part) for part in parts]
+    with errors_in_python():
+        return _patch(_core.blend([(part.vertices, part.faces) for part in taken], words, options, progress))
 
 
 def interpolate(
-    vertices: ArrayLike,
-    faces: ArrayLike,
+    mesh: Any,
+    faces: Optional[ArrayLike] = None,
     *,
     fixed: Optional[Sequence[int]] = None,
     subdivide: int = 3,
     open: bool = False,
-    flow: str = "mmcvf",
-    boundary: str = "auto",
-    continuity: str = "curvature",
-    mode: str = "steady",
+    flow: Flow = "mmcvf",
+    boundary: Boundary = "auto",
+    continuity: Continuity = "curvature",
+    mode: Mode = "steady",
     steps: Optional[int] = None,
     sigma: float = 10.0,
-    solver: str = "auto",
+    solver: Solver = "auto",
     progress: Optional[OnStep] = None,
 ) -> PatchResult:
     """Finds a smooth surface through the vertices of a polyhedron, as `loopmend interpolate` does.
@@ -361,8 +396,7 @@ def interpolate(
     The vertices that it goes through come first in the result, in their order, bit for bit.
 
     Parameters:
-        vertices: (n, 3), of the polyhedron.
-        faces: (m, 3).
+        mesh, faces: the polyhedron, as in fill().
         fixed: vertex numbers: the surface goes through these alone, at least 4; None: through all.
         subdivide: k, 1 to 8: each face into 4^k.
         open: takes a polyhedron with boundary; its loops become smooth curves through their vertices.
@@ -376,22 +410,24 @@ def interpolate(
     options = _flow(flow, boundary, continuity, 1.0, mode, steps, sigma, solver)
     if fixed is not None and len(fixed) == 0:
         raise _core.InvalidArgument("fixed names no vertex; None means all")
-    return _patch(_core.interpolate(*_arrays(vertices, faces), _numbers(fixed) or [], subdivide,
-                                    "smooth" if open else "refuse", options, progress))
+    taken = given(mesh, faces)
+    with errors_in_python():
+        return _patch(_core.interpolate(taken.vertices, taken.faces, _numbers(fixed) or [], subdivide,
+                                        "smooth" if open else "refuse", options, progress))
 
 
 def evolve(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    region: ArrayLike,
+    mesh: Any,
+    faces: Optional[ArrayLike] = None,
+    region: Optional[ArrayLike] = None,
     *,
-    flow: str = "mmcvf",
-    boundary: str = "auto",
-    continuity: str = "curvature",
-    mode: str = "steady",
+    flow: Flow = "mmcvf",
+    boundary: Boundary = "auto",
+    continuity: Continuity = "curvature",
+    mode: Mode = "steady",
     steps: Optional[int] = None,
     sigma: float = 10.0,
-    solver: str = "auto",
+    solver: Solver = "auto",
     progress: Optional[OnStep] = None,
 ) -> PatchResult:
     """Evolves a region of a mesh with its neighborhood fixed, as `loopmend evolve` does.
@@ -400,8 +436,7 @@ def evolve(
     (`remeshed`), its new vertices come last. A result that is refused is the mesh as it was.
 
     Parameters:
-        vertices: (n, 3).
-        faces: (m, 3).
+        mesh, faces: as in fill().
         region: vertex numbers, or (n,) bool, True in the region.
         flow, boundary, continuity, mode, steps, sigma, solver: as in fill(); "none" is no flow here.
         progress: called as progress(step, energy) after each accepted step; what it raises stops the work.
@@ -410,12 +445,14 @@ def evolve(
         InvalidArgument: no vertex that could move, a whole piece of the surface, arrays or options out of range.
         KeyboardInterrupt: Ctrl-C.
     """
-    chosen = np.asarray(region)
-    points, triangles = _arrays(vertices, faces)
+    if region is None:
+        raise TypeError("evolve() needs a region: vertex numbers, or one bool for each vertex")
+    chosen, taken = np.asarray(region), given(mesh, faces)
     if chosen.dtype == bool:
-        if chosen.shape != (len(points),):
-            raise _core.InvalidArgument(f"region must have one bool for each of the {len(points)} vertices, not the shape "
+        if chosen.shape != (len(taken.vertices),):
+            raise _core.InvalidArgument(f"region must have one bool for each of the {len(taken.vertices)} vertices, not the shape "
                                         f"{chosen.shape}")
         chosen = np.flatnonzero(chosen)
     options = _flow(flow, boundary, continuity, 1.0, mode, steps, sigma, solver)
-    return _patch(_core.evolve(points, triangles, _numbers(chosen) or [], options, progress))
+    with errors_in_python():
+        return _patch(_core.evolve(taken.vertices, taken.faces, _numbers(chosen) or [], options, progress))

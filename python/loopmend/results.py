@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loopmend._types import Grade, LoopKind, Path, Status
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 Bytes = NDArray[np.uint8]
+
+
+def _without_handles(state: Dict[str, Any]) -> Dict[str, Any]:
+    """What pickle takes along: all but what only this process has."""
+    return {**state, "carried": None, **({"_back": None, "_mesh": None} if "_back" in state else {})}
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,12 +29,28 @@ class Mesh:
     colors: (n, 4) uint8, red, green, blue, alpha; None where the file has none.
     report: what was in the file, in numbers: format, vertices, faces, triangles, polygons_triangulated, vertices_welded,
         vertices_joined, unreferenced_vertices, coincident_vertices, degenerate_faces, duplicate_faces.
+    carried: what else the file holds, such as attributes, materials and texture coordinates: fill() and write() hand it on. None
+        where there is nothing, and after pickling. Leave it out where you change the arrays.
     """
 
     vertices: Floats
     faces: Ints
     colors: Optional[Bytes] = None
     report: Dict[str, Any] = field(default_factory=dict)
+    carried: Any = None
+
+    def __repr__(self) -> str:
+        format = self.report.get("format")
+        return f"<loopmend.Mesh: {len(self.vertices)} vertices, {len(self.faces)} faces{', ' + str(format) if format else ''}>"
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return _without_handles(self.__dict__)
+
+    def save(self, path: Path, *, ascii: bool = False) -> None:
+        """As write(path, mesh)."""
+        from loopmend._api import write  # noqa: PLC0415
+
+        write(path, self, ascii=ascii)
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +68,7 @@ class BoundaryLoop:
     """
 
     number: int
-    kind: str
+    kind: LoopKind
     edges: int
     perimeter: float
     diameter: float
@@ -53,6 +76,9 @@ class BoundaryLoop:
     area: float
     center: Floats
     vertices: Ints
+
+    def __repr__(self) -> str:
+        return f"<loopmend.BoundaryLoop {self.number}: {self.kind}, {self.edges} edges, {self.diameter:.4g} wide>"
 
 
 @dataclass(frozen=True)
@@ -121,7 +147,7 @@ class Verdict:
     folds: edges bent by more than 150 degrees.
     """
 
-    grade: str
+    grade: Grade
     sentence: str
     findings: Tuple[Finding, ...]
     crease_deg: float
@@ -173,8 +199,7 @@ class HoleResult:
     status: "converged", "early_stop", "faired", "filled", "step_limit" and "stalled" have a patch; "failed" and "skipped"
         have none.
     is_filled: whether there is a patch.
-    message: what is to be known of it, or why there is none; empty when all is well. Options are named as on the command
-        line: --include-outer-rim is include_outer_rim=True.
+    message: what is to be known of it, or why there is none; empty when all is well.
     method: what shaped the patch, such as "mmcvf"; empty where there is none.
     reason: why that was not the flow that was asked for, and how to get it; empty if it was.
     verdict: what a person sees of the patch; None where there is none.
@@ -191,14 +216,14 @@ class HoleResult:
     """
 
     number: int
-    kind: str
+    kind: LoopKind
     edges: int
     perimeter: float
     diameter: float
     planarity: float
     area: float
     center: Floats
-    status: str
+    status: Status
     is_filled: bool
     message: str
     method: str
@@ -215,6 +240,10 @@ class HoleResult:
     new_vertices: Ints
     new_faces: Ints
 
+    def __repr__(self) -> str:
+        grade = "" if self.verdict is None else f", {self.verdict.grade}"
+        return f"<loopmend.HoleResult {self.number}: {self.kind}, {self.edges} edges, {self.status}{grade}>"
+
 
 @dataclass(frozen=True, eq=False)
 class FillResult:
@@ -222,7 +251,7 @@ class FillResult:
 
     vertices: (n, 3) float64. Those given come first, bit for bit.
     faces: (m, 3) int32. Those given come first, in their order; a face that disagreed with its neighbours is turned round.
-    colors: (n, 4) uint8, continued over the patches; None where none were given.
+    colors: uint8, as wide as those given, continued over the patches; None where none were given.
     holes: one HoleResult for each boundary loop, in the order of their numbers; also those that were left.
     given_vertices, given_faces: how many stand before the new ones. With stitch, repair, bridges or trim_boundary these
         are the vertices and faces of the mesh that was prepared so. With patches_only: the vertices of the mesh that the
@@ -233,6 +262,7 @@ class FillResult:
     stopped: whether max_time, or Ctrl-C with keep_partial, ended the work before all was done.
     prepared: what stitch and repair did, in numbers: {"stitched": {...}, "repaired": {...}, "joined_again": N}.
     trimmed_faces: what trim_boundary or trim_crossing removed: {"face": number before the trimming, "fault": a word, "ring": the round}.
+    carried: as in Mesh, for the filled mesh.
     """
 
     vertices: Floats
@@ -246,6 +276,67 @@ class FillResult:
     stopped: bool
     prepared: Dict[str, Dict[str, int]]
     trimmed_faces: Tuple[Dict[str, Any], ...]
+    carried: Any = None
+    _back: Any = None
+    _mesh: Any = None
+
+    def __repr__(self) -> str:
+        filled = sum(hole.is_filled for hole in self.holes)
+        return (f"<loopmend.FillResult: {filled} of {len(self.holes)} {'loop' if len(self.holes) == 1 else 'loops'} filled, "
+                f"{len(self.vertices)} vertices ({len(self.new_vertices)} new), {len(self.faces)} faces ({len(self.new_faces)} new)>")
+
+    def _repr_html_(self) -> str:
+        from loopmend._views import html_of  # noqa: PLC0415
+
+        return html_of(self)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return _without_handles(self.__dict__)
+
+    @property
+    def mesh(self) -> Any:
+        """The filled mesh in the type of what was given to fill(): of arrays and paths a Mesh. After pickling always a Mesh."""
+        if self._mesh is None:
+            made = Mesh(self.vertices, self.faces, self.colors, carried=self.carried) if self._back is None else self._back(self)
+            object.__setattr__(self, "_mesh", made)
+        return self._mesh
+
+    def save(self, path: Path, *, ascii: bool = False) -> None:
+        """Writes the filled mesh, as write(path, result): with all that its file carried."""
+        from loopmend._api import write  # noqa: PLC0415
+
+        write(path, self, ascii=ascii)
+
+    def render(self, path: Optional[Path] = None, *, size: Tuple[int, int] = (960, 720),
+               direction: Optional[Sequence[float]] = None) -> Bytes:
+        """As render(result): a picture with the patches in orange."""
+        from loopmend._views import render  # noqa: PLC0415
+
+        return render(self, path, size=size, direction=direction)
+
+    def plot(self) -> Any:
+        """Shows the filled mesh by PyVista, or its picture by Matplotlib."""
+        from loopmend._views import show  # noqa: PLC0415
+
+        return show(self)
+
+    def to_trimesh(self) -> Any:
+        """trimesh.Trimesh; face_attributes["hole"] is the number of the hole, 0 for faces that were given."""
+        from loopmend._views import to_trimesh  # noqa: PLC0415
+
+        return to_trimesh(self)
+
+    def to_pyvista(self) -> Any:
+        """pyvista.PolyData; cell_data["hole"] as in to_trimesh(), point_data["expected_deviation"] in mesh units."""
+        from loopmend._views import to_pyvista  # noqa: PLC0415
+
+        return to_pyvista(self)
+
+    def to_frame(self) -> Any:
+        """pandas.DataFrame with one row for each loop."""
+        from loopmend._views import to_frame  # noqa: PLC0415
+
+        return to_frame(self)
 
     @property
     def new_vertices(self) -> Ints:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend._core: what loopmend/*.py wraps. Arrays and words in, arrays and dictionaries out.
 #include "arrays.h"
+#include "carried.h"
 #include "fill_job.h"
 #include "interruptible.h"
 #include "problems.h"
@@ -9,8 +10,8 @@
 
 #include "analysis/curvature_field.h"
 #include "core/version.h"
+#include "export/write_scan.h"
 #include "io/read_mesh.h"
-#include "io/write_mesh.h"
 #include "samples/sample_scan.h"
 
 #include <pybind11/pybind11.h>
@@ -97,8 +98,9 @@ FillOptions fill_options(const py::dict& options) {
 }
 
 py::dict fill(const py::array& vertices, const py::array& faces, const py::object& colors, const py::dict& options,
-              const py::object& on_progress) {
+              const py::object& on_progress, const py::object& carried) {
   FillJob job{soup_of(vertices, faces, colors), {}, limit<double>(options, "max_time")};
+  carry(carried, job.soup);
   job.job = {prepare_options(options), loop_selection(options), fill_options(options),
              limit<double>(options, "max_memory")};
   if (option<bool>(options, "patches_only")) job.content = FillJob::Content::patches;
@@ -183,16 +185,20 @@ py::dict read(const std::filesystem::path& path, bool weld, bool all_digits) {
                   "unreferenced_vertices"_a = report.unreferenced_vertices,
                   "coincident_vertices"_a = report.coincident_vertices, "degenerate_faces"_a = report.degenerate_faces,
                   "duplicate_faces"_a = report.duplicate_faces);
+  const py::object carried = carried_by(mesh.soup);
   return py::dict("vertices"_a = points_array(std::move(mesh.soup.points)),
                   "faces"_a = triangles_array(std::move(mesh.soup.triangles)),
-                  "colors"_a = colors_array(std::move(mesh.soup.colors)), "report"_a = counts);
+                  "colors"_a = colors_array(std::move(mesh.soup.colors)), "report"_a = counts, "carried"_a = carried);
 }
 
-void write(const std::filesystem::path& path, const py::array& vertices, const py::array& faces,
-           const py::object& colors, bool ascii) {
-  const TriangleSoup soup = soup_of(vertices, faces, colors);
+std::vector<std::string> write(const std::filesystem::path& path, const py::array& vertices, const py::array& faces,
+                               const py::object& colors, bool ascii, const py::object& carried) {
+  TriangleSoup soup = soup_of(vertices, faces, colors);
+  carry(carried, soup);
   const py::gil_scoped_release others_may_run;
-  write_mesh(path, soup, ascii ? Encoding::ascii : Encoding::binary);
+  WriteScanOptions options;
+  options.encoding = ascii ? Encoding::ascii : Encoding::binary;
+  return write_scan(path, soup, options).remarks;
 }
 
 py::dict sample() {
@@ -235,13 +241,14 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "The engine of Loopmend. Use the package loopmend, which documents and types it.";
   m.attr("__version__") = version();
   register_errors(m);
-  m.def("fill", &fill, "vertices"_a, "faces"_a, "colors"_a, "options"_a, "progress"_a);
+  m.def("fill", &fill, "vertices"_a, "faces"_a, "colors"_a, "options"_a, "progress"_a, "carried"_a);
   m.def("check", &check_mesh, "vertices"_a, "faces"_a);
   m.def("boundary_loops", &boundary_loops, "vertices"_a, "faces"_a);
   m.def("curvatures", &curvatures, "vertices"_a, "faces"_a);
   m.def("read", &read, "path"_a, "weld"_a, "all_digits"_a);
-  m.def("write", &write, "path"_a, "vertices"_a, "faces"_a, "colors"_a, "ascii"_a);
+  m.def("write", &write, "path"_a, "vertices"_a, "faces"_a, "colors"_a, "ascii"_a, "carried"_a);
   m.def("sample", &sample);
+  define_carried(m);
   define_problems(m);
 }
 

@@ -2,6 +2,7 @@
 #include "results.h"
 
 #include "arrays.h"
+#include "carried.h"
 
 #include <pybind11/stl.h>
 
@@ -131,6 +132,7 @@ py::dict fill_result(FilledScan done) {
                   "turned_faces"_a = done.turned_faces, "stopped"_a = done.stopped, "prepared"_a = preparation(done),
                   "trimmed_faces"_a = faces_of(done.trimmed),
                   "expected_deviation"_a = array_of<double>(expected_deviations(done.holes)));
+  result["carried"] = carried_by(done.soup);
   result["vertices"] = points_array(std::move(done.soup.points));
   result["faces"] = triangles_array(std::move(done.soup.triangles));
   result["colors"] = colors_array(std::move(done.soup.colors));

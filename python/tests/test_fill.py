@@ -45,7 +45,7 @@ def test_patches_alone_are_nothing_where_no_hole_is_filled(sphere):
 def test_what_is_not_finished_in_time_is_left_and_said(sphere):
     result = loopmend.fill(*sphere, max_time=1e-6)
     assert result.stopped and result.holes[0].status == "skipped"
-    assert result.holes[0].message == "not finished in the time that --max-time allows: left open"
+    assert result.holes[0].message == "not finished in the time that max_time allows: left open"
     assert np.array_equal(result.vertices, sphere[0]) and np.array_equal(result.faces, sphere[1])
 
 
@@ -182,7 +182,7 @@ def test_the_outer_rim_of_a_sheet_is_left_unless_it_is_asked_for():
                        np.column_stack([corner, corner + n + 1, corner + n])])
     left = loopmend.fill(vertices, faces)
     assert [(h.kind, h.status) for h in left.holes] == [("outer rim", "skipped")]
-    assert "--include-outer-rim" in left.holes[0].message and len(left.new_faces) == 0
+    assert "include_outer_rim=True" in left.holes[0].message and len(left.new_faces) == 0
     assert loopmend.fill(vertices, faces, include_outer_rim=True).holes[0].status != "skipped"
 
 
@@ -241,7 +241,7 @@ def test_check_gives_the_volume_of_what_is_closed(sphere):
 def test_time_and_memory_are_bounded(sphere):
     (hole,) = loopmend.fill(*sphere, max_time=1e-6).holes
     assert (hole.status, hole.is_filled, len(hole.new_faces)) == ("skipped", False, 0)
-    assert "--max-time" in hole.message
+    assert "max_time" in hole.message
     (hole,) = loopmend.fill(*sphere, max_memory=1).holes
     assert not hole.is_filled and "memory" in hole.message
     with pytest.raises(loopmend.InvalidArgument, match="max_time must be greater than 0"):
@@ -275,14 +275,15 @@ WRONG = [
     ({"bridges": [(0, 10**6)]}, r"bridge \(0, 1000000\): the mesh has 2504 vertices"),
     ({"colors": np.zeros((3, 4), np.uint8)}, "colors must have one row for each of the 2504 vertices, not 3"),
     ({"colors": np.zeros((2504, 4))}, "colors must be of uint8"),
+    ({"colors": np.zeros((2504, 2), np.uint8)}, r"colors must have the shape \(n, 4\), not \(2504, 2\)"),
 ]
 
 
 @pytest.mark.parametrize("options, words", WRONG)
 def test_options_out_of_range_raise_with_the_words_of_the_engine(sphere, options, words):
     words = words.replace("2504", str(len(sphere[0])))
-    if "colors" in options and options["colors"].dtype != np.uint8:
-        options = {"colors": np.zeros((len(sphere[0]), 4))}
+    if "colors" in options and len(options["colors"]) > 3:
+        options = {"colors": np.resize(options["colors"], (len(sphere[0]), options["colors"].shape[1]))}
     with pytest.raises(loopmend.InvalidArgument, match=words) as caught:
         loopmend.fill(*sphere, **options)
     assert isinstance(caught.value, loopmend.Error) and isinstance(caught.value, ValueError)

@@ -12,7 +12,7 @@ wheel=$(find "$wheels" -maxdepth 1 -name 'loopmend-*.whl' 2>/dev/null | head -1 
 [[ -n $wheel ]] || { echo "skipped: there is no wheel in $wheels, which the test python.wheel makes" >&2; exit 77; }
 [[ -x $folder/bin/python ]] || "$python" -m venv "$folder"
 if ! "$folder/bin/pip" install --quiet --disable-pip-version-check numpy pytest mypy \
-  trimesh meshio pyvista matplotlib distributed snakemake \
+  trimesh meshio pyvista matplotlib pandas tqdm distributed snakemake \
   >"$folder/log" 2>&1; then
   echo "skipped: the packages are not to be had: $(tail -1 "$folder/log")" >&2
   exit 77
@@ -22,8 +22,8 @@ unset PYTHONPATH
 cd "$folder"
 bin/mypy --strict --cache-dir=mypy_cache -p loopmend
 PATH="$folder/bin:$PATH" bin/python "$here/run.py" "$here/test_user_page.py" "$here/test_workflows.py" "$here/test_many_scans.py" "$here/test_fill.py" \
-  "$here/test_files_and_curvatures.py" | tee log
-if grep -q '^SKIPPED.*is not installed' log; then
+  "$here/test_files_and_curvatures.py" "$here/test_meshes.py" "$here/test_results.py" | tee log
+if grep -E '^SKIPPED.*(is not installed|could not import)' log; then
   echo "an example was skipped, though its package should be there" >&2
   exit 1
 fi

@@ -199,7 +199,7 @@ TEST_F(Batch, TellsWhatWentWrongInARowAndByItsExitCode) {
   EXPECT_EQ(batch("--no-auto --fail-on never --again open").code, 0);
   EXPECT_THAT(begun(known), UnorderedElementsAre("notes.ply", "split.off"));
   EXPECT_EQ(batch("-- --stitch").code, 1);
-  EXPECT_EQ(statuses()["split.off"], "filled");
+  EXPECT_EQ(statuses()["split.off"], "nothing");
 }
 
 TEST_F(Batch, PreparesEachScanUnlessAskedNotTo) {
@@ -207,7 +207,7 @@ TEST_F(Batch, PreparesEachScanUnlessAskedNotTo) {
   write_split(scans / "split.off");
   EXPECT_EQ(batch("--no-auto --fail-on open").code, 1);
   EXPECT_EQ(batch("--fail-on open").code, 0);  // another option: filled again
-  EXPECT_THAT(statuses(), ElementsAre(Pair("split.off", "filled")));
+  EXPECT_THAT(statuses(), ElementsAre(Pair("split.off", "nothing")));
   EXPECT_THAT(text_of(results / "reports" / "split.off.json"), HasSubstr("\"stitched\""));
 }
 
@@ -357,6 +357,23 @@ TEST_F(Batch, WritesTheSummaryOfWhatIsDoneWhenStopped) {
   EXPECT_EQ(WEXITSTATUS(status), 128 + SIGTERM) << text_of(work / "said");
   EXPECT_THAT(statuses(), ElementsAre(Pair("a.ply", "filled"), Pair("b.ply", "waiting"), Pair("c.ply", "waiting")));
   EXPECT_THAT(hidden_files(), IsEmpty());
+}
+
+TEST_F(Batch, CallsFilledOnlyWhatHasAPatch) {
+  fs::create_directories(scans);
+  std::ofstream(scans / "sheet.off") << "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  write_mesh(scans / "whole.ply", make_icosphere(1));
+  write_ball(scans / "open.ply", 0.9);
+  const auto run = batch("--fail-on open");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, HasSubstr("3 scans: 1 filled, 0 to look at, 0 errors, 2 with nothing to fill;"));
+  EXPECT_THAT(statuses(),
+              ElementsAre(Pair("open.ply", "filled"), Pair("sheet.off", "nothing"), Pair("whole.ply", "nothing")));
+  const std::string page = text_of(results / "summary.html");
+  EXPECT_THAT(page, HasSubstr("1 filled, 2 with nothing to fill, 0 to look at"));
+  EXPECT_THAT(page, HasSubstr("<td class='status'>filled</td><td class='good'>good</td><td class='n'>0.0"));
+  EXPECT_THAT(page, HasSubstr("<ul><li>the surface is closed</li></ul>"));
+  EXPECT_THAT(page, HasSubstr("<li>loop 1: skipped, outer rim of an open sheet"));
 }
 
 TEST_F(Batch, ShowsPicturesInAPageThatNeedsNoOtherFile) {

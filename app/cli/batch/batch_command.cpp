@@ -51,6 +51,7 @@ int run_batch(const BatchCommand& command, const CheckFillOptions& check) {
   if (command.verbosity == Verbosity::normal) {
     std::printf("%s: %d filled, %d to look at, %d errors", counted(scans.size(), "scan", "scans").c_str(),
                 counts.filled, counts.look, counts.error);
+    if (counts.nothing > 0) std::printf(", %d with nothing to fill", counts.nothing);
     if (counts.waiting > 0) std::printf(", %d waiting for the next run", counts.waiting);
     if (counts.as_before > 0) std::printf("; %d were complete before", counts.as_before);
     std::printf("; %s written in %.1f s\n", path_text(command.output / "summary.html").c_str(), seconds);

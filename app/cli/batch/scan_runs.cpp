@@ -182,7 +182,7 @@ class ScanRuns {
     fs::create_directories(picture.parent_path(), error);  // render tells what is wrong
     running_.emplace_back(k, true, std::nullopt,
                           std::vector<std::string>{"render", as_argument(scans_[k].input), as_argument(files(k).mesh),
-                                                   "-o", as_argument(picture), "--size", "480x240"});
+                                                   "-o", as_argument(picture), "--size", "1200x600"});
     return true;
   }
 

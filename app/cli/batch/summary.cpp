@@ -64,30 +64,31 @@ ScanFigures figures_of(const nlohmann::json& report) {
     const std::string status = loop.at("status").get<std::string>(), message = loop.at("message").get<std::string>();
     ++figures.loops;
     const bool is_open = status == "failed" || status == "skipped";
-    bool bad = false;
+    std::string grade;
     if (is_open) {
       ++(status == "failed" ? figures.failed : figures.left);
     } else {
       ++figures.filled;
-      bad = grade_of(loop) == "bad";
-      figures.bad += bad;
+      grade = grade_of(loop);
+      figures.bad += grade == "bad";
+      figures.look += grade == "look";
+      if (loop.at("expected_deviation").is_object())
+        take_larger(figures.likely_off, loop["expected_deviation"].at("likely"));
       figures.new_vertices += loop.at("free_vertices").get<long>();
       take_larger(figures.angle_rms, loop.at("seam_after").at("g1_rms_deg"));
       take_larger(figures.angle_max, loop.at("seam_after").at("g1_max_deg"));
     }
-    if (!is_open && !bad) continue;
+    if (grade == "good") continue;
     const std::string why =
-        bad && loop.contains("verdict") ? loop["verdict"].at("sentence").get<std::string>() : message;
-    const std::string words = (bad ? "bad" : status) + (why.empty() ? "" : ", " + why);
+        !is_open && loop.contains("verdict") ? loop["verdict"].at("sentence").get<std::string>() : message;
+    const std::string words = (is_open ? status : grade) + (why.empty() ? "" : ", " + why);
     auto known = std::find_if(said.begin(), said.end(), [&](const auto& one) { return one.first == words; });
     if (known == said.end()) known = said.insert(said.end(), {words, {}});
     known->second.push_back(loop.at("number").get<int>());
   }
-  std::vector<std::string> remarks;
   for (std::size_t k = 0; k < std::min(said.size(), most_remarks); ++k)
-    remarks.push_back(with_loops(said[k].first, said[k].second));
-  if (said.size() > most_remarks) remarks.emplace_back("and more, see the report");
-  figures.remarks = joined(remarks, "; ");
+    figures.remarks.push_back(with_loops(said[k].first, said[k].second));
+  if (said.size() > most_remarks) figures.remarks.emplace_back("and more, see the report");
   return figures;
 }
 
@@ -103,19 +104,21 @@ std::string csv_field(const std::string& text) {
 const char* SummaryRow::status() const {
   if (end->state == ScanEnd::State::error) return "error";
   if (end->state == ScanEnd::State::waiting) return "waiting";
-  return end->code == exit_done && figures ? "filled" : "look";
+  if (end->code != exit_done || !figures) return "look";
+  return figures->filled > 0 ? "filled" : "nothing";
 }
 
-std::string SummaryRow::remark() const {
+std::vector<std::string> SummaryRow::remarks() const {
   std::vector<std::string> parts;
   if (!end->why.empty()) parts.push_back(end->why);
   if (end->state == ScanEnd::State::waiting) parts.emplace_back("the batch was stopped before this scan was done");
   if (end->has_mesh() && !figures) parts.emplace_back("the report cannot be read");
   if (figures && end->code != exit_done && figures->failed == 0 && figures->bad == 0)
     parts.emplace_back(figures->filled > 0 ? "not everything was finished" : "nothing was filled");
-  if (figures && !figures->remarks.empty()) parts.push_back(figures->remarks);
+  if (figures && figures->loops == 0) parts.emplace_back("the surface is closed");
+  if (figures) parts.insert(parts.end(), figures->remarks.begin(), figures->remarks.end());
   if (!end->picture_fault.empty()) parts.push_back("no picture: " + end->picture_fault);
-  return joined(parts, "; ");
+  return parts;
 }
 
 std::vector<SummaryRow> summary_rows(const fs::path& folder, const std::vector<Scan>& scans,
@@ -141,10 +144,11 @@ SummaryCounts counts_of(const std::vector<SummaryRow>& rows) {
   SummaryCounts counts;
   for (const SummaryRow& row : rows) {
     const std::string status = row.status();
-    ++(status == "filled"  ? counts.filled
-       : status == "look"  ? counts.look
-       : status == "error" ? counts.error
-                           : counts.waiting);
+    ++(status == "filled"    ? counts.filled
+       : status == "nothing" ? counts.nothing
+       : status == "look"    ? counts.look
+       : status == "error"   ? counts.error
+                             : counts.waiting);
     counts.as_before += row.end->state == ScanEnd::State::as_before;
   }
   return counts;
@@ -154,7 +158,7 @@ std::string summary_csv(const std::vector<SummaryRow>& rows) {
   std::string csv =
       "scan,input,status,exit_code,this_run,vertices,faces,loops,filled,bad,failed,left,new_vertices,seam_angle_"
       "rms_deg,"
-      "seam_angle_max_deg,seconds,fill_seconds,peak_memory_mb,mesh,report,picture,remark\n";
+      "seam_angle_max_deg,seconds,fill_seconds,peak_memory_mb,verdict,likely_off,mesh,report,picture,remark\n";
   for (const SummaryRow& row : rows) {
     const std::string& name = row.scan->name;
     std::vector<std::string> fields{name, generic_path_text(row.scan->input), row.status(),
@@ -166,14 +170,15 @@ std::string summary_csv(const std::vector<SummaryRow>& rows) {
                                static_cast<long>(f.filled), static_cast<long>(f.bad), static_cast<long>(f.failed),
                                static_cast<long>(f.left), f.new_vertices})
         fields.push_back(std::to_string(count));
-      fields.insert(fields.end(), {number(f.angle_rms), number(f.angle_max), number("%.3f", row.end->seconds),
-                                   number("%.3f", f.seconds), number("%.0f", f.memory)});
+      fields.insert(fields.end(),
+                    {number(f.angle_rms), number(f.angle_max), number("%.3f", row.end->seconds),
+                     number("%.3f", f.seconds), number("%.0f", f.memory), f.verdict(), number(f.likely_off)});
     } else {
-      fields.resize(fields.size() + 13);
+      fields.resize(fields.size() + 15);
     }
     const bool has_mesh = row.end->has_mesh();
     fields.insert(fields.end(), {has_mesh ? "filled/" + name : "", has_mesh ? "reports/" + name + ".json" : "",
-                                 row.picture, row.remark()});
+                                 row.picture, joined(row.remarks(), "; ")});
     for (std::string& field : fields) field = csv_field(field);
     csv += joined(fields, ",") + "\n";
   }

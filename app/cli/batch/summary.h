@@ -15,14 +15,18 @@ namespace loopmend {
 struct ScanFigures {
   std::size_t vertices = 0, faces = 0;  ///< of the input
   int loops = 0, filled = 0;
-  int bad = 0;  ///< of those filled
+  int bad = 0, look = 0;  ///< of those filled: bad ones, those that a person should look at
   int failed = 0;
   int left = 0;  ///< as asked, no holes, or not finished
   long new_vertices = 0;
   std::optional<double> angle_rms, angle_max;  ///< largest at a seam, degrees
   double seconds = 0;                          ///< of the work, without the start of the process
   double memory = 0;                           ///< at most, MB
-  std::string remarks;                         ///< what is said of loops that are open or bad, each once
+  std::optional<double> likely_off;            ///< of the patch that is likely farthest from what was there; mesh units
+  std::vector<std::string> remarks;            ///< what is said of loops that are open or not good, each once
+
+  /// The worst of the patches: "good", "look", "bad"; empty where there is none.
+  const char* verdict() const { return bad > 0 ? "bad" : look > 0 ? "look" : filled > 0 ? "good" : ""; }
 };
 
 struct SummaryRow {
@@ -31,16 +35,17 @@ struct SummaryRow {
   std::optional<ScanFigures> figures;  ///< nothing where there is no report
   std::string picture;                 ///< as the page names it; empty: there is none
 
-  /// "filled", "look", "error" or "waiting".
+  /// "filled", "nothing" (no loop was filled, and none should have been), "look", "error" or "waiting".
   const char* status() const;
-  std::string remark() const;
+  std::vector<std::string> remarks() const;
 };
 
 struct SummaryCounts {
-  int filled = 0;  ///< everything as asked
-  int look = 0;    ///< a loop failed or has a bad patch, or none is a hole
+  int filled = 0;   ///< some loop, and everything as asked
+  int nothing = 0;  ///< there was nothing to fill
+  int look = 0;     ///< a loop failed or has a bad patch, or none is a hole
   int error = 0, waiting = 0;
-  int as_before = 0;  ///< of the first two, those that an earlier run filled
+  int as_before = 0;  ///< of the first three, those that an earlier run did
 };
 
 std::vector<SummaryRow> summary_rows(const std::filesystem::path& folder, const std::vector<Scan>& scans,

@@ -60,16 +60,24 @@ std::string cell(const char* format, const std::optional<double>& value) {
   return "<td class='n'>" + std::string(text) + "</td>";
 }
 
+/// Nothing, one remark, or a list of them.
+std::string listed(const std::vector<std::string>& remarks) {
+  std::string html;
+  for (const std::string& remark : remarks) html += "<li>" + escaped(remark) + "</li>";
+  return html.empty() ? html : "<ul>" + html + "</ul>";
+}
+
 std::string row_html(const fs::path& folder, const SummaryRow& row, std::size_t number) {
   const std::string& name = row.scan->name;
   std::string html =
-      "<tr id='s" + std::to_string(number) + "' class='" + row.status() + "'>" + cell(static_cast<long>(number));
+      "<tr id='s" + std::to_string(number) + "' data-status='" + row.status() + "'>" + cell(static_cast<long>(number));
   std::string files;
   if (row.end->has_mesh())
     files = "<br>" + link("filled/" + name, "mesh") + " " + link("reports/" + name + ".json", "report");
-  html += cell("<b>" + escaped(name) + "</b>" + files) + cell(row.status());
+  html += cell("<b>" + escaped(name) + "</b>" + files) + "<td class='status'>" + row.status() + "</td>";
   if (row.figures) {
     const ScanFigures& f = *row.figures;
+    html += "<td class='" + std::string(f.verdict()) + "'>" + f.verdict() + "</td>" + cell("%.2g", f.likely_off);
     for (const long count :
          {static_cast<long>(f.faces), static_cast<long>(f.loops), static_cast<long>(f.filled), static_cast<long>(f.bad),
           static_cast<long>(f.failed), static_cast<long>(f.left), f.new_vertices})
@@ -77,24 +85,61 @@ std::string row_html(const fs::path& folder, const SummaryRow& row, std::size_t 
     html +=
         cell("%.1f", f.angle_rms) + cell("%.1f", f.angle_max) + cell("%.1f", row.end->seconds) + cell("%.0f", f.memory);
   } else {
-    html += "<td colspan='11'></td>";
+    for (int k = 0; k < 13; ++k) html += "<td></td>";  // so that a click on a header sorts by it
   }
-  html += cell(escaped(row.remark()));
+  html += cell(listed(row.remarks()));
   const std::string png = row.picture.empty() ? std::string() : bytes_of(folder / row.picture);
-  html += png.empty() ? cell("")
-                      : cell("<img alt='before and after' width='360' loading='lazy' src='data:image/png;base64," +
-                             to_base64(png) + "'>");
+  html += png.empty()
+              ? cell("")
+              : cell("<img alt='before and after' title='click: larger' loading='lazy' src='data:image/png;base64," +
+                     to_base64(png) + "'>");
   return html + "</tr>\n";
 }
 
-const char* page_head =
-    "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>Filled scans</title>\n<style>\n"
-    "body{font:15px/1.4 sans-serif;margin:1.5rem;color:#222;background:#fff}\n"
-    "table{border-collapse:collapse}th,td{border:1px solid #ccc;padding:.25rem "
-    ".5rem;text-align:left;vertical-align:top}\n"
-    "th{position:sticky;top:0;background:#eee}td.n{text-align:right}td:nth-last-child(2){max-width:26rem}\n"
-    ".look td:nth-child(3){background:#ffe9c2}.error td:nth-child(3){background:#ffd0d0}"
-    ".waiting td:nth-child(3){background:#e6e6e6}\ncode{white-space:pre-wrap}\n</style></head><body>\n";
+const char* page_head = R"(<!doctype html>
+<html lang='en'><head><meta charset='utf-8'><title>Filled scans</title>
+<style>
+body{font:15px/1.4 sans-serif;margin:1.5rem;color:#222;background:#fff}
+table{border-collapse:collapse}
+th,td{border:1px solid #ccc;padding:.25rem .5rem;text-align:left;vertical-align:top}
+th{position:sticky;top:0;background:#eee}
+th button{font:inherit;border:0;background:none;padding:0;cursor:pointer}
+th[aria-sort=ascending] button::after{content:' \25B2'}th[aria-sort=descending] button::after{content:' \25BC'}
+td.n{text-align:right}td ul{margin:0;padding-left:1.1rem;min-width:18rem;max-width:34rem}
+td.look,[data-status=look] .status{background:#ffe9c2}td.bad,[data-status=error] .status{background:#ffd0d0}
+[data-status=waiting] .status,[data-status=nothing] .status{background:#e6e6e6}
+img{width:420px;cursor:zoom-in}img.large{width:1200px;cursor:zoom-out}
+code{white-space:pre-wrap}form{margin:.5rem 0}[hidden]{display:none}
+</style></head><body>
+)";
+
+/// Sorts by a click on a header, shows rows that have a word or a status, and enlarges a picture. Without it the page is whole.
+const char* page_script = R"(<script>
+const body = document.querySelector('tbody'), heads = [...document.querySelectorAll('th')];
+const value = (row, k) => row.cells[k].textContent.trim();
+heads.forEach((head, k) => head.querySelector('button')?.addEventListener('click', () => {
+  const up = head.getAttribute('aria-sort') !== 'ascending';
+  heads.forEach(other => other.removeAttribute('aria-sort'));
+  head.setAttribute('aria-sort', up ? 'ascending' : 'descending');
+  const rows = [...body.rows], numbers = rows.every(row => value(row, k) === '' || !isNaN(value(row, k)));
+  const order = (a, b) => numbers ? a - b : a.localeCompare(b);
+  rows.sort((one, other) => {
+    const a = value(one, k), b = value(other, k);
+    return a === '' || b === '' ? (a === '') - (b === '') : up ? order(a, b) : order(b, a);
+  });
+  body.append(...rows);
+}));
+const form = document.querySelector('form');
+form.hidden = false;
+form.addEventListener('submit', event => event.preventDefault());
+form.addEventListener('input', () => {
+  const word = form.word.value.toLowerCase(), status = form.status.value;
+  for (const row of body.rows)
+    row.hidden = (status && row.dataset.status !== status) || !row.textContent.toLowerCase().includes(word);
+});
+body.addEventListener('click', event => event.target.tagName === 'IMG' && event.target.classList.toggle('large'));
+</script>
+)";
 
 /// The scans that a person should look at, before the long table.
 std::string to_look_at(const std::vector<SummaryRow>& rows) {
@@ -104,8 +149,8 @@ std::string to_look_at(const std::vector<SummaryRow>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string status = rows[k].status();
     if ((status != "look" && status != "error") || ++count > most) continue;
-    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + escaped(rows[k].scan->name) + "</a> (" + status +
-            "): " + escaped(rows[k].remark()) + "</li>\n";
+    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + escaped(rows[k].scan->name) + "</a> (" + status + ") " +
+            listed(rows[k].remarks()) + "</li>\n";
   }
   if (count > most) list += "<li>" + std::to_string(count - most) + " more</li>\n";
   return count == 0 ? std::string() : "<h2>To look at</h2>\n<ul>\n" + list + "</ul>\n";
@@ -117,20 +162,25 @@ std::string summary_page(const fs::path& folder, const std::vector<SummaryRow>& 
   const SummaryCounts counts = counts_of(rows);
   std::string html = page_head;
   html += "<h1>" + std::to_string(rows.size()) + " scans</h1>\n<p>" + std::to_string(counts.filled) + " filled, " +
-          std::to_string(counts.look) + " to look at, " + std::to_string(counts.error) + " errors, " +
-          std::to_string(counts.waiting) + " waiting; " + std::to_string(counts.as_before) +
+          std::to_string(counts.nothing) + " with nothing to fill, " + std::to_string(counts.look) + " to look at, " +
+          std::to_string(counts.error) + " errors, " + std::to_string(counts.waiting) + " waiting; " +
+          std::to_string(counts.as_before) +
           " of them were complete before this run. <a href='summary.csv'>summary.csv</a></p>\n<p>Loopmend " +
           escaped(version()) + ": <code>" + escaped(command_line) + "</code></p>\n" + to_look_at(rows);
   html +=
-      "<h2>All "
-      "scans</h2>\n<table>\n<thead><tr><th>#</th><th>scan</th><th>status</th><th>faces</th><th>loops</th><th>filled</"
-      "th>"
-      "<th>bad</th><th>failed</th><th>left</th><th>new vertices</th><th>seam angle rms, &deg;</th>"
-      "<th>seam angle max, &deg;</th><th>seconds</th><th>memory, MB</th><th>remark</th><th>before and "
-      "after</th></tr></thead>\n"
-      "<tbody>\n";
+      "<h2>All scans</h2>\n<form hidden><input name='word' type='search' placeholder='name or remark'> <select "
+      "name='status'>"
+      "<option value=''>every status</option>";
+  for (const char* status : {"filled", "nothing", "look", "error", "waiting"})
+    html += "<option>" + std::string(status) + "</option>";
+  html += "</select></form>\n<table>\n<thead><tr>";
+  for (const char* name :
+       {"#", "scan", "status", "verdict", "likely off", "faces", "loops", "filled", "bad", "failed", "left",
+        "new vertices", "seam angle rms, &deg;", "seam angle max, &deg;", "seconds", "memory, MB", "remark"})
+    html += "<th><button>" + std::string(name) + "</button></th>";
+  html += "<th>before and after</th></tr></thead>\n<tbody>\n";
   for (std::size_t k = 0; k < rows.size(); ++k) html += row_html(folder, rows[k], k + 1);
-  return html + "</tbody></table>\n</body></html>\n";
+  return html + "</tbody></table>\n" + page_script + "</body></html>\n";
 }
 
 }  // namespace loopmend
