@@ -3019,6 +3019,18 @@
             <source>without Sharp edges the flow runs</source>
             <translation>ohne „Scharfe Kanten“ läuft der Fluss</translation>
         </message>
+        <message>
+            <source>few triangles</source>
+            <translation>wenige Dreiecke</translation>
+        </message>
+        <message>
+            <source>too small for a flow</source>
+            <translation>zu klein für einen Fluss</translation>
+        </message>
+        <message>
+            <source>closed by triangles around one new vertex</source>
+            <translation>mit Dreiecken um eine neue Ecke geschlossen</translation>
+        </message>
     </context>
     <context>
         <name>loopmend::ExampleController</name>
