@@ -153,8 +153,11 @@ Json loop_json(const HoleResult& result) {
   json["bending"] = patch.bending;
   json["rim"] = boundary_json(result);
   json["seconds"] = {{"initial_patch", patch.seconds.initial_patch},
+                     {"survey", patch.seconds.survey},
                      {"assemble", patch.seconds.assemble},
                      {"solve", patch.seconds.solve},
+                     {"expected_deviation", patch.seconds.deviation},
+                     {"other", patch.seconds.other()},
                      {"total", result.seconds}};
   json["energy"] = {{"initial", json_number(patch.energy.initial)}, {"final", json_number(patch.energy.final)}};
   json["split_energy"] = split_energy_json(patch.history);

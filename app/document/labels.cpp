@@ -98,7 +98,8 @@ QString state(HoleState state) {
 
 QString verdict_or_state(const Document& document, int loop) {
   const HoleState now = document.state(loop);
-  const bool came_to_an_end = now == HoleState::converged || now == HoleState::early_stop || now == HoleState::faired;
+  const bool came_to_an_end = now == HoleState::converged || now == HoleState::early_stop || now == HoleState::faired ||
+                              now == HoleState::filled;
   if (now == HoleState::left_out && document.present(loop)) return kind(document.loop(loop).kind);
   return came_to_an_end && document.verdict(loop) ? tr("good") : state(now);
 }

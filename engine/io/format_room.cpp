@@ -34,11 +34,19 @@ const FaceNames* find_names(const ScanAttributes& scan, std::string_view keyword
   return found == scan.names.end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// Two bytes behind each facet; of several columns of faces that could be them it is the first.
+bool is_stl_attribute(const AttributeColumn& column) {
+  return column.name() == "attribute" && column.type() == ScalarType::uint16 && !column.is_list();
+}
+
+}  // namespace
+
 /// The place of the column that becomes the two bytes behind each facet.
 std::optional<std::size_t> find_stl_attribute(const ScanAttributes& scan) {
   for (std::size_t k = 0; k < scan.faces.size(); ++k)
-    if (scan.faces[k].name() == "attribute" && scan.faces[k].type() == ScalarType::uint16 && !scan.faces[k].is_list())
-      return k;
+    if (is_stl_attribute(scan.faces[k])) return k;
   return {};
 }
 
@@ -87,8 +95,8 @@ bool is_texture_coordinate(const std::string& name) { return name == "s" || name
 
 /// Its one attribute of faces, in binary.
 bool stl_holds(const Room& room, const ScanAttributes& scan, const AttributeColumn& column) {
-  const auto attribute = find_stl_attribute(scan);
-  return room.encoding == Encoding::binary && attribute && &scan.faces[*attribute] == &column;
+  return room.encoding == Encoding::binary && is_stl_attribute(column) &&
+         &scan.faces[*find_stl_attribute(scan)] == &column;
 }
 
 /// Colours of vertices are said by themselves.
@@ -180,7 +188,7 @@ void add_attributes(std::vector<NotKept>& list, const Room& room, const Triangle
   if (!obj) count_not_kept(list, "material libraries", scan.material_libraries.size());
   if (!(ply && keeps_elements(soup)))
     for (const OtherElement& element : scan.elements)
-      count_not_kept(list, "elements \"" + element.name + "\"", element.rows);
+      if (element.rows > 0) list.push_back({"elements \"" + element.name + "\"", element.rows});
 }
 
 }  // namespace

@@ -101,9 +101,8 @@ class HeaderReader {
     const std::optional<std::int64_t> number = parse_integer(count);
     if (element.name.empty() || !number || *number < 0)
       errors_.not_a_number(count, "a count of elements", cursor_.place());
-    if (header_.find(element.name) != nullptr) {
+    if (!element_names_.insert(element.name).second)
       errors_.fail("a second element " + in_quotes(element.name), cursor_.place());
-    }
     element.count = static_cast<std::uint64_t>(*number);
     header_.elements.push_back(std::move(element));
     property_names_.clear();
@@ -162,6 +161,7 @@ class HeaderReader {
   TextCursor cursor_;
   PlyHeader header_;
   bool has_format_ = false;
+  std::set<std::string> element_names_;
   std::set<std::string> property_names_;  ///< of the last element
 };
 

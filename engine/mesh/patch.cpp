@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "mesh/by_position.h"
+#include "mesh/narrow_patch.h"
 #include "mesh/point_diameter.h"
 
 #include <Eigen/Geometry>
@@ -42,7 +43,7 @@ void sort_rings(const TriMesh& mesh, Neighborhood& around) {
   }
 }
 
-Neighborhood collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops) {
+Neighborhood collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>& loops, int rings) {
   Neighborhood s;
   const auto add = [&](int v, int ring) {
     if (!s.index.emplace(v, static_cast<int>(s.view_vertex.size())).second) return;
@@ -52,7 +53,7 @@ Neighborhood collect_rings(const TriMesh& mesh, const std::vector<BoundaryLoop>&
   for (const BoundaryLoop& loop : loops)
     for (int v : loop.vertices) add(v, 1);
   for (std::size_t k = 0; k < s.view_vertex.size(); ++k) {
-    if (s.ring[k] >= patch_rings) break;
+    if (s.ring[k] >= rings) break;
     for (const auto next : mesh.vv_range(VertexHandle(s.view_vertex[k]))) add(next.idx(), s.ring[k] + 1);
   }
   sort_rings(mesh, s);
@@ -94,6 +95,11 @@ void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopP
 
 Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                  const std::vector<LoopPatch>& initial_patches) {
+  return make_narrow_patch(model, loops, initial_patches, patch_rings);
+}
+
+Patch make_narrow_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                        const std::vector<LoopPatch>& initial_patches, int rings) {
   check_sizes(loops, initial_patches);
   Patch patch;
   Eigen::AlignedBox3d box;
@@ -105,7 +111,7 @@ Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loo
 
   for (std::size_t k = 0; k < loops.size(); ++k)
     patch.free_count += static_cast<int>(initial_patches[k].points.size() - loops[k].vertices.size());
-  const Neighborhood around = collect_rings(model.mesh, loops);
+  const Neighborhood around = collect_rings(model.mesh, loops, rings);
 
   int next_free = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {

@@ -2,6 +2,7 @@
 #include "mesh/self_intersections.h"
 
 #include "core/release.h"
+#include "mesh/count_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
@@ -223,8 +224,12 @@ std::vector<int> merged_by_place(const Points& points) {
   return merged;
 }
 
-std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count,
-                                                    const CancelToken& cancel) {
+namespace {
+
+/// visit(f, g) for the pairs that self_intersections() returns, in no particular order.
+template <class Visit>
+void for_each_intersection(const Points& points, const Triangles& triangles, int count, const CancelToken& cancel,
+                           const Visit& visit) {
   Eigen::AlignedBox3d extent;
   for (const Vec3& p : points) extent.extend(p);
   std::array<int, 3> axis{0, 1, 2};
@@ -232,17 +237,37 @@ std::vector<std::pair<int, int>> self_intersections(const Points& points, const 
   Boxes boxes(triangles.size());
   for (std::size_t f = 0; f < triangles.size(); ++f)
     for (int v : triangles[f]) boxes[f].extend(points[v]);
-  std::vector<std::pair<int, int>> pairs;
   const PairTest test(points, triangles);
   const auto look = [&](int f, int g) {
-    if (!cancel.cancelled() && test.cut(f, g)) pairs.emplace_back(f, g);
+    if (!cancel.cancelled() && test.cut(f, g)) visit(f, g);
   };
   // On a nearly flat patch the trees have the least to search over the long axes, and a sweep along the longest.
   if (triangles.size() <= most_for_sweep)
     sweep(boxes, axis[2], count, look);
   else
     search_trees(boxes, axis, count, look);
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> self_intersections(const Points& points, const Triangles& triangles, int count,
+                                                    const CancelToken& cancel) {
+  std::vector<std::pair<int, int>> pairs;
+  for_each_intersection(points, triangles, count, cancel, [&](int f, int g) { pairs.emplace_back(f, g); });
   std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::size_t count_self_intersections(const Points& points, const Triangles& triangles, std::size_t most,
+                                     const CancelToken& cancel) {
+  struct Enough {};
+  std::size_t pairs = 0;
+  try {
+    for_each_intersection(points, triangles, static_cast<int>(triangles.size()), cancel, [&](int, int) {
+      if (++pairs >= most) throw Enough();
+    });
+  } catch (const Enough&) {
+  }
   return pairs;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/watertight.h"
 
+#include "mesh/count_intersections.h"
 #include "mesh/self_intersections.h"
 
 #include <Eigen/Geometry>
@@ -173,7 +174,7 @@ Watertightness watertightness(const TriangleSoup& soup, const CancelToken& cance
   if (cancel.cancelled()) return result;
   result.pieces = count_pieces(triangles, soup.points.size());
   result.volume = enclosed_volume(soup.points, triangles);
-  result.intersections = self_intersections(soup.points, triangles, static_cast<int>(triangles.size()), cancel).size();
+  result.intersections = count_self_intersections(soup.points, triangles, most_intersections, cancel);
   return result;
 }
 

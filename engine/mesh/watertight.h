@@ -11,16 +11,19 @@
 
 namespace loopmend {
 
+/// Loose triangles may have as many as their number squared.
+inline constexpr std::size_t most_intersections = 1'000'000;
+
 /// Counts over the triangles that have three different corners; points in exactly the same place are one, as a printer sees
 /// them.
 struct Watertightness {
-  std::size_t pieces = 0;              ///< parts of the surface that share no vertex
-  std::size_t open_boundaries = 0;     ///< loops of open edges; two that touch at a vertex are two
-  std::size_t open_edges = 0;          ///< of one triangle
-  std::size_t touching_edges = 0;      ///< of more than two, in pairs that agree: where a body touches another, or itself
+  std::size_t pieces = 0;           ///< parts of the surface that share no vertex
+  std::size_t open_boundaries = 0;  ///< loops of open edges; two that touch at a vertex are two
+  std::size_t open_edges = 0;       ///< of one triangle
+  std::size_t touching_edges = 0;   ///< of more than two, in pairs that agree: where a body touches another, or itself
   std::size_t non_manifold_edges = 0;  ///< of more than two that are not in such pairs
   std::size_t reversed_edges = 0;      ///< whose two triangles do not agree which side is outside
-  std::size_t intersections = 0;       ///< pairs of triangles that cut each other
+  std::size_t intersections = 0;       ///< pairs of triangles that cut each other, counted up to most_intersections
   double volume = 0;  ///< cubic mesh units; negative: inside out. Tells nothing where the surface is open
 
   /// Whether inside and outside are told apart everywhere: a body that touches itself along an edge is still a body.

@@ -8,6 +8,7 @@
 #include "pipeline/blend.h"
 #include "pipeline/filling_view.h"
 #include "pipeline/paste.h"
+#include "pipeline/tiny_hole.h"
 
 #include <algorithm>
 #include <chrono>
@@ -47,7 +48,7 @@ std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<Boundar
                             FillOptions::Islands islands, const std::set<int>& refused) {
   std::vector<Task> tasks;
   std::set<int> joined;
-  if (islands == FillOptions::Islands::join)
+  if (islands == FillOptions::Islands::join && !loops.empty())
     for (std::vector<BoundaryLoop>& place : holes_with_islands(model, loops)) {
       std::erase_if(place, [&](const BoundaryLoop& loop) { return refused.contains(loop.number); });
       if (place.size() < 2) continue;
@@ -188,13 +189,13 @@ GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& o
 
 /// Patches that would intersect one another are left out. @returns the results in the order of `loops`, then those of islands.
 std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                               const std::vector<GroupResult>& solved) {
-  std::vector<const PatchResult*> patches;
+                               std::vector<GroupResult> solved) {
+  std::map<const PatchResult*, std::size_t> place_of_patch;
   std::vector<const Patch*> geometry;
   for (const GroupResult& group : solved)
     for (const auto& patch : group.patches) {
       if (!is_filled(patch->status)) continue;
-      patches.push_back(patch.get());
+      place_of_patch.emplace(patch.get(), geometry.size());
       geometry.push_back(&patch->patch);
     }
   std::map<int, std::size_t> place;
@@ -204,22 +205,22 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
     return found != place.end() ? found->second : loops.size() + static_cast<std::size_t>(result.loop.number);
   };
   std::vector<HoleResult> results;
-  for (const GroupResult& group : solved) results.insert(results.end(), group.holes.begin(), group.holes.end());
+  for (GroupResult& group : solved) std::move(group.holes.begin(), group.holes.end(), std::back_inserter(results));
   std::stable_sort(results.begin(), results.end(),
                    [&](const HoleResult& x, const HoleResult& y) { return place_of(x) < place_of(y); });
   // Room for a fault: from here on memory is asked for by paste_patches alone. Either the model is unchanged, or these results
   // are handed back.
   for (HoleResult& result : results) result.message.reserve(std::strlen(no_memory_message));
   const std::vector<PastedPatch> outcomes = paste_patches(model, geometry);
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    for (HoleResult& result : results) {
-      if (result.patch.get() != patches[k]) continue;
-      result.first_point = outcomes[k].first_point;
-      result.first_triangle = outcomes[k].first_triangle;
-      if (outcomes[k].fault.empty()) continue;
-      result.status = PatchStatus::failed;
-      result.message = outcomes[k].fault;
-    }
+  for (HoleResult& result : results) {
+    const auto patch = place_of_patch.find(result.patch.get());
+    if (patch == place_of_patch.end()) continue;
+    const PastedPatch& outcome = outcomes[patch->second];
+    result.first_point = outcome.first_point;
+    result.first_triangle = outcome.first_triangle;
+    if (outcome.fault.empty()) continue;
+    result.status = PatchStatus::failed;
+    result.message = outcome.fault;
   }
   return results;
 }
@@ -248,6 +249,20 @@ int large_first(const SurfaceModel& model, const FillOptions& options, std::vect
   return count;
 }
 
+/// Closes the tiny holes: a scan may have very many. @returns one result for each loop; nothing where it takes more.
+std::vector<std::optional<GroupResult>> tiny_holes_closed(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops,
+                                                          const FillOptions& options, const CancelToken& cancel) {
+  std::vector<std::optional<GroupResult>> closed(loops.size());
+  parallel_for(0, static_cast<int>(loops.size()), 64, [&](int k) {
+    if (cancel.cancelled()) return;
+    try {
+      closed[k] = close_tiny_hole(scan, loops[k], options, 2);
+    } catch (const std::exception&) {  // what goes wrong there is said when it is tried with all means
+    }
+  });
+  return closed;
+}
+
 std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& asked,
                              const OnFillProgress& progress, const CancelToken& cancel) {
   FillOptions options = asked;
@@ -259,8 +274,14 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   std::vector<GroupResult> solved;
   std::vector<BoundaryLoop> possible;
   std::set<int> refused;
-  for (const BoundaryLoop& loop : loops) {  // what no patch can fill is known before any is made
+  std::vector<std::optional<GroupResult>> closed = tiny_holes_closed(scan, loops, options, cancel);
+  for (std::size_t k = 0; k < loops.size(); ++k) {  // what no patch can fill is known before any is made
     if (cancel.cancelled()) break;
+    const BoundaryLoop& loop = loops[k];
+    if (closed[k]) {
+      solved.push_back(std::move(*closed[k]));
+      continue;
+    }
     std::string why;
     try {
       if (loop.kind != LoopKind::cut) why = why_no_patch_exists(scan, loop);
@@ -307,7 +328,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   for (std::size_t k = 0; k < tasks.size(); ++k)
     solved.push_back(finished[k] ? std::move(results[k])
                                  : open_group(tasks[k].loops, PatchStatus::skipped, "not finished when stopped"));
-  return pasted(model, loops, solved);
+  return pasted(model, loops, std::move(solved));
 }
 
 }  // namespace

@@ -184,7 +184,9 @@ InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<Bo
     make();
     return initial;
   }
+  const auto start = std::chrono::steady_clock::now();
   parallel_invoke(make, [&] { survey = survey_boundary(without_patches(model, group), cancel); });
+  initial.survey_seconds = std::max(0.0, seconds_since(start) - initial.seconds);
   if (initial.patch) initial.survey = std::move(survey);
   return initial;
 }

@@ -34,6 +34,7 @@ struct InitialPatch {
   enum class Alike { unknown, known } alike = Alike::unknown;
   std::optional<BoundarySurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
   double seconds = 0;                    ///< that it took
+  double survey_seconds = 0;             ///< that the survey took beyond that
 
   /// What is to be said of the loops that were filled; empty when all is well.
   std::string message() const;

@@ -54,6 +54,8 @@ struct Bends {
     usual = quantile(std::move(around), 0.95);
   }
 
+  /// Above it a person sees a crease.
+  double most_at_seam() const { return std::max(crease_deg, usual + crease_more_deg); }
   double at(int a, int b) const {
     const auto found = seam.find(std::minmax(a, b));
     return found == seam.end() ? 0 : found->second;
@@ -140,6 +142,14 @@ const char* to_string(Grade grade) {
   return "";
 }
 
+std::optional<double> crease_without_finding(const Patch& patch) {
+  const Bends bends(patch);
+  double largest = 0;
+  for (const auto& [edge, angle] : bends.seam) largest = std::max(largest, angle);
+  if (!bends.folds.empty() || largest > bends.most_at_seam()) return std::nullopt;
+  return largest;
+}
+
 void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std::vector<Verdict>& verdicts) {
   for (std::size_t l = 0; l < std::min(verdicts.size(), deviation.loops.size()); ++l) {
     const double share = deviation.loops[l].likely / (patch.scale * loop_diameter(patch, l));
@@ -203,7 +213,7 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
     if (l == 0 && validity.nonmanifold_edges > 0)  // they are counted for the whole patch
       add(verdict, Grade::bad, {NoticeCode::nonmanifold_edges, {static_cast<double>(validity.nonmanifold_edges)}});
     judge_height(l, verdict);
-    judge_seam(l, bends.along(patch.loops[l]), bends.usual, verdict);
+    judge_seam(l, bends.along(patch.loops[l]), bends.most_at_seam(), verdict);
     judge_curvature(l, seams, verdict);
     std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
                      [](const Notice& a, const Notice& b) { return a.code < b.code; });
@@ -211,7 +221,7 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
   return verdicts;
 }
 
-void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double usual, Verdict& verdict) const {
+void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double most_at_seam, Verdict& verdict) const {
   const std::vector<double>& before = initial_bends_[l];
   Run torn, was, crease;
   for (std::size_t k = 0; k < bends.size(); ++k) {
@@ -221,7 +231,7 @@ void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double u
       torn.add(bends[k]);
       was.add(before[k]);
     }
-    if (bends[k] > std::max(crease_deg, usual + crease_more_deg)) crease.add(bends[k]);
+    if (bends[k] > most_at_seam) crease.add(bends[k]);
   }
   if (creases_ == Creases::asked_for || ends_at(l)) return;
   if (torn.counts(torn_seam_share, bends.size()))

@@ -11,6 +11,7 @@
 #include "pipeline/proportion.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace loopmend {
@@ -72,7 +73,7 @@ class Judge {
   const std::vector<SeamReport>& initial_seams() const { return initial_seams_; }
 
  private:
-  void judge_seam(std::size_t loop, const std::vector<double>& bends, double usual, Verdict& verdict) const;
+  void judge_seam(std::size_t loop, const std::vector<double>& bends, double most_at_seam, Verdict& verdict) const;
   void judge_curvature(std::size_t loop, const std::vector<SeamReport>& seams, Verdict& verdict) const;
   void judge_height(std::size_t loop, Verdict& verdict) const;
   bool expects_crease(std::size_t loop, std::size_t edge) const {
@@ -88,6 +89,10 @@ class Judge {
   std::vector<std::vector<double>> initial_bends_;   ///< degrees, per loop and edge
   std::vector<SeamReport> initial_seams_;
 };
+
+/// Of a patch of a few triangles: the largest bend of a seam edge, degrees; nothing where one is larger than a Judge leaves without a
+/// finding, or an edge of the patch is a fold.
+std::optional<double> crease_without_finding(const Patch& patch);
 
 /// Adds to the verdicts of the patch's loops where the surface that was there is likely far.
 void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std::vector<Verdict>& verdicts);

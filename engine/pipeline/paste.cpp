@@ -16,20 +16,22 @@
 #include <cstring>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 namespace loopmend {
 
 namespace {
 
-/// A patch as it was pasted.
-struct PastedPart {
+/// A patch in place.
+struct PlacedPart {
   Points points;
   Triangles triangles;
   Eigen::AlignedBox3d box;
   int loop = 0;  ///< the first that it closes
+  bool is_pasted = false;
 
-  PastedPart(const SurfaceModel& model, const PatchGeometry& patch, int first)
+  PlacedPart(const SurfaceModel& model, const PatchGeometry& patch, int first)
       : triangles(patch.triangles),
         loop(first) {
     for (int v : patch.boundary) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
@@ -37,8 +39,7 @@ struct PastedPart {
     for (const Vec3& p : points) box.extend(p);
   }
 
-  bool intersects(const PastedPart& other) const {
-    if (!box.intersects(other.box)) return false;
+  bool intersects(const PlacedPart& other) const {
     Points both = points;
     both.insert(both.end(), other.points.begin(), other.points.end());
     Triangles all = triangles;
@@ -52,16 +53,42 @@ int first_loop(const Patch& patch) {
   return patch.loop_numbers.empty() ? 0 : *std::min_element(patch.loop_numbers.begin(), patch.loop_numbers.end());
 }
 
+/// The patches in the order in which they are pasted, and which of their boxes meet.
+class PlacedParts {
+ public:
+  PlacedParts(const SurfaceModel& model, const std::vector<const Patch*>& patches,
+              const std::vector<std::size_t>& order) {
+    parts_.reserve(order.size());
+    for (std::size_t k : order) {
+      const PlacedPart& part = parts_.emplace_back(model, patch_geometry(*patches[k]), first_loop(*patches[k]));
+      const int corner = static_cast<int>(corners_.size());
+      corners_.insert(corners_.end(), {part.box.min(), part.box.max()});
+      boxes_.push_back({corner, corner + 1, corner});
+    }
+    index_.emplace(corners_, boxes_);
+  }
+  PlacedPart& operator[](std::size_t place) { return parts_[place]; }
+  /// The first pasted one that the part at this place intersects; null where there is none.
+  const PlacedPart* pasted_across(std::size_t place) const {
+    for (int other : index_->near(parts_[place].box.min(), parts_[place].box.max()))
+      if (parts_[other].is_pasted && parts_[place].intersects(parts_[other])) return &parts_[other];
+    return nullptr;
+  }
+
+ private:
+  std::vector<PlacedPart> parts_;
+  Points corners_;   ///< two of each box
+  Triangles boxes_;  ///< each box as that of a triangle
+  std::optional<TriangleIndex> index_;
+};
+
 /// @returns why the patch was left out; empty where it was pasted.
-std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPart>& pasted, ChordFaces& chords) {
+std::string paste(SurfaceModel& model, const Patch& patch, PlacedParts& parts, std::size_t place, ChordFaces& chords) {
   const PatchGeometry geometry = patch_geometry(patch);
   if (const int edges = chords.count_crowded(model, geometry); edges > 0)
     return nonmanifold_message(edges) + ": left open";
-  PastedPart part(model, geometry, first_loop(patch));
-  const auto cut =
-      std::find_if(pasted.begin(), pasted.end(), [&](const PastedPart& other) { return part.intersects(other); });
-  if (cut != pasted.end()) {
-    const std::string other = std::to_string(cut->loop), own = std::to_string(part.loop);
+  if (const PlacedPart* cut = parts.pasted_across(place)) {
+    const std::string other = std::to_string(cut->loop), own = std::to_string(parts[place].loop);
     return "its patch would cut that of loop " + other + ": left open; 'loopmend blend --loops 1:" + other +
            ",1:" + own + "' joins the two by one surface";
   }
@@ -71,7 +98,7 @@ std::string paste(SurfaceModel& model, const Patch& patch, std::vector<PastedPar
     return error.what();
   }
   chords.add_patch(model, geometry);
-  pasted.push_back(std::move(part));  // has room
+  parts[place].is_pasted = true;
   return "";
 }
 
@@ -84,8 +111,7 @@ std::vector<PastedPatch> paste_patches(SurfaceModel& model, const std::vector<co
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return first_loop(*patches[a]) < first_loop(*patches[b]); });
   std::vector<PastedPatch> outcomes(patches.size(), {no_memory_message});
-  std::vector<PastedPart> pasted;
-  pasted.reserve(patches.size());
+  PlacedParts parts(model, patches, order);
   std::size_t points = 0, triangles = 0;
   for (const Patch* patch : patches) {
     points += static_cast<std::size_t>(patch->free_count);
@@ -95,11 +121,12 @@ std::vector<PastedPatch> paste_patches(SurfaceModel& model, const std::vector<co
   for (const Patch* patch : patches) chords.add_chords(model, patch_geometry(*patch));
   chords.add_faces(model);
   reserve_patches(model, points, triangles);
-  for (std::size_t k : order) {
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::size_t k = order[place];
     const int first_point = static_cast<int>(model.soup.points.size());
     const int first_triangle = static_cast<int>(model.soup.triangles.size());
     try {
-      outcomes[k].fault = paste(model, *patches[k], pasted, chords);
+      outcomes[k].fault = paste(model, *patches[k], parts, place, chords);
       if (outcomes[k].fault.empty()) outcomes[k] = {"", first_point, first_triangle};
     } catch (const std::bad_alloc&) {  // as it says already
     }

@@ -11,6 +11,7 @@
 #include "pipeline/expected_deviation.h"
 #include "pipeline/judge.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,12 @@ struct PatchResult {
   double bending = 0;               ///< EvolutionOptions::bending that was used
   std::vector<StepRecord> history;  ///< of the run that made the patch
   struct {
-    double initial_patch = 0, assemble = 0, solve = 0, total = 0;
+    double initial_patch = 0;
+    double survey = 0;  ///< of the neighborhood, beyond the initial patch that is made beside it
+    double assemble = 0, solve = 0;
+    double deviation = 0;  ///< its estimate
+    double total = 0;      ///< these, and what has no entry: looking for faults, and attempts that were not kept
+    double other() const { return std::max(0.0, total - initial_patch - survey - assemble - solve - deviation); }
   } seconds;
   struct {
     double initial = 0, final = 0;

@@ -7,6 +7,7 @@
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/patch_relief.h"
 #include "pipeline/seconds_since.h"
+#include "pipeline/tiny_hole.h"
 
 #include <algorithm>
 #include <chrono>
@@ -61,9 +62,12 @@ class GroupSolver {
         on_step_(on_step),
         cancel_(cancel) {}
 
-  GroupResult solve(const InitialPatch& initial) const {
-    if (initial.loops.size() == 1 || initial.origin == InitialPatch::Origin::evolved) return jointly(initial);
-    GroupResult result = failed_group(initial.loops, "");
+  GroupResult solve(const InitialPatch& asked) const {
+    if (asked.origin == InitialPatch::Origin::evolved) return jointly(asked);
+    GroupResult result = failed_group(asked.loops, "");
+    const InitialPatch initial = without_tiny(asked, result);
+    if (initial.loops.empty()) return result;
+    if (asked.loops.size() == 1) return jointly(initial);
     std::vector<MirrorFit> refused(initial.loops.size());
     const InitialPatch others = without_mirrored(initial, result, refused);
     if (others.loops.empty()) return result;
@@ -71,19 +75,37 @@ class GroupSolver {
       if (cancel_.cancelled()) return result;
       put(guarded(alike.loops, [&] { return part(alike); }), result);
     }
-    for (std::size_t k = 0; k < refused.size(); ++k)
-      if (result.holes[k].mirror.answer == MirrorFit::Answer::not_asked) result.holes[k].mirror = refused[k];
+    for (std::size_t k = 0; k < refused.size(); ++k) {
+      HoleResult& hole = *hole_of(initial.loops[k], result);
+      if (hole.mirror.answer == MirrorFit::Answer::not_asked) hole.mirror = refused[k];
+    }
     return result;
   }
 
  private:
+  /// Closes the tiny holes of a group, each by itself. @returns the others.
+  InitialPatch without_tiny(const InitialPatch& initial, GroupResult& result) const {
+    std::vector<int> others;
+    for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
+      if (std::optional<GroupResult> own = close_tiny_hole(scan_, initial.loops[k], options_, patch_rings))
+        put(std::move(*own), result);
+      else
+        others.push_back(k);
+    if (others.size() == initial.loops.size()) return initial;
+    return others.empty() ? InitialPatch{} : part_of(scan_.model, with_outcomes(initial), others, options_.initial);
+  }
+
+  InitialPatch with_outcomes(InitialPatch initial) const {
+    if (initial.outcomes.empty())
+      initial.outcomes = make_initial_patch(scan_.model, initial.loops, options_.initial, cancel_).outcomes;
+    return initial;
+  }
+
   /// Solves those loops of a group by themselves that a mirror image closes. @returns the others.
   InitialPatch without_mirrored(const InitialPatch& initial, GroupResult& result,
                                 std::vector<MirrorFit>& refused) const {
     if (options_.mirror_planes.empty() || !options_.evolution) return initial;
-    InitialPatch known = initial;
-    if (known.outcomes.empty())
-      known.outcomes = make_initial_patch(scan_.model, initial.loops, options_.initial, cancel_).outcomes;
+    const InitialPatch known = with_outcomes(initial);
     std::vector<int> others;
     for (int k = 0; k < static_cast<int>(known.loops.size()); ++k) {
       GroupResult own = guarded({known.loops[k]}, [&] {
@@ -118,11 +140,14 @@ class GroupSolver {
     return single;
   }
 
+  static std::vector<HoleResult>::iterator hole_of(const BoundaryLoop& loop, GroupResult& result) {
+    return std::find_if(result.holes.begin(), result.holes.end(),
+                        [&](const HoleResult& hole) { return hole.loop.number == loop.number; });
+  }
+
   static void put(GroupResult from, GroupResult& result) {
     for (auto& patch : from.patches) result.patches.push_back(std::move(patch));
-    for (HoleResult& hole : from.holes)
-      *std::find_if(result.holes.begin(), result.holes.end(),
-                    [&](const HoleResult& h) { return h.loop.number == hole.loop.number; }) = std::move(hole);
+    for (HoleResult& hole : from.holes) *hole_of(hole.loop, result) = std::move(hole);
   }
 
   GroupResult jointly(const InitialPatch& initial) const {
@@ -147,7 +172,12 @@ class GroupSolver {
       made.status = PatchStatus::invalid;
       made.message = why_left_open(scan_, initial.loops.front(), made.validity.intersections);
     }
-    if (valid && options_.evolution) expect_deviation(*options_.evolution, cancel_, made);
+    if (valid && options_.evolution) {
+      const auto start = std::chrono::steady_clock::now();
+      expect_deviation(*options_.evolution, cancel_, made);
+      made.seconds.deviation = seconds_since(start);
+      made.seconds.total += made.seconds.deviation;
+    }
     const auto patch = std::make_shared<const PatchResult>(std::move(made));
     result.patches.push_back(patch);
     const std::vector<int> free = free_vertices_per_loop(patch->patch);
@@ -221,6 +251,7 @@ class GroupSolver {
   PatchResult solved(const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
     const BoundarySurvey survey = initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_);
+    const double survey_seconds = initial.survey ? initial.survey_seconds : seconds_since(start);
     const std::vector<BoundaryLoop> loops = loops_of(initial);
     const PatchProblem problem{scan_, *initial.patch, loops, &options_.mirror_planes};
     PatchResult result;
@@ -236,7 +267,8 @@ class GroupSolver {
     }
     result.neighborhood = boundary_summaries(*initial.patch, survey.split, survey.loops);
     result.seconds.initial_patch = initial.seconds;
-    result.seconds.total = initial.seconds + seconds_since(start);
+    result.seconds.survey = survey_seconds;
+    result.seconds.total = initial.seconds + initial.survey_seconds + seconds_since(start);
     return result;
   }
 

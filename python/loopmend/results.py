@@ -92,7 +92,7 @@ class Check:
     touching_edges: of more than two faces, in pairs that agree: where a body touches another, or itself. They may stay.
     non_manifold_edges: of more than two faces that are not in such pairs.
     reversed_edges: whose two faces do not agree which side is outside.
-    intersecting_pairs: pairs of faces that cut each other.
+    intersecting_pairs: pairs of faces that cut each other, counted up to a million.
     volume: length³, negative where the mesh is inside out; None where it encloses none.
     """
 

@@ -85,8 +85,13 @@ TEST_F(Cli, FillClosesAllHolesAndReports) {
     EXPECT_EQ(loop["status"], "converged");
     for (const char* key : {"number", "edges", "perimeter", "diameter", "kind", "message", "free_vertices", "steps"})
       EXPECT_TRUE(loop.contains(key)) << key;
-    for (const char* key : {"initial_patch", "assemble", "solve", "total"})
-      EXPECT_TRUE(loop["seconds"].contains(key)) << key;
+    double sum = 0;
+    for (const char* key : {"initial_patch", "survey", "assemble", "solve", "expected_deviation", "other"}) {
+      ASSERT_TRUE(loop["seconds"].contains(key)) << key;
+      sum += loop["seconds"][key].get<double>();
+    }
+    EXPECT_NEAR(sum, loop["seconds"]["total"].get<double>(), 1e-6);
+    EXPECT_GT(loop["seconds"]["survey"].get<double>() + loop["seconds"]["expected_deviation"].get<double>(), 0);
     EXPECT_LT(loop["energy"]["final"], 1e-4 * loop["energy"]["initial"].get<double>());
     for (const char* side : {"seam_before", "seam_after"})
       for (const char* key : {"g1_rms_deg", "g1_max_deg", "h_jump_rms", "h_jump_max", "h_jump_rms_times_diameter"})

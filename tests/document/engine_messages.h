@@ -114,6 +114,7 @@ inline constexpr const char* engine_messages[] = {
     "flow: a bubble of 3.8 times the area of the initial patch",
     "split flow: mean curvature jumps at the seam by 250 / diameter, before the flow by 3.4",
     "too small to hold a free vertex: closed by triangles between its own vertices",
+    "too small for a flow: closed by triangles around one new vertex",
     "the scan around the hole has no relief to continue",
     "the patch has as much relief as the scan without any added, rms 0.0123 (0.0131 around the hole)",
     "with relief the patch would fold or cut the surface: it stays smooth",

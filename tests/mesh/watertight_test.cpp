@@ -128,5 +128,24 @@ TEST(Watertight, TrianglesWithoutThreeCornersAreNotLookedAt) {
 
 TEST(Watertight, NothingIsNotPrintable) { EXPECT_FALSE(watertightness({}).printable()); }
 
+TEST(Watertight, CrossingPairsAreCountedUpToAMillion) {
+  // 1100 strips one way across 1100 the other way: each cuts each.
+  TriangleSoup soup;
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const int first = static_cast<int>(soup.points.size());
+    soup.points.insert(soup.points.end(), {a, b, c});
+    soup.triangles.push_back({first, first + 1, first + 2});
+  };
+  const int n = 1100;
+  for (int k = 0; k < n; ++k) {
+    const double at = (k + 0.5) / n;
+    add({at, -1, 0}, {at, 2, 0}, {at + 0.1 / n, -1, 0});
+    add({-1, at, -1}, {2, at, -1}, {0.5, at, 4});
+  }
+  EXPECT_EQ(watertightness(soup).intersections, most_intersections);
+  soup.triangles.resize(2 * 20);  // 20 of each
+  EXPECT_EQ(watertightness(soup).intersections, 400u);
+}
+
 }  // namespace
 }  // namespace loopmend
