@@ -9,6 +9,7 @@ It calls lupdate, and fills loopmend_de.ts from german.json and loopmend_en.ts, 
 the sources), from english_plurals.json. It names the strings that are not translated yet.
 """
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,6 +18,7 @@ from pathlib import Path
 
 here = Path(__file__).resolve().parent
 app = here.parent.parent / "app"
+lupdate = next((tool for tool in (shutil.which("lupdate", path="/usr/lib/qt5/bin"), shutil.which("lupdate")) if tool), None)
 
 
 def fill(path, words, plurals):
@@ -48,7 +50,7 @@ def make(folder, language, words, plurals, options):
     name = f"loopmend_{language}.ts"
     with tempfile.TemporaryDirectory() as scratch:
         made = Path(scratch) / name
-        subprocess.run(["lupdate", "-silent", "-locations", "none", *options, str(app), "-ts", str(made)],
+        subprocess.run([lupdate, "-silent", "-locations", "none", *options, str(app), "-ts", str(made)],
                        check=True, stderr=subprocess.DEVNULL)
         missing = fill(made, words, plurals)
         text = made.read_bytes()
@@ -60,6 +62,8 @@ def make(folder, language, words, plurals, options):
 
 
 def main(argument):
+    if not lupdate:
+        sys.exit("lupdate of Qt 5 is missing (Debian: qttools5-dev-tools)")
     folder = None if argument == "--check" else Path(argument)
     german = json.loads((here / "german.json").read_text(encoding="utf-8"))
     english = json.loads((here / "english_plurals.json").read_text(encoding="utf-8"))
