@@ -7,6 +7,7 @@
 
 #include "cli/option_parser.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 #include <utility>
@@ -47,7 +48,8 @@ void take_mirror(const FillWords& words, FillOptions& options) {
 
 bool is_tolerance(std::string_view word) {
   if (word.ends_with('%')) word.remove_suffix(1);
-  return parse_double(word).has_value();
+  const std::optional<double> number = parse_double(word);
+  return number && std::isfinite(*number);
 }
 
 }  // namespace

@@ -4,13 +4,16 @@
 #include "core/system_memory.h"
 #include "core/threads.h"
 #include "document/timeline.h"
+#include "filling/patch_size.h"
 #include "jobs/state_making.h"
 #include "jobs/steady_run.h"
-#include "pipeline/fill_holes.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 
 namespace loopmend {
@@ -150,9 +153,12 @@ class Drive {
 
   /// @returns whether the patch needs more memory than there is; it then stays as it is.
   bool too_large(const EvolveTask::Item& item) {
-    const std::string why = why_too_large(item.patch.state->patch.free_count, memory_left_mb({}));
-    if (!why.empty()) fail(item.patch.id, why.c_str());
-    return !why.empty();
+    const double needed = memory_mb_of(item.patch.state->patch.free_count);
+    if (needed <= memory_left_mb({})) return false;
+    const QString why = QCoreApplication::translate(
+        "loopmend", "the flow would take about %L1 MB of memory, more than is free; a smaller density needs less");
+    fail(item.patch.id, why.arg(std::lround(needed)).toStdString().c_str());
+    return true;
   }
 
   void fail(int id, const char* words) {
@@ -195,7 +201,7 @@ class Drive {
   }
 
   void settle(const EvolveTask::Item& item) {
-    if (stopped() || rigid(item) || too_large(item)) return;
+    if (stopped() || too_large(item)) return;
     try {
       const std::vector<EvolveTask::Item> items = parts_of(item);
       if (stopped()) return;

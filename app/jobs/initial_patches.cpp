@@ -129,7 +129,12 @@ void refuse(FillTask& task, const CancelToken& cancel, FillResult& result) {
   std::erase_if(task.wanted, [&](const auto& entry) {
     const auto& [index, loop] = entry;
     if (cancel.cancelled() || loop.kind == LoopKind::cut) return false;
-    const std::string why = why_no_patch_exists(task.scan_context->index(), loop);
+    std::string why;
+    try {
+      why = why_no_patch_exists(task.scan_context->index(), loop);
+    } catch (const std::exception& error) {
+      why = error.what();
+    }
     if (!why.empty()) result.failures[index] = why;
     return !why.empty();
   });

@@ -94,7 +94,9 @@ std::optional<MendedScan> prepared(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
   ScanJob job;
   job.prepare.extent = PrepareOptions::Extent::where_needed;
+  job.numbering = ScanJob::Numbering::of_prepared;
   ScanPlan plan = plan_scan(record_of(as_read(*old.model)), *old.model, job, task.cancel);
+  if (task.cancel.cancelled()) return std::nullopt;
   QStringList done;
   const auto n = [](std::size_t count) { return static_cast<int>(count); };
   const std::size_t joined = (plan.done.stitched ? plan.done.stitched->joined_vertices : 0) + plan.done.joined_again;

@@ -296,11 +296,13 @@ void HolesPanel::go(Way way) {
     if (const QModelIndex at = sorted_->mapFromSource(model_->index(loop, 0)); at.isValid()) row = at.row();
   }
   // Outer rims and cracks are passed over, unless there is nothing else.
-  for (int tried = 0; tried < count; ++tried) {
+  int tried = 0;
+  for (; tried < count; ++tried) {
     row = (row + (forward ? 1 : count - 1)) % count;
     const int loop = loop_at(sorted_->index(row, 0));
     if (way == Way::next_to_look_at ? document_.to_look_at(loop) : document_.fillable(loop)) break;
   }
+  if (way == Way::next_to_look_at && tried == count) return;
   const int loop = loop_at(sorted_->index(std::clamp(row, 0, count - 1), 0));
   selection_.select({loop});
   Q_EMIT fly_to(loop);

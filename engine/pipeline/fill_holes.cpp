@@ -119,7 +119,7 @@ GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops
     const InitialPatch initial = make_surveyed_patch(scan.model, loops, options.initial, cancel);
     if (initial.patch && options.evolution) {
       const int vertices = initial.patch->free_count;
-      const std::string why = why_too_large(vertices, options.most_memory_mb);
+      const std::string why = memory_message(vertices, memory_mb_of(vertices), options.most_memory_mb);
       if (!why.empty() && loops.size() > 1) return each_alone(scan, loops, options, cancel);
       if (!why.empty()) return open_group(loops, PatchStatus::failed, why);
     }
@@ -141,7 +141,7 @@ std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<Boun
     why = outcome.message;
     if (!outcome.bridge || cancel.cancelled()) return std::nullopt;
     const int vertices = outcome.bridge->start.free_count;
-    why = why_too_large(vertices, options.most_memory_mb);
+    why = memory_message(vertices, memory_mb_of(vertices), options.most_memory_mb);
     if (!why.empty()) return std::nullopt;
     const double bridge_seconds = seconds();
     PatchResult result = solve_bridge(scan, *outcome.bridge, options.evolution, nullptr, cancel);
@@ -249,12 +249,17 @@ int large_first(const SurfaceModel& model, const FillOptions& options, std::vect
   return count;
 }
 
-/// Closes the tiny holes: a scan may have very many. @returns one result for each loop; nothing where it takes more.
+/// Closes the tiny holes: a scan may have very many. @returns one result for each loop; nothing where it takes more, or where an
+/// island is to be joined.
 std::vector<std::optional<GroupResult>> tiny_holes_closed(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops,
                                                           const FillOptions& options, const CancelToken& cancel) {
   std::vector<std::optional<GroupResult>> closed(loops.size());
+  std::set<int> around_islands;
+  if (options.islands == FillOptions::Islands::join)
+    for (const std::vector<BoundaryLoop>& place : holes_with_islands(scan.model, loops))
+      around_islands.insert(place.front().number);
   parallel_for(0, static_cast<int>(loops.size()), 64, [&](int k) {
-    if (cancel.cancelled()) return;
+    if (cancel.cancelled() || around_islands.contains(loops[k].number)) return;
     try {
       closed[k] = close_tiny_hole(scan, loops[k], options, 2);
     } catch (const std::exception&) {  // what goes wrong there is said when it is tried with all means
@@ -276,10 +281,13 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   std::set<int> refused;
   std::vector<std::optional<GroupResult>> closed = tiny_holes_closed(scan, loops, options, cancel);
   for (std::size_t k = 0; k < loops.size(); ++k) {  // what no patch can fill is known before any is made
-    if (cancel.cancelled()) break;
     const BoundaryLoop& loop = loops[k];
     if (closed[k]) {
       solved.push_back(std::move(*closed[k]));
+      continue;
+    }
+    if (cancel.cancelled()) {
+      possible.push_back(loop);
       continue;
     }
     std::string why;
@@ -298,7 +306,8 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   }
   if (cancel.cancelled()) {
     if (options.on_cancel == FillOptions::OnCancel::discard) return {};
-    return pasted(model, loops, {open_group(loops, PatchStatus::skipped, "not finished when stopped")});
+    solved.push_back(open_group(possible, PatchStatus::skipped, "not finished when stopped"));
+    return pasted(model, loops, std::move(solved));
   }
   std::vector<Task> tasks = tasks_for(model, possible, options.islands, refused);
   const int one_by_one = large_first(model, options, tasks);
@@ -310,6 +319,10 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
       std::accumulate(tasks.begin(), tasks.end(), static_cast<int>(solved.size()),
                       [](int sum, const Task& task) { return sum + static_cast<int>(task.loops.size()); });
   state.loops_done = static_cast<int>(solved.size());
+  if (progress && state.loops_done > 0) {
+    state.loop_number = solved.back().holes.front().loop.number;
+    progress(state);
+  }
   const auto work_on = [&](int k) {
     if (cancel.cancelled()) return;
     const Task& task = tasks[k];
@@ -339,10 +352,6 @@ void check(const FillOptions& options) {
   if (options.evolution) check(*options.evolution);
   if (!options.evolution && (options.mirror == FillOptions::Mirror::find || !options.mirror_planes.empty()))
     throw InvalidArgument("a patch without a flow is left as its first shape, and is no mirror image: choose a flow");
-}
-
-std::string why_too_large(int free_vertices, double most_memory_mb) {
-  return memory_message(free_vertices, memory_mb_of(free_vertices), most_memory_mb);
 }
 
 std::string island_not_joined(const std::string& why) {

@@ -56,9 +56,6 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
 std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& model,
                                                           const std::vector<BoundaryLoop>& asked);
 
-/// Why a patch of so many free vertices is not solved: it would take more than these megabytes, above 0. Empty where it is.
-std::string why_too_large(int free_vertices, double most_memory_mb);
-
 /// What is said of a hole whose patch covers an island that should have been joined. @param why  no bridge was made.
 std::string island_not_joined(const std::string& why);
 

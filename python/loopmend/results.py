@@ -203,7 +203,7 @@ class HoleResult:
     method: what shaped the patch, such as "mmcvf"; empty where there is none.
     reason: why that was not the flow that was asked for, and how to get it; empty if it was.
     verdict: what a person sees of the patch; None where there is none.
-    expected_deviation: how far the patch is likely from what was there; None without an estimate: no patch, no new vertex,
+    expected_deviation: how far the patch is likely from what was there; None without an estimate: no patch, no flow that moved a new vertex,
         a cap over a cut, or options other than the default flow's.
     mirror: how well a mirror image fits; None where none was asked for.
     steps: accepted steps.
@@ -297,7 +297,7 @@ class FillResult:
     def mesh(self) -> Any:
         """The filled mesh in the type of what was given to fill(): of arrays and paths a Mesh. After pickling always a Mesh."""
         if self._mesh is None:
-            made = Mesh(self.vertices, self.faces, self.colors, carried=self.carried) if self._back is None else self._back(self)
+            made = Mesh(self.vertices, self.faces, self.colors, carried=self.carried) if self._back is None or self.carried is None else self._back(self)
             object.__setattr__(self, "_mesh", made)
         return self._mesh
 

@@ -21,6 +21,8 @@ namespace py = pybind11;
 using namespace py::literals;
 using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+constexpr const char* of_arrays = "arrays";  ///< format of what comes from no file
+
 /// A column with the number of each row, and one for each column of `values`.
 std::vector<AttributeColumn> columns_of(const Values& values, const std::vector<std::string>& names) {
   if (values.ndim() != 2 || values.shape(1) != static_cast<py::ssize_t>(names.size()))
@@ -38,7 +40,7 @@ std::vector<AttributeColumn> columns_of(const Values& values, const std::vector<
 Carried carry_values(const Values& of_points, const std::vector<std::string>& point_names, const Values& of_faces,
                      const std::vector<std::string>& face_names) {
   auto attributes = std::make_shared<ScanAttributes>();
-  attributes->format = "arrays";
+  attributes->format = of_arrays;
   attributes->points = columns_of(of_points, point_names);
   attributes->faces = columns_of(of_faces, face_names);
   attributes->point_count = static_cast<std::size_t>(of_points.shape(0));
@@ -70,6 +72,7 @@ py::tuple values_of(const std::vector<AttributeColumn>& given, const std::vector
 py::tuple carried_values(const py::array& vertices, const py::array& faces, const py::object& carried) {
   TriangleSoup soup = soup_of(vertices, faces, py::none());
   carry(carried, soup);
+  if (!soup.attributes) throw InvalidArgument("nothing is carried");
   continue_attributes(soup);
   const ScanAttributes none;
   const ScanAttributes &given = *soup.attributes, &continued = soup.continued ? *soup.continued : none;
@@ -84,6 +87,10 @@ py::tuple carried_values(const py::array& vertices, const py::array& faces, cons
 py::object carried_by(const TriangleSoup& soup) {
   if (!soup.attributes) return py::none();
   return py::cast(Carried{soup.attributes, soup.point_rows, soup.triangle_rows});
+}
+
+bool is_of_arrays(const py::object& carried) {
+  return !carried.is_none() && carried.cast<const Carried&>().attributes->format == of_arrays;
 }
 
 void carry(const py::object& carried, TriangleSoup& soup) {

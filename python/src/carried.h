@@ -20,6 +20,9 @@ struct Carried {
 /// None where the soup has no attributes.
 pybind11::object carried_by(const TriangleSoup& soup);
 
+/// Whether it comes from arrays of a foreign mesh, not from a file.
+bool is_of_arrays(const pybind11::object& carried);
+
 /// @param carried  None, or what carried_by() gave. @throws InvalidArgument where the soup has fewer points or triangles than it.
 void carry(const pybind11::object& carried, TriangleSoup& soup);
 

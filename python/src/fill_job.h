@@ -32,7 +32,7 @@ struct FilledScan {
   std::vector<BadBoundaryFace> trimmed;  ///< faces of the scan as it was before trimming
 };
 
-/// What is finished when `cancel` is set, or when the command's time is over, is kept.
+/// What is finished when `cancel` is set, or when its time is over, is kept.
 /// @throws InvalidArgument as plan_scan().
 FilledScan run_fill_job(FillJob job, const OnFillProgress& progress, const CancelToken& cancel);
 

@@ -194,7 +194,7 @@ py::dict read(const std::filesystem::path& path, bool weld, bool all_digits) {
 std::vector<std::string> write(const std::filesystem::path& path, const py::array& vertices, const py::array& faces,
                                const py::object& colors, bool ascii, const py::object& carried) {
   TriangleSoup soup = soup_of(vertices, faces, colors);
-  carry(carried, soup);
+  if (!is_of_arrays(carried)) carry(carried, soup);  // which have names that no file format knows
   const py::gil_scoped_release others_may_run;
   WriteScanOptions options;
   options.encoding = ascii ? Encoding::ascii : Encoding::binary;

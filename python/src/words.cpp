@@ -8,7 +8,10 @@ GroupOptions group_options(const pybind11::dict& options) {
   result.initial.density = option<double>(options, "density");
   check(result.initial);
   EvolutionOptions evolution;
-  const bool flows = option<std::string>(options, "flow") != "none";
+  const auto flow = option<std::string>(options, "flow");
+  const bool flows = flow != "none";
+  if (flows && !value_named(flow_names, flow))
+    throw InvalidArgument("flow takes one of mmcvf, wf, sdf, mcf, none, not '" + flow + "'");
   if (flows) evolution.flow = named(options, "flow", flow_names);
   evolution.boundary = named(options, "boundary", boundary_names);
   evolution.continuity = named(options, "continuity", continuity_names);

@@ -256,7 +256,7 @@ def test_a_bridge_parts_a_hole(sphere):
 
 
 WRONG = [
-    ({"flow": "fast"}, "flow takes one of mcf, mmcvf, none, sdf, wf, not 'fast'"),
+    ({"flow": "fast"}, "flow takes one of mmcvf, wf, sdf, mcf, none, not 'fast'"),
     ({"boundary": "smooth"}, "boundary takes one of auto, exact, robust, not 'smooth'"),
     ({"density": 11}, "the density must lie between 0.1 and 10"),
     ({"density": float("nan")}, "the density must lie between 0.1 and 10"),
@@ -271,7 +271,7 @@ WRONG = [
     ({"trim_boundary": 101}, "trim_boundary must lie between 0 and 100, not 101"),
     ({"mirror_plane": [0, 0, 0, 0, 0, 0]}, "a mirror plane needs a point and a normal that is not 0"),
     ({"mirror": True, "flow": "none"}, "is no mirror image: choose a flow"),
-    ({"islands": "leave"}, "islands takes one of cover, join, not 'leave'"),
+    ({"islands": "leave"}, "islands takes one of join, cover, not 'leave'"),
     ({"bridges": [(0, 10**6)]}, r"bridge \(0, 1000000\): the mesh has 2504 vertices"),
     ({"colors": np.zeros((3, 4), np.uint8)}, "colors must have one row for each of the 2504 vertices, not 3"),
     ({"colors": np.zeros((2504, 4))}, "colors must be of uint8"),

@@ -93,6 +93,19 @@ TEST(ScanJob, PreparationWhereNeededChangesNothingOnASoundScan) {
   EXPECT_EQ(plan.model.soup.triangles, soup.triangles);
 }
 
+/// Stitching is asked for, finds nothing to join, and hands back faces that agree with their neighbors.
+TEST(ScanJob, AScanWithATurnedFaceIsFilledWhereNothingIsStitched) {
+  TriangleSoup soup = open_ball();
+  std::swap(soup.triangles[7][1], soup.triangles[7][2]);
+  ScanJob job;
+  job.prepare.extent = PrepareOptions::Extent::where_needed;
+  job.prepare.stitch = PrepareOptions::Stitch::yes;
+  ScanPlan plan = planned(soup, job);
+  EXPECT_EQ(plan.turned_faces(), 1u);
+  const std::vector<HoleResult> results = filled(plan, job);
+  EXPECT_EQ(std::count_if(results.begin(), results.end(), [](const auto& r) { return is_filled(r.status); }), 2);
+}
+
 TEST(ScanJob, PreparationWhereNeededMakesHolesOfWhatRunsAlongEdgesOfThreeFaces) {
   const TriangleSoup soup = ball_with_a_fin();
   EXPECT_GT(count(planned(soup), LoopKind::cut), 0);
