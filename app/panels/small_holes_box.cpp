@@ -63,10 +63,9 @@ void SmallHolesBox::build() {
   grid->addWidget(label, 0, 0);
   grid->addWidget(limit_, 0, 1);
   grid->addWidget(measure_, 0, 2);
-  grid->addWidget(fill_, 0, 3);
-  grid->addWidget(outer_rims_, 1, 0, 1, 4);
+  grid->addWidget(fill_, 1, 0, 1, 3);
+  grid->addWidget(outer_rims_, 2, 0, 1, 3);
   grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
 }
 
 SizeMeasure SmallHolesBox::measure() const { return static_cast<SizeMeasure>(measure_->currentData().toInt()); }
