@@ -85,7 +85,7 @@ std::map<std::size_t, std::optional<SeamContinuity>> named_loops(const SurfaceMo
   return named;
 }
 
-/// Why nothing can be filled at a loop that nobody named; empty where something can.
+/// Why a loop that is not named cannot be filled; empty where it can.
 std::string why_no_hole(const BoundaryLoop& loop, LoopSelection::OuterRim outer_rim) {
   if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut";
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())

@@ -27,12 +27,12 @@ SurfaceModel model_from(const std::filesystem::path& source, TriangleSoup soup) 
   }
 }
 
-/// Choices among the loops of a trimmed scan: what grew out of those chosen before. The boundary of a crumb that only touches one of
-/// these is not chosen for that.
+/// Choices among the loops of a trimmed scan: those that were chosen, as trimming left them. A small component's boundary that only
+/// touches one of these is not chosen.
 std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loops, const ScanPlan& before,
                                            const std::vector<BoundaryLoop>& grown, const ScanJob& job) {
   const std::vector<BoundaryLoop> chosen = before.chosen();
-  const auto nearest = [&](const BoundaryLoop& loop) {  // the shape of the loop that this one grew out of
+  const auto nearest = [&](const BoundaryLoop& loop) {  // the continuity of the nearest chosen loop
     std::pair<double, std::optional<SeamContinuity>> best{std::numeric_limits<double>::infinity(), std::nullopt};
     for (std::size_t k = 0; k < before.loops.size(); ++k) {
       const double distance = (before.loops[k].center - loop.center).norm();
@@ -59,7 +59,7 @@ std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loop
   return choices;
 }
 
-/// Trims the boundaries of the loops that are to be filled, and chooses anew: what grew out of them.
+/// Trims the boundaries of the loops to fill, and chooses among the loops that this leaves.
 void trim(ScanPlan& plan, const ScanJob& job) {
   const std::vector<BoundaryLoop> chosen = plan.chosen();
   TrimmedModel trimmed = job.prepare.trim_rounds > 0 ? trim_boundary(plan.model, chosen, job.prepare.trim_rounds)
@@ -91,8 +91,8 @@ void trim(ScanPlan& plan, const ScanJob& job) {
 /// head, which is filled, has 0.03. Those of an outer rim may be as far apart as stitching joins them: nothing is filled there.
 constexpr double crack_in_edges = 0.01;
 
-/// Loops that nobody named, more than half of whose edges --stitch would close, are no holes: a patch between sides that nearly
-/// touch would cross them.
+/// Leaves loops without a name of which --stitch would close more than half: a patch between sides that nearly touch would cross
+/// them.
 void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
   const bool named = job.loops.names_loops();
   if (plan.loops.empty() || job.prepare.stitch == PrepareOptions::Stitch::yes) return;
@@ -208,7 +208,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
 std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const Deadline& deadline,
                                     const OnFillProgress& progress, const CancelToken& cancel) {
   FillOptions options = job.fill;
-  options.on_cancel = FillOptions::OnCancel::keep_finished;  // where nothing is to be kept, nobody looks at the results
+  options.on_cancel = FillOptions::OnCancel::keep_finished;  // the caller drops the results where nothing is kept
   options.most_memory_mb = memory_left_mb(job.max_memory_mb);
   std::map<int, HoleResult> filled;
   for (const auto& [continuity, loops] : loops_of_each_shape(plan)) {

@@ -210,7 +210,7 @@ void MendingTest::preparing_does_what_the_command_line_does_with_auto() {
   const ScanPlan plan = plan_scan(record_of(soup), make_surface_model(soup), job);
   QCOMPARE(prepared.model->soup.points, plan.model.soup.points);
   QCOMPARE(prepared.model->soup.triangles, plan.model.soup.triangles);
-  trigger(window, "prepareAction");  // nothing is left to do: one step of undo
+  trigger(window, "prepareAction");  // finds nothing to do and adds no step of undo
   QVERIFY(wait_idle(window));
   window.undo().undo();
   const OpenedScan& back = *window.document().scan(window.document().scans().front());

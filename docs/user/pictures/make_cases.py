@@ -289,16 +289,6 @@ def island():
     return tidy(cut(pebble(), lambda x, y, z: z > 0 and ring_hole(x, y) < 1 and math.hypot(x - 6, y - 3) > 8))
 
 
-def border_of(faces):
-    """The boundary as a chain of vertices, the surface on its left; one loop alone."""
-    at = edges_of(faces)
-    after = {a: b for f in faces for a, b in zip(f, f[1:] + f[:1]) if len(at[tuple(sorted((a, b)))]) == 1}
-    chain = [min(after)]
-    while after[chain[-1]] != chain[0]:
-        chain.append(after[chain[-1]])
-    return chain
-
-
 def crossing():
     """A body with an inner wall; a part of the hole's boundary is bent down through that wall."""
     points, faces = pebble_with_hole()
