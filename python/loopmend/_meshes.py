@@ -88,9 +88,8 @@ class Values:
 def _of_trimesh(mesh: Any) -> Given:
     points, faces = dict(mesh.vertex_attributes), dict(mesh.face_attributes)
     kind = mesh.visual.kind
-    if kind == "vertex":
-        points["loopmend colors"] = mesh.visual.vertex_colors
-    elif kind == "face":
+    vertex_colors = np.asarray(mesh.visual.vertex_colors) if kind == "vertex" else None  # the engine's own: files have room for them
+    if kind == "face":
         faces["loopmend colors"] = mesh.visual.face_colors
     elif kind == "texture" and mesh.visual.uv is not None:
         points["loopmend uv"] = mesh.visual.uv
@@ -100,15 +99,15 @@ def _of_trimesh(mesh: Any) -> Given:
         trimesh = package("trimesh", "this mesh")
 
         at_points, at_faces = values.over(result)
-        colors = at_points.pop("loopmend colors", None), at_faces.pop("loopmend colors", None)
+        face_colors = at_faces.pop("loopmend colors", None)
         uv = at_points.pop("loopmend uv", None)
-        filled = trimesh.Trimesh(result.vertices, result.faces, process=False, vertex_colors=colors[0], face_colors=colors[1],
+        filled = trimesh.Trimesh(result.vertices, result.faces, process=False, vertex_colors=result.colors, face_colors=face_colors,
                                  metadata=copy.deepcopy(mesh.metadata), vertex_attributes=at_points, face_attributes=at_faces)
         if uv is not None:
             filled.visual = trimesh.visual.TextureVisuals(uv=uv, material=mesh.visual.material)
         return filled
 
-    return Given(np.asarray(mesh.vertices), np.asarray(mesh.faces), carried=values.carried, back=back)
+    return Given(np.asarray(mesh.vertices), np.asarray(mesh.faces), vertex_colors, values.carried, back)
 
 
 def _of_pyvista(mesh: Any) -> Given:
@@ -267,5 +266,6 @@ def given(mesh: Any, faces: Any = None, colors: Any = None) -> Given:
     if taken is None:
         raise TypeError("a mesh is needed: vertices and faces, a path, or a Mesh, trimesh.Trimesh, pyvista.PolyData, meshio.Mesh or "
                         f"open3d.geometry.TriangleMesh, not {type(mesh).__name__}")
-    taken.colors = colors
+    if colors is not None:
+        taken.colors = colors
     return taken

@@ -45,7 +45,7 @@ def check_labels(labels, cut, result):
     assert new.min() > 0 and set(labels[result.given_faces:]) == {6}
 
 
-def test_trimesh(cut):
+def test_trimesh(cut, tmp_path):
     trimesh = pytest.importorskip("trimesh")
     mesh = trimesh.Trimesh(cut[0], cut[1], process=False, vertex_colors=colors_of(cut[0] / 2), metadata={"name": "ball"},
                            vertex_attributes={"height": height(cut[0])}, face_attributes={"label": cut[2]})
@@ -60,6 +60,9 @@ def test_trimesh(cut):
     off = filled.visual.vertex_colors[len(cut[0]):, :3].astype(int) - colors_of(result.vertices[len(cut[0]):] / 2)
     assert np.abs(off).max() < 25
     assert result.to_trimesh().face_attributes["hole"].max() == 1
+    result.save(tmp_path / "colors.ply")
+    saved = loopmend.read(tmp_path / "colors.ply").colors
+    assert np.array_equal(saved[:, :3], filled.visual.vertex_colors[:, :3])
 
 
 def test_a_texture_of_trimesh_stays(cut):
