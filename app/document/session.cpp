@@ -17,7 +17,8 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 8;
+constexpr qint32 format_version = 9;
+constexpr qint32 version_without_mirror = 8;
 constexpr qint32 version_without_deviation = 7;
 constexpr qint32 version_without_verdicts = 6;
 constexpr qint32 version_without_relief = 5;  ///< and without units
@@ -47,8 +48,7 @@ SeamReport seam(Reader& in) {
 
 void put(Writer& out, const Verdict& verdict) {
   out.put(static_cast<qint32>(verdict.grade));
-  out.put(verdict.crease_deg);
-  out.put(verdict.height);
+  for (double x : {verdict.crease_deg, verdict.height}) out.put(x);
   out.put(static_cast<qint32>(verdict.folds));
   out.put(static_cast<quint64>(verdict.findings.size()));
   for (const Notice& finding : verdict.findings) {
@@ -165,7 +165,7 @@ void put(Writer& out, const PatchRecipe& recipe) {
     out.put(static_cast<qint32>(run.continuity));
     out.put(static_cast<qint32>(run.relief.kind));
     out.put(static_cast<quint64>(run.relief.seed));
-    out.put(static_cast<qint32>(run.edges));
+    for (const qint32 word : {static_cast<qint32>(run.edges), static_cast<qint32>(run.mirror)}) out.put(word);
   }
 }
 
@@ -190,6 +190,7 @@ PatchRecipe recipe(Reader& in) {
       run.relief.seed = in.number<quint64>();
     }
     if (in.version > version_without_deviation) run.edges = word(in, SharpEdges::rounded);
+    if (in.version > version_without_mirror) run.mirror = word(in, RunRecipe::Mirror::found);
     r.runs.push_back(run);
   }
   return r;
@@ -233,8 +234,7 @@ void put(Writer& out, const PatchState& state) {
 Verdict verdict(Reader& in) {
   Verdict v;
   v.grade = word(in, Grade::bad);
-  v.crease_deg = in.number<double>();
-  v.height = in.number<double>();
+  for (double* x : {&v.crease_deg, &v.height}) *x = in.number<double>();
   v.folds = in.number<qint32>();
   const int findings = in.count(sizeof(qint32));
   for (int i = 0; i < findings; ++i) {
@@ -259,8 +259,7 @@ PatchStatePtr state(Reader& in) {
   s->flow = word(in, FlowKind::mmcvf);
   s->steps = in.number<qint32>();
   s->last_step = step(in);
-  s->energy.final = s->last_step.energy;
-  s->energy.initial = in.number<double>();
+  s->energy = {in.number<double>(), s->last_step.energy};
   s->seconds.total = in.number<double>();
   for (auto* reports : {&s->seams_before, &s->seams}) {
     const int count = in.count(6 * sizeof(double));

@@ -18,7 +18,8 @@ constexpr std::chrono::milliseconds watched_step{250};
 /// More patches than this appear when they are done: nobody can follow the steps of so many.
 constexpr std::size_t most_live = 40;
 
-/// What was done in place of the flow, and why; then what is to be said of the result.
+}  // namespace
+
 std::string message_of(const PatchResult& result) {
   const char* method = [&] {
     switch (result.method) {
@@ -38,8 +39,6 @@ std::string message_of(const PatchResult& result) {
     if (!part.empty()) text += (text.empty() ? "" : text == method ? ": " : "; ") + part;
   return text;
 }
-
-}  // namespace
 
 InitialPatch initial_of(const EvolveTask::Item& item) {
   if (item.initial) return *item.initial;

@@ -11,6 +11,9 @@
 
 namespace loopmend {
 
+/// What was done in place of the flow, and why; then what is to be said of the result.
+std::string message_of(const PatchResult& result);
+
 /// What solve_group() is asked for.
 InitialPatch initial_of(const EvolveTask::Item& item);
 inline GroupOptions group_options(const EvolveTask::Item& item, const EvolutionOptions& evolution) {

@@ -12,6 +12,7 @@
 #include "document/targets.h"
 #include "jobs/change_surface.h"
 #include "panels/banner.h"
+#include "panels/candidates_panel.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
 #include "panels/flow_box.h"
@@ -119,6 +120,7 @@ void MainWindow::connect_patch_actions() {
     // A key alone does not throw everything away; the button says what it is about.
     if (!selection_.selected().empty()) patch_->decision_box().reject();
   });
+  a.on("candidatesAction", this, &MainWindow::show_candidates);
   a.on("copyAction", &patch_->decision_box(), &DecisionBox::copy_command);
   for (const auto& [name, tool] : {std::pair{"toolRegionAction", Tool::region},
                                    {"toolPointsAction", Tool::points},
@@ -138,6 +140,8 @@ void MainWindow::connect_patch_actions() {
 void MainWindow::step_back() {
   if (controller_.busy()) {
     controller_.cancel();
+  } else if (candidates_.busy()) {
+    candidates_.cancel();
   } else if (tools_->trial().busy()) {
     tools_->step_back();
   } else if (banner_->isVisible()) {
@@ -206,6 +210,7 @@ void MainWindow::update_actions() {
   follow("acceptAction", "accept");
   follow("rejectAction", "reject");
   follow("copyAction", "copyCommand");
+  follow("candidatesAction", "otherPatches");
   const Look& look = look_->look();
   for (const auto& [name, shading] : shadings)
     if (shading == look.shading) a[name]->setChecked(true);
@@ -236,6 +241,13 @@ void MainWindow::show_repair_dialog() {
     open->raise();
   else
     show_beside<RepairDialog>(this, document_, controller_);
+}
+
+void MainWindow::show_candidates() {
+  auto* dock = findChild<QDockWidget*>(QStringLiteral("candidatesDock"));
+  dock->show();
+  dock->raise();
+  others_->compute();
 }
 
 void MainWindow::show_picture_dialog() {
