@@ -4,6 +4,7 @@
 
 #include "compare/compare_controller.h"
 #include "dialogs/about.h"
+#include "dialogs/command_palette.h"
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
 #include "dialogs/preferences_dialog.h"
@@ -68,6 +69,12 @@ void MainWindow::connect_file_actions() {
     std::vector<ShortcutSheet::Group> groups;
     for (const WindowActions::Group& group : actions_->groups()) groups.push_back({group.title, group.actions});
     show_beside<ShortcutSheet>(this, groups);
+  });
+  a.on("palette", this, [this] {
+    std::vector<CommandPalette::Group> groups;
+    for (const WindowActions::Group& group : actions_->groups()) groups.push_back({group.title, group.actions});
+    groups.push_back({tr("View"), dock_toggles_});
+    show_beside<CommandPalette>(this, groups);
   });
   a.on("about", this, [this] { show_beside<About>(this); });
   connect(a.recent_menu(), &QMenu::aboutToShow, files_, [this] { files_->show_recent(actions_->recent_menu()); });

@@ -179,6 +179,8 @@ const Spec specs[] = {
      nullptr},
     {"help", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Help"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "How things are done, with pictures"), "F1", nullptr},
+    {"palette", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Find a &command\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Find any command by typing, and run it"), "Ctrl+K", nullptr},
     {"shortcuts", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Keyboard shortcuts"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "All keys on one sheet"), "?", nullptr},
     {"about", QT_TRANSLATE_NOOP("loopmend::WindowActions", "A&bout Loopmend"),
@@ -300,7 +302,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                           "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
                           "toolFillPartAction", "-", "toolMeasureAction"});
-  add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
+  add_menu(tr("&Help"), {"help", "palette", "shortcuts", "-", "about"});
 }
 
 void WindowActions::build_toolbar() {
