@@ -13,8 +13,8 @@ class QListWidget;
 
 namespace loopmend {
 
-/// How well the typed text fits a command: each of its words has to be found. The start of a word counts more than its middle, letters
-/// with gaps between them least. @returns 0 where it does not fit.
+/// How well the typed text fits a command: each of its words has to be found. The start of a word counts more than its
+/// middle, letters with gaps between them least. @returns 0 where it does not fit.
 int fit_of(const QString& typed, const QString& command);
 
 class CommandPalette : public QDialog {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Candidates, their panel and the view: draws their small pictures as the view looks at the hole, and shows one of them in the view.
+// Candidates, their panel and the view: draws their small pictures as the view looks at the hole, and shows one of them there.
 #pragma once
 
 #include "views/camera_flight.h"

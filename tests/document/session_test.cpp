@@ -34,6 +34,7 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   run.sigma = 0.1;
   run.boundary = BoundaryTrust::robust;
   run.continuity = SeamContinuity::tangent;
+  run.mirror = RunRecipe::Mirror::found;
   run.relief = {ReliefChoice::Kind::continued, 12};
   run.steps = 3;
   run.end = RunRecipe::End::after_steps;
@@ -112,6 +113,7 @@ void expect_same(const PatchState& a, const PatchState& b) {
     EXPECT_EQ(x.sigma, y.sigma);
     EXPECT_EQ(x.boundary, y.boundary);
     EXPECT_EQ(x.continuity, y.continuity);
+    EXPECT_EQ(x.mirror, y.mirror);
     EXPECT_EQ(x.relief.kind, y.relief.kind);
     EXPECT_EQ(x.relief.seed, y.relief.seed);
     EXPECT_EQ(x.steps, y.steps);
