@@ -7,6 +7,7 @@
 #include "compare/legend_strip.h"
 #include "dialogs/picture_dialog.h"
 #include "document/engine_words.h"
+#include "document/file_path.h"
 #include "panels/banner.h"
 #include "problems/comparison_table.h"
 
@@ -22,7 +23,7 @@ namespace loopmend {
 namespace {
 
 void write(const QString& path, const std::string& text) {
-  write_file_atomically(path.toStdString(), [&text](std::ostream& out) { out << text; });
+  write_file_atomically(file_path(path), [&text](std::ostream& out) { out << text; });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "document/packed_session.h"
 
 #include "core/error.h"
+#include "document/file_path.h"
 #include "io/atomic_file.h"
 
 #include <QDataStream>
@@ -19,7 +20,7 @@ constexpr qint64 largest_file = qint64{1} << 30;  // QByteArray of Qt 5 counts i
 constexpr quint64 most_scans = 100000;
 
 [[noreturn]] void fail(const QString& path, const char* problem) {
-  throw ReadError(path.toStdString(), problem, "", "Open the scan itself instead; the session file is damaged.");
+  throw ReadError(file_path(path), problem, "", "Open the scan itself instead; the session file is damaged.");
 }
 
 void settle(QDataStream& stream) {
@@ -39,7 +40,7 @@ KeptFilePtr keep_file(const QString& path) {
                           " is larger than 1 GB: save the session without scans, and keep the file beside it");
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
-    throw ReadError(path.toStdString(), file.errorString().toStdString(), "", "Check the path and its permissions.");
+    throw ReadError(file_path(path), file.errorString().toStdString(), "", "Check the path and its permissions.");
   return std::make_shared<const KeptFile>(KeptFile{info.fileName(), qCompress(file.readAll())});
 }
 
@@ -48,7 +49,7 @@ QString lay_out(const KeptFile& file, const QString& folder) {
   if (bytes.isEmpty()) fail(file.name, "the scan in the session cannot be unpacked");
   // A name from a file must not lead out of the folder.
   const QString path = QDir(folder).filePath(QFileInfo(file.name).fileName());
-  write_file_atomically(path.toStdString(), [&](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+  write_file_atomically(file_path(path), [&](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
   return path;
 }
 
@@ -76,7 +77,7 @@ UnpackedSession unpack(const QByteArray& bytes, const QString& path) {
   quint64 count = 0;
   in >> version >> count;
   if (version != version_of_packing)
-    throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
+    throw ReadError(file_path(path), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   if (count > most_scans) fail(path, "the number of scans is out of range");
   UnpackedSession unpacked;

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "document/document.h"
+#include "document/file_path.h"
 #include "document/session_stream.h"
 #include "io/atomic_file.h"
 
@@ -427,11 +428,11 @@ SessionPatch session_patch(Reader& in, int scans) {
 Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   constexpr int magic_size = sizeof magic - 1;
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
-    throw ReadError(path.toStdString(), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
+    throw ReadError(file_path(path), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
   Reader in(bytes.mid(magic_size), path);
   const auto version = in.version = in.number<qint32>();
   if (!is_known(version))
-    throw ReadError(path.toStdString(), "this session is of another version of Loopmend", "",
+    throw ReadError(file_path(path), "this session is of another version of Loopmend", "",
                     "Open it with the version that saved it.");
   Session session;
   const int scans = in.count(sizeof(quint64));
@@ -461,7 +462,7 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
 Session session_from_file(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
-    throw ReadError(path.toStdString(), file.errorString().toStdString(), "", "Check the path and its permissions.");
+    throw ReadError(file_path(path), file.errorString().toStdString(), "", "Check the path and its permissions.");
   const QByteArray bytes = file.readAll();
   if (!is_packed(bytes)) return session_from_bytes(bytes, path);
   const UnpackedSession unpacked = unpack(bytes, path);
@@ -488,7 +489,7 @@ void write_session(const Session& session, const QString& path, const CancelToke
     bytes = pack(bytes, files);
   if (cancel.cancelled()) return;
   OutputTransaction output;
-  output.add(path.toStdString(), [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+  output.add(file_path(path), [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
   if (!cancel.cancelled()) output.commit();
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/types.h"
+#include "document/file_path.h"
 
 #include <QDataStream>
 #include <QString>
@@ -60,7 +61,7 @@ class SessionReader {
   SessionReader(const QByteArray& bytes, const QString& path) : in_(bytes), path_(path) { SessionWriter::settle(in_); }
 
   [[noreturn]] void fail(const char* problem) const {
-    throw ReadError(path_.toStdString(), problem, "byte " + std::to_string(in_.device()->pos()),
+    throw ReadError(file_path(path_), problem, "byte " + std::to_string(in_.device()->pos()),
                     "Open the scan itself instead; the session file is damaged.");
   }
   template <class T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The controller's dealings with files: scans, sessions, exports.
 #include "document/engine_words.h"
+#include "document/file_path.h"
 #include "document/labels.h"
 #include "document/timeline.h"
 #include "jobs/fill_controller.h"
@@ -148,7 +149,7 @@ OpenedScanPtr load_kept(const SessionScan& wanted, const std::optional<Vec3>& or
   if (!wanted.file) return load_scan(wanted.path, origin, {}, cancel);
   const QTemporaryDir folder;
   if (!folder.isValid())
-    throw WriteError(folder.path().toStdString(), "cannot be written", "Make room for temporary files.");
+    throw WriteError(file_path(folder.path()), "cannot be written", "Make room for temporary files.");
   const OpenedScanPtr scan = load_scan(lay_out(*wanted.file, folder.path()), origin, {}, cancel);
   if (!scan) return scan;
   scan->path = wanted.path;
@@ -173,7 +174,7 @@ QString find_scans(std::vector<SessionScan>& scans, const SessionFile& file) {
 }
 
 [[noreturn]] void refuse_damaged(const QString& path, const char* what) {
-  throw ReadError(path.toStdString(), what, "", "Open the scan itself instead; the session file is damaged.");
+  throw ReadError(file_path(path), what, "", "Open the scan itself instead; the session file is damaged.");
 }
 
 /// With its loops and its surface as they belong to the scan. @param path  of the session, for errors.
@@ -229,7 +230,7 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
     const OpenedScanPtr scan = load_kept(wanted, origin, job->token());
     if (!scan) return {};
     if (scan->fingerprint != wanted.fingerprint)
-      throw ReadError(wanted.path.toStdString(), "this file has changed since the session was saved", "",
+      throw ReadError(file_path(wanted.path), "this file has changed since the session was saved", "",
                       "Put the old file back to restore the session, or open the new one by itself.");
     origin = origin.value_or(scan->origin);
     restored.scans.push_back(scan);
@@ -345,7 +346,7 @@ void FillController::export_to(const QString& path, ExportContent content) {
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
   tasks_.run(
       job,
-      [this, job, task = export_task(document_, path.toStdString(), content)] {
+      [this, job, task = export_task(document_, file_path(path), content)] {
         return writing_.take(*job, [&] { return export_scene(task, job->token()); });
       },
       [this, path, content](const ExportResult& result) { on_exported(result, path, content); },

@@ -2,6 +2,7 @@
 #include "jobs/load_scan.h"
 
 #include "core/threads.h"
+#include "document/file_path.h"
 #include "samples/sample_scan.h"
 
 #include <QCoreApplication>
@@ -13,7 +14,7 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("loopmend", text); }
 
 ImportedMesh read(const QString& path) {
-  if (!path.isEmpty()) return read_mesh(path.toStdString());
+  if (!path.isEmpty()) return read_mesh(file_path(path));
   ImportedMesh sample{make_sample_scan(), {}};
   sample.report.vertices = sample.soup.points.size();
   sample.report.faces = sample.report.triangles = sample.soup.triangles.size();

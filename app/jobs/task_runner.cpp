@@ -3,13 +3,10 @@
 
 #include "core/threads.h"
 #include "document/engine_words.h"
+#include "jobs/thread_priority.h"
 
 #include <QCoreApplication>
 #include <QEvent>
-
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -57,19 +54,6 @@ void Job::linger(std::chrono::milliseconds time) const {
   const auto until = std::chrono::steady_clock::now() + time;
   while (!pause_.cancelled() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(look);
 }
-
-namespace {
-
-/// The window's thread goes first when both want the processor: what works for seconds can spare milliseconds.
-void yield_to_window(Yielding yielding) {
-  const int steps_back = yielding == Yielding::mostly ? 7 : 19;
-  // Linux gives every thread a niceness of its own; where that fails, nothing is lost but smoothness. Beyond the least
-  // priority it stops there.
-  const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
-  ::setpriority(PRIO_PROCESS, thread, ::getpriority(PRIO_PROCESS, thread) + steps_back);
-}
-
-}  // namespace
 
 TaskRunner::~TaskRunner() {
   for (Worker& worker : workers_) worker.thread.join();

@@ -4,8 +4,8 @@
 #include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "mesh/boundary_loops.h"
-#include "scene/egl_window.h"
 #include "scene/mesh_scene.h"
+#include "scene/offscreen_window.h"
 #include "scene/view_direction.h"
 
 #include <vtkCamera.h>

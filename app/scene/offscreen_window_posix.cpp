@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/egl_window.h"
+#include "scene/offscreen_window.h"
 
 #include "core/error.h"
 
