@@ -8,7 +8,6 @@
 #include "jobs/state_making.h"
 #include "jobs/steady_run.h"
 #include "pipeline/blend.h"
-#include "pipeline/tiny_hole.h"
 
 #include <algorithm>
 
@@ -52,8 +51,6 @@ GroupResult solve_as(const CandidateTask& task, const GroupOptions& options, con
         std::make_shared<const PatchResult>(solve_bridge(scan, *outcome.bridge, options.evolution, nullptr, cancel)));
     return group;
   }
-  if (task.loops.size() == 1)
-    if (auto tiny = close_tiny_hole(scan, task.loops.front(), options, patch_rings)) return std::move(*tiny);
   return solve_group(scan, make_surveyed_patch(scan.model, task.loops, options.initial, cancel), options, nullptr,
                      cancel);
 }
