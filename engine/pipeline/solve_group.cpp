@@ -250,7 +250,8 @@ class GroupSolver {
 
   PatchResult solved(const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
-    const BoundarySurvey survey = initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_);
+    const BoundarySurvey survey =
+        initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_, initial.split);
     const double survey_seconds = initial.survey ? initial.survey_seconds : seconds_since(start);
     const std::vector<BoundaryLoop> loops = loops_of(initial);
     const PatchProblem problem{scan_, *initial.patch, loops, &options_.mirror_planes};
@@ -322,10 +323,14 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
   std::vector<InitialPatch> parts;
   if (options.evolution && is_judged(*options.evolution)) {
     try {
-      const std::vector<std::vector<int>> groups = groups_alike(scan.model, known, options.evolution->edges);
+      const std::vector<LoopsAlike> groups = groups_alike(scan.model, known, options.evolution->edges);
       if (groups.size() > 1)
-        for (const std::vector<int>& members : groups)
-          parts.push_back(part_of(scan.model, known, members, options.initial));
+        for (const LoopsAlike& group : groups) {
+          parts.push_back(part_of(scan.model, known, group.members, options.initial));
+          parts.back().split = group.split;
+        }
+      else
+        known.split = groups.front().split;
     } catch (const std::exception&) {  // where it cannot be told, all loops stay together
       parts.clear();
     }
