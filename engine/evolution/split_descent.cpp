@@ -40,11 +40,9 @@ void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
     if (cancel.cancelled()) problem_.reset();  // it may be unfinished
   }
   if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
-  const bool goes_on = problem_->gauss_newton_pays();
-  SplitProblem::Outcome outcome = goes_on ? problem_->gauss_newton_step(cancel) : problem_->look_ahead(cancel);
-  const bool takes = goes_on && outcome == SplitProblem::Outcome::moved;
-  if (!takes && goes_on && outcome == SplitProblem::Outcome::stalled) outcome = problem_->look_ahead(cancel);
-  if (!takes) return end(patch, outcome);
+  const SplitProblem::Outcome outcome = pays_ ? problem_->step(cancel) : SplitProblem::Outcome::ended;
+  pays_ = outcome == SplitProblem::Outcome::moved;
+  if (!pays_ && outcome != SplitProblem::Outcome::moved_little) return end(patch, outcome);
   const Points moved = problem_->patch_positions(cancel);
   if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
   if (moved.empty())
@@ -53,13 +51,11 @@ void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
   ++steps_;
 }
 
-/// Gauss-Newton has ended. Where J could still be lowered along its gradient, that is left on purpose: over 128 cut holes it
-/// came no closer to the truth.
+/// Where Gauss-Newton has ended, J could still be lowered along its gradient. That is left on purpose: over 128 cut holes it came no
+/// closer to the truth.
 void SplitDescent::end(EvolvingPatch& patch, SplitProblem::Outcome outcome) const {
   if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, "cancelled");
-  if (outcome == SplitProblem::Outcome::converged && (steps_ > 0 || patch.history.empty()))
-    return patch.stop(PatchStatus::converged, "");
-  if (outcome == SplitProblem::Outcome::moved && steps_ > 0) return patch.stop(PatchStatus::early_stop, "");
+  if (outcome == SplitProblem::Outcome::ended && steps_ > 0) return patch.stop(PatchStatus::early_stop, "");
   if (steps_ > 0 || patch.history.empty()) return patch.stop(PatchStatus::stalled, descent_stalled_text);
   patch.stop(PatchStatus::faired, "no step of the flow came below its fairings, which were kept");
 }

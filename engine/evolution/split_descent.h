@@ -23,6 +23,7 @@ class SplitDescent : public Stepper {
   SplitEstimate estimate_;
   std::optional<RobustFairing> fairing_;  ///< until its passes are done
   std::optional<SplitProblem> problem_;   ///< from then on
+  bool pays_ = true;                      ///< the last step lowered the energy by more than next to nothing
   int steps_ = 0;                         ///< of the descent
 };
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace loopmend {
 
@@ -56,16 +55,10 @@ class Fitter {
     return true;
   }
 
-  const Vec3& normal() const { return normal_; }
-
   Fit result() const {
     const Slopes f = slopes();
     return {f.H(), f.xx * f.xx + 2 * f.xy * f.xy + f.yy * f.yy, c_[0] * width_, normal_};
   }
-
-  /// What H and the height of the field count, handed on to the samples.
-  void add_derivative(double of_H, double of_height, const Points& points, const Points& normals,
-                      std::vector<std::pair<int, Vec3>>& moves, std::vector<std::pair<int, Vec3>>& turns) const;
 
  private:
   struct Sample {
@@ -81,16 +74,10 @@ class Fitter {
     }
   };
   Slopes slopes() const { return {c_[1], c_[2], 2 * c_[3] / width_, c_[4] / width_, 2 * c_[5] / width_}; }
-  Vector10 derivative_of_coefficients(double of_H, double of_height) const;
   void choose_samples(const Points& points, const std::vector<int>& neighbors);
   void weigh(const Points& normals);
   void take_steps(const Points& points);
   bool solve();
-  static Vector10 row(double x, double y) {
-    Vector10 row;
-    row << 1, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y;
-    return row;
-  }
 
   int center_ = 0;
   double width_ = 0;
@@ -162,62 +149,6 @@ bool Fitter::solve() {
   return true;
 }
 
-Vector10 Fitter::derivative_of_coefficients(double of_H, double of_height) const {
-  const Slopes f = slopes();
-  const double g = f.metric(), twice = 2 * g * std::sqrt(g), H = f.H();
-  Vector10 d = Vector10::Zero();
-  d[0] = of_height * width_;
-  d[1] = of_H * (2 * (f.x * f.yy - f.y * f.xy) / twice - 3 * f.x * H / g);
-  d[2] = of_H * (2 * (f.y * f.xx - f.x * f.xy) / twice - 3 * f.y * H / g);
-  d[3] = of_H * (1 + f.y * f.y) / twice * 2 / width_;
-  d[4] = of_H * -2 * f.x * f.y / twice / width_;
-  d[5] = of_H * (1 + f.x * f.x) / twice * 2 / width_;
-  return d;
-}
-
-/// With A c = Σ ω z p for the terms p, residuals z − c·p: A dc = Σ ω (dz − ∇f·dξ) p + Σ ω (z − f) dp + Σ dω (z − f) p.
-void Fitter::add_derivative(double of_H, double of_height, const Points& points, const Points& normals,
-                            std::vector<std::pair<int, Vec3>>& moves, std::vector<std::pair<int, Vec3>>& turns) const {
-  Vector10 t = derivative_of_coefficients(of_H, of_height);
-  normal_matrix_.solve(t.data());
-  Vec3 back = Vec3::Zero(), center_turn = Vec3::Zero(), widest_move = Vec3::Zero();
-  const double widest2 = width_ * width_;
-  double of_widest2 = 0;
-  std::size_t widest = 0;
-  const auto moved = [&](int vertex, const Vec3& d) {
-    moves.emplace_back(vertex, d);
-    back -= d;
-  };
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const int j = samples_[k].vertex;
-    if (samples_[k].distance2 > samples_[widest].distance2) widest = k;
-    const Vec3 way = points[j] - points[center_];
-    const double x = way.dot(u_) / width_, y = way.dot(v_) / width_;
-    Vector10 px, py;
-    px << 0, 1, 0, 2 * x, y, 0, 3 * x * x, 2 * x * y, y * y, 0;
-    py << 0, 0, 1, 0, x, 2 * y, 0, x * x, 2 * x * y, 3 * y * y;
-    const Vector10 p = row(x, y);
-    const double residual = way.dot(normal_) / width_ - c_.dot(p), pull = t.dot(p);
-    Vec3 d = weight_[k] / width_ *
-             (pull * (normal_ - c_.dot(px) * u_ - c_.dot(py) * v_) + residual * (t.dot(px) * u_ + t.dot(py) * v_));
-    const double of_weight = weight_[k] * pull * residual;
-    d -= 6 * of_weight / widest2 * way;
-    of_widest2 += 3 * of_weight * samples_[k].distance2 / (widest2 * widest2);
-    const double cosine = std::clamp(normals[j].dot(normals[center_]), -1.0, 1.0), angle = std::acos(cosine);
-    const double turn = angle / crease, sine = std::sin(angle);
-    if (sine > 1e-9) {
-      const double of_cosine = of_weight * 4 * turn * turn * turn / (crease * sine);
-      turns.emplace_back(j, of_cosine * normals[center_]);
-      center_turn += of_cosine * normals[j];
-    }
-    if (j != center_) moved(j, d);
-  }
-  widest_move = 2 * of_widest2 * (points[samples_[widest].vertex] - points[center_]);
-  moved(samples_[widest].vertex, widest_move);
-  moves.emplace_back(center_, back);
-  turns.emplace_back(center_, center_turn);
-}
-
 Fit fit_at(int i, const Points& points, const Points& normals, const std::vector<int>& neighbors, Fitter& fitter) {
   if (fitter.fit(i, points, normals, neighbors)) return fitter.result();
   Fit fit;
@@ -254,37 +185,15 @@ HybridCurvature hybrid_curvature(const Points& points, const Points& normals, co
     for (RowSparseMatrix::InnerIterator entry(result.B, i); entry; ++entry)
       entry.valueRef() *= -0.5 / mass[i] * fits[i].normal.dot(fits[entry.col()].normal);
   result.bent.resize(n);
-  result.heights.resize(n);
-  result.fitted.resize(n);
-  result.normals.resize(n);
+  Eigen::VectorXd heights(n), fitted(n);
   for (int i = 0; i < n; ++i) {
     result.bent[i] = fits[i].bent;
-    result.heights[i] = fits[i].height;
-    result.fitted[i] = fits[i].H;
-    result.normals[i] = fits[i].normal;
+    heights[i] = fits[i].height;
+    fitted[i] = fits[i].H;
   }
-  result.H = result.fitted - result.B * result.heights;
+  result.H = fitted - result.B * heights;
   for (int i = 0; i < n; ++i) result.B.coeffRef(i, i) += std::min(fits[i].bent, most_bent * bent);
   return result;
-}
-
-FitDerivative fit_derivative(const Points& points, const Points& normals, const FitNeighbors& neighbors,
-                             const FitFunctional& functional) {
-  using Shares = std::vector<std::pair<int, Vec3>>;
-  const int n = static_cast<int>(points.size());
-  std::vector<Shares> moves(n), turns(n);
-  parallel_for(
-      0, n, vertices_at_a_time, [] { return Fitter(); },
-      [&](int i, Fitter& fitter) {
-        if (fitter.fit(i, points, normals, neighbors[i]))
-          fitter.add_derivative(functional.H[i], functional.heights[i], points, normals, moves[i], turns[i]);
-      });
-  FitDerivative derivative{Points(n, Vec3::Zero()), Points(n, Vec3::Zero())};
-  for (int i = 0; i < n; ++i) {  // in order: the same bits for any number of threads
-    for (const auto& [vertex, share] : moves[i]) derivative.points[vertex] += share;
-    for (const auto& [vertex, share] : turns[i]) derivative.normals[vertex] += share;
-  }
-  return derivative;
 }
 
 }  // namespace loopmend

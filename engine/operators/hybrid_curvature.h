@@ -14,10 +14,7 @@ struct HybridCurvature {
   /// #V by #V: ∂H/∂s for displacements s along the normals, ½Δs + ½‖A‖²s: −½M⁻¹L with ⟨n_i, n_j⟩ in every entry, whose turning
   /// takes ½‖A‖² off, + ‖A‖².
   RowSparseMatrix B;
-  Eigen::VectorXd bent;     ///< #V: ‖A‖² of the fits
-  Eigen::VectorXd fitted;   ///< #V: H of the fits alone
-  Eigen::VectorXd heights;  ///< #V: of each fit's field over its vertex
-  Points normals;           ///< #V: of the planes of the fits, unit or zero
+  Eigen::VectorXd bent;  ///< #V: ‖A‖² of the fits
 };
 
 /// Vertices that each fit reaches: two rings, three where these are few, the vertex itself last.
@@ -28,20 +25,5 @@ FitNeighbors fit_neighbors(const Topology& topology);
 /// @param normals    #V, unit or zero. @param stiffness, mass  of the cotan operator Δ = −M⁻¹L, #V
 HybridCurvature hybrid_curvature(const Points& points, const Points& normals, const FitNeighbors& neighbors,
                                  const SparseMatrix& stiffness, const Eigen::VectorXd& mass);
-
-/// A linear functional of the fits: what H of the fit and the height of its field count at each vertex.
-struct FitFunctional {
-  Eigen::VectorXd H, heights;  ///< #V
-};
-
-/// Its derivative with respect to the points, and to the normals that weigh the samples; both #V.
-struct FitDerivative {
-  Points points, normals;
-};
-
-/// In closed form; samples and planes of the fits are kept.
-/// @param points, normals, neighbors  as of hybrid_curvature().
-FitDerivative fit_derivative(const Points& points, const Points& normals, const FitNeighbors& neighbors,
-                             const FitFunctional& functional);
 
 }  // namespace loopmend

@@ -3,7 +3,6 @@
 
 #include "core/threads.h"
 #include "operators/congruence.h"
-#include "operators/triangle_derivatives.h"
 #include "operators/vertex_normals.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -70,33 +69,6 @@ SplitGeometry SplitSurface::at(const Points& points) const {
       [&] { geometry.inner_stiffness = clamped_cotan_stiffness(points, triangles_, inner_, robust_clamp); });
   geometry.curvature = hybrid_curvature(points, geometry.normals, neighbors_, geometry.stiffness, geometry.mass);
   return geometry;
-}
-
-/// H = H of the fits − B₀ heights, with B₀ = −½ M⁻¹ C ⟨n_i, n_j⟩.
-Points SplitSurface::derivative(const Points& points, const SplitGeometry& geometry,
-                                SurfaceFunctional functional) const {
-  const HybridCurvature& curvature = geometry.curvature;
-  const Eigen::VectorXd share = functional.H.cwiseQuotient(geometry.mass);
-  const auto turn = [&](Eigen::Index i, Eigen::Index j) { return curvature.normals[i].dot(curvature.normals[j]); };
-  FitFunctional fits{functional.H, Eigen::VectorXd::Zero(functional.H.size())};
-  for (Eigen::Index j = 0; j < geometry.stiffness.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator entry(geometry.stiffness, j); entry; ++entry)
-      fits.heights[j] += 0.5 * share[entry.row()] * entry.value() * turn(entry.row(), j);
-  const Eigen::VectorXd of_residual = curvature.H - curvature.fitted;
-  functional.mass -= share.cwiseProduct(of_residual);
-  const auto edge = [&](int i, int j) {
-    const double g = turn(i, j), a = curvature.heights[i], b = curvature.heights[j];
-    return functional.edge(i, j) + 0.5 * (share[i] * (a - g * b) + share[j] * (b - g * a));
-  };
-  FitDerivative fit = fit_derivative(points, geometry.normals, neighbors_, fits);
-  for (std::size_t i = 0; i < points.size(); ++i) functional.normals[i] += fit.normals[i];
-  Points result = std::move(fit.points);
-  add_stiffness_derivative(points, triangles_, all_, geometry.stiffness, robust_clamp, edge, result);
-  add_stiffness_derivative(points, triangles_, inner_, geometry.inner_stiffness, robust_clamp, functional.inner_edge,
-                           result);
-  add_area_derivative(points, triangles_, geometry.mass, functional.mass, result);
-  add_normal_derivative(points, triangles_, functional.normals, result);
-  return result;
 }
 
 }  // namespace loopmend

@@ -4,8 +4,6 @@
 
 #include "operators/hybrid_curvature.h"
 
-#include <functional>
-
 namespace loopmend {
 
 /// A surface at one moment.
@@ -26,20 +24,11 @@ struct SplitGeometry {
   SparseMatrix roughness(double kappa) const;
 };
 
-/// A function of the surface to first order: how it changes with what SplitGeometry holds.
-struct SurfaceFunctional {
-  Eigen::VectorXd H, mass;                           ///< #V
-  Points normals;                                    ///< #V
-  std::function<double(int, int)> edge, inner_edge;  ///< with the weight of an edge in either stiffness
-};
-
 class SplitSurface {
  public:
   SplitSurface(int vertex_count, Triangles triangles);
 
   SplitGeometry at(const Points& points) const;
-  /// Of the functional with respect to the points; #V. Samples and planes of the fits are kept, and the normals in B.
-  Points derivative(const Points& points, const SplitGeometry& geometry, SurfaceFunctional functional) const;
   /// Vertices whose H counts, less one for each connected part of them: what ∫‖∇H‖² determines.
   int rank() const { return rank_; }
 

@@ -202,7 +202,7 @@ TEST(TrimBoundary, ABoundaryThatWasMendedIsFilledLikeOneThatWasNeverBad) {
   SurfaceModel mended = trim_boundary(ragged, holes_of(ragged), 3).model;
   for (SurfaceModel* model : {&clean, &mended})
     for (const HoleResult& result : fill_holes(*model, holes_of(*model), {}, nullptr, {}))
-      EXPECT_EQ(result.status, PatchStatus::converged) << result.message;
+      EXPECT_TRUE(is_at_end(result.status)) << result.message;
   const auto points_from = [](const SurfaceModel& model, std::size_t first) {
     return Points(model.soup.points.begin() + static_cast<long>(first), model.soup.points.end());
   };

@@ -86,48 +86,22 @@ TEST(HybridCurvature, FitsDoNotReachOverACrease) {
   EXPECT_LT(std::abs(geometry.curvature.H[at(crease - 3, 6)]), 1e-3);
 }
 
-TEST(SplitProblem, EveryStepLowersItsEnergyUntilItRests) {
+TEST(SplitProblem, EveryStepLowersItsEnergyUntilItEnds) {
   for (const Patch& start : {noisy_start(0.001), relief_start()}) {
     const SplitEstimate estimate = estimate_split(start);
     ASSERT_FALSE(estimate.is_exact());
     SplitProblem problem(start, estimate, {});
     double last = problem.energy().total();
     int steps = 0;
-    SplitProblem::Outcome outcome = SplitProblem::Outcome::moved;
-    while (outcome == SplitProblem::Outcome::moved && steps < 60) {
-      outcome = problem.gauss_newton_pays() ? problem.gauss_newton_step({}) : problem.step({});
-      if (outcome == SplitProblem::Outcome::stalled) outcome = problem.step({});
-      if (outcome != SplitProblem::Outcome::moved) break;
-      ++steps;
+    SplitProblem::Outcome outcome = problem.step({});
+    for (; outcome == SplitProblem::Outcome::moved && steps < 60; ++steps) {
       EXPECT_LT(problem.energy().total(), last);
       last = problem.energy().total();
+      outcome = problem.step({});
     }
-    EXPECT_EQ(outcome, SplitProblem::Outcome::converged);
+    EXPECT_TRUE(outcome == SplitProblem::Outcome::moved_little || outcome == SplitProblem::Outcome::ended);
+    EXPECT_LE(problem.energy().total(), last);
     EXPECT_GT(steps, 1);
-  }
-}
-
-/// Against central differences, along white noise, a wave and the gradient itself. Measured: off by up to 3 %, 14 % and 1 % of
-/// the derivative along the gradient of as long a displacement; the planes of the fits are kept.
-TEST(SplitProblem, TheGradientIsTheDerivativeOfItsEnergy) {
-  Random random(7);
-  for (const Patch& start : {noisy_start(0.001), relief_start(), noisy_start(0)}) {
-    const SplitEstimate estimate = estimate_split(start);
-    SplitProblem problem(start, estimate, {});
-    for (int step = 0; step < 3; ++step) {
-      const Eigen::VectorXd gradient = problem.gradient();
-      Eigen::VectorXd white(gradient.size()), wave(gradient.size());
-      for (double& x : white) x = random.bell();
-      for (Eigen::Index i = 0; i < wave.size(); ++i) wave[i] = std::sin(9 * start.positions[i].x());
-      for (const Eigen::VectorXd& along : {white, wave, gradient}) {
-        const Eigen::VectorXd move = 1e-5 * estimate.edge / along.cwiseAbs().maxCoeff() * along;
-        const auto after = problem.energy_after(move, {}), before = problem.energy_after(-move, {});
-        ASSERT_TRUE(after && before);
-        const double difference = (after->total() - before->total()) / 2;
-        EXPECT_NEAR(difference, gradient.dot(move), 0.02 * gradient.norm() * move.norm());
-      }
-      problem.gauss_newton_step({});
-    }
   }
 }
 
