@@ -14,9 +14,10 @@ enum class LoopEnd {
 };
 
 /// `flat` where the loop is nearly plane (planarity up to 0.03), the surface meets its plane steeply on one side along nine
-/// tenths of the loop or more, and it does not bend towards closing there as a ball through the loop would. `curved` for outer
-/// rims of planarity up to 0.1: of holes in natural surfaces, those with such loops mostly run on. The surface is read from fits
-/// behind the loop, so that noise does not decide; which side of it is out does not matter.
+/// tenths of the loop or more, and it does not bend towards closing there as a ball through the loop would. At a hole whose loop
+/// is not quite plane the wall has to be steeper. `curved` for outer rims of planarity up to 0.1: of holes in natural surfaces,
+/// those with such loops mostly run on. The surface is read from fits behind the loop, so that noise does not decide; which side
+/// of it is out does not matter.
 LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop);
 
 /// Distance from the loop within which loop_end() reads the surface, mesh units; 0 where the loop's own shape decides.

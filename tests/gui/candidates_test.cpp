@@ -248,7 +248,6 @@ void CandidatesTest::what_is_taken_has_the_bits_of_the_command_that_is_copied() 
   if (kind == static_cast<int>(CandidateKind::rounded)) shoot(window, "candidates_edges");
   if (kind == static_cast<int>(CandidateKind::mirror)) shoot(window, "candidates_mirror");
   const int index = index_of(window, static_cast<CandidateKind>(kind));
-  if (index < 0 && kind == static_cast<int>(CandidateKind::exact)) QSKIP("the exact patch is the automatic one here");
   QVERIFY(index >= 0);
   window.candidates().take(index);
   const CommandLine command = command_line(document, {document.patch_of(hole)->id});

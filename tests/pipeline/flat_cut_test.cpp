@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
+#include "support/mirror_models.h"
 
 #include <Eigen/Geometry>
 
@@ -40,6 +41,23 @@ TEST(FlatCut, IsNotWhatIsMissingOfABallOrInAPlane) {
     const SurfaceModel ball =
         make_surface_model(make_revolution([](double z) { return std::sqrt(1 - z * z); }, -0.9, top, 40, 64));
     EXPECT_EQ(loop_end(ball, upper(ball)), LoopEnd::runs_on) << top;
+  }
+}
+
+/// The walls of a bump are as straight as those of a cut at the height of the hole; but the hole is not quite plane.
+TEST(FlatCut, IsNotTheTopOfABump) {
+  const test::BumpyEllipsoid shape;
+  for (double size : {0.15, 0.2}) {
+    SurfaceModel model = make_surface_model(shape.open_mesh(5, size));
+    const std::size_t before = model.soup.points.size();
+    ASSERT_EQ(fill_all_holes(model).size(), 1u);
+    EXPECT_GT(model.soup.points.size(), before);
+    double height = 0;  // what a cap across the hole keeps of the bump's top, which is 0.25 high
+    for (std::size_t v = before; v < model.soup.points.size(); ++v)
+      height =
+          std::max(height, (test::BumpyEllipsoid::motion().inverse() * model.soup.points[v]).dot(shape.right_bump));
+    const double top = shape.radius(shape.right_bump);
+    EXPECT_NEAR(height, top, 0.1) << size;
   }
 }
 
