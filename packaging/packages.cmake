@@ -45,7 +45,7 @@ set(share ${CMAKE_INSTALL_DATADIR})
 # The command line.
 install(FILES ${made}/loopmend.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command_line)
 install(FILES ${linux}/loopmend.bash-completion RENAME loopmend DESTINATION ${share}/bash-completion/completions COMPONENT command_line)
-install(FILES ${linux}/loopmend.thumbnailer DESTINATION ${share}/thumbnailers COMPONENT command_line)
+install(FILES ${linux}/loopmend.thumbnailer DESTINATION ${share}/thumbnailers COMPONENT pictures)
 install(FILES ${linux}/loopmend.mime.xml RENAME loopmend.xml DESTINATION ${share}/mime/packages COMPONENT command_line)
 # The window.
 install(FILES ${made}/loopmend-gui.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT application)
@@ -83,7 +83,14 @@ flow shapes while you watch. It gives figures for the seam, compares flows,
 and exports STL, PLY, OBJ, OFF, glTF and 3MF.")
 package(command_line loopmend-cli ""
 "The command line fills holes, joins boundary loops of several meshes, smooths
-regions and draws pictures. It reads and writes PLY, STL, OBJ, OFF, glTF and 3MF.")
+regions and, with loopmend-pictures, draws. It reads and writes PLY, STL, OBJ, OFF, glTF and 3MF.")
+if(TARGET loopmend_pictures)
+  package(pictures loopmend-pictures "loopmend-cli (= ${PROJECT_VERSION})"
+"What the command line draws pictures with: thumbnails of the file manager, the
+command render, and the pages of batch. It brings VTK and OpenGL.")
+  set(CPACK_DEBIAN_PICTURES_PACKAGE_RECOMMENDS libgl1-mesa-dri)  # on machines without a graphics driver
+  set(CPACK_DEBIAN_COMMAND_LINE_PACKAGE_RECOMMENDS "loopmend-pictures (= ${PROJECT_VERSION})")
+endif()
 package(development libloopmend-dev
 "libeigen3-dev, libopenmesh-dev, libcgal-dev, libsuitesparse-dev, libopenblas-pthread-dev, libtbb-dev, zlib1g-dev, libpng-dev, libjpeg62-turbo-dev, libexpat1-dev, libzip-dev, nlohmann-json3-dev"
 "The numerical engine as a static library, with its headers and its CMake
@@ -94,7 +101,6 @@ if(LOOPMEND_BUILD_DOCS)
 as web pages to be read offline. They begin at
 /usr/share/doc/loopmend-doc/html/index.html.")
 endif()
-set(CPACK_DEBIAN_COMMAND_LINE_PACKAGE_RECOMMENDS libgl1-mesa-dri)  # pictures on machines without a graphics driver
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)

@@ -97,7 +97,7 @@ TEST_F(BoundaryOptions, EveryBadFaceOfARaggedBoundaryIsTold) {
   for (const json& face : report["trimmed_faces"]) told[face["face"]] = {face["fault"], face["ring"]};
   for (const BadBoundaryFace& bad : boundary.bad) expected[bad.face] = {to_string(bad.fault), bad.ring};
   EXPECT_EQ(told, expected);
-  EXPECT_EQ(report["loops"][0]["status"], "converged");
+  EXPECT_EQ(report["loops"][0]["verdict"]["grade"], "good");
   EXPECT_EQ(report["exterior_unchanged"], true);
 }
 

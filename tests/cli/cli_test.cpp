@@ -257,8 +257,8 @@ TEST_F(Cli, OptionsWithoutEffectAreRefused) {
   const std::string fill = "fill '" + holes.string() + "' -o '" + out.string() + "' ";
   for (const char* words :
        {"--flow wf --boundary exact", "--flow none --continuity tangent", "--mode steps --boundary auto",
-        "--continuity position --flow mcf", "--flow none --relief continued", "--mode steps --relief continued", "--flow none --mirror",
-        "--flow none --mirror-plane 0,0,0,1,0,0"}) {
+        "--continuity position --flow mcf", "--flow none --relief continued", "--mode steps --relief continued",
+        "--flow none --mirror", "--flow none --mirror-plane 0,0,0,1,0,0"}) {
     const Outcome run = loopmend_program(fill + words);
     EXPECT_EQ(run.code, 2) << words;
     EXPECT_THAT(run.err, HasSubstr("has no effect with --flow")) << words;
@@ -394,6 +394,21 @@ TEST_F(Cli, RenderNeedsNoDisplay) {
     std::filesystem::remove(png);
   }
 }
+
+#ifdef LOOPMEND_PICTURES_MODULE
+TEST_F(Cli, WithoutTheModuleForPicturesAllElseIsDone) {
+  const std::filesystem::path alone = work / "alone";
+  std::filesystem::create_directory(alone);
+  std::filesystem::copy_file(LOOPMEND_PROGRAM, alone / "loopmend");
+  const std::string program = (alone / "loopmend").string(),
+                    scan = "'" + holes.string() + "' -o '" + work.folder().string();
+  EXPECT_EQ(test::run_in_shell(program + " fill " + scan + "/filled.ply'").code, 0);
+  const Outcome drawn = test::run_in_shell(program + " render " + scan + "/picture.png'");
+  EXPECT_EQ(drawn.code, 5);
+  EXPECT_THAT(drawn.err, testing::HasSubstr("loopmend-pictures"));
+  EXPECT_FALSE(exists(work / "picture.png"));
+}
+#endif
 
 TEST_F(Cli, InterruptEndsSoonWithNothingHalfWritten) {
   const std::filesystem::path big = work / "big.ply";

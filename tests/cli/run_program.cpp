@@ -20,11 +20,13 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 Outcome loopmend_program(const std::string& arguments) {
+  return run_in_shell(std::string(LOOPMEND_PROGRAM) + " " + arguments);
+}
+
+Outcome run_in_shell(const std::string& command) {
   const Workspace files;
   const std::filesystem::path out = files / "stdout", err = files / "stderr";
-  const std::string command =
-      std::string(LOOPMEND_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
-  const int status = std::system(command.c_str());
+  const int status = std::system((command + " >" + out.string() + " 2>" + err.string() + " </dev/null").c_str());
   Outcome run;
   run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   run.out = text_of(out);

@@ -14,6 +14,9 @@ struct Outcome {
   std::string out, err;
 };
 
+/// @param command  as typed in a shell.
+Outcome run_in_shell(const std::string& command);
+
 /// @param arguments  as typed in a shell.
 Outcome loopmend_program(const std::string& arguments);
 
