@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -168,11 +169,13 @@ void continue_smoothly(Field& field) {
     if (number[k] >= 0) field.colors[k] = solution.row(number[k]).transpose().cast<float>();
 }
 
-constexpr int reach = 8;             ///< of a square that is compared: 17 by 17 pixels
-constexpr int fill_reach = 5;        ///< of the square that is copied from it
-constexpr int coarsenings = 4;       ///< what is shading and what is texture part at 2⁴ pixels
-constexpr int candidates = 1500;     ///< squares looked at for each that is copied
-constexpr double nearly_best = 1.1;  ///< the first that fits so well, by chance, so that no square is seen all over
+constexpr int reach = 8;               ///< of a square that is compared: 17 by 17 pixels
+constexpr int fill_reach = 5;          ///< of the square that is copied from it
+constexpr int coarsenings = 4;         ///< what is shading and what is texture part at 2⁴ pixels
+constexpr int candidates = 1500;       ///< squares looked at for each that is copied
+constexpr int at_once = 250;           ///< of them
+constexpr int most_searched = 12'000;  ///< wanted pixels; of more the search begins at half the size
+constexpr float nearly_best = 1.1;     ///< the first that fits so well, by chance, so that no square is seen all over
 
 /// The shading: means over 2ᵏ pixels, continued smoothly over what is wanted, between them linear.
 std::vector<Rgb> shading_of(const Field& field, int k) {
@@ -204,19 +207,69 @@ std::vector<Rgb> shading_of(const Field& field, int k) {
   return result;
 }
 
+/// A place in a picture, x and y. (−1, −1): none.
+using Places = std::vector<std::pair<int, int>>;
+
+/// Half as wide and high. A pixel is wanted if one of its four is, and known if all four are.
+Field known_half_of(const Field& fine) {
+  Field coarse = half_of(fine);
+  for (int y = 0; y < coarse.height; ++y)
+    for (int x = 0; x < coarse.width; ++x) {
+      Pixel& mine = coarse.pixels[coarse.place(x, y)];
+      for (int k = 0; k < 4 && mine == Pixel::known; ++k)
+        if (!fine.contains(2 * x + k % 2, 2 * y + k / 2) ||
+            fine.pixels[fine.place(2 * x + k % 2, 2 * y + k / 2)] != Pixel::known)
+          mine = Pixel::outside;
+    }
+  return coarse;
+}
+
+/// The places of a picture's half, in the picture.
+Places doubled(const Places& of_half, const Field& half, const Field& field) {
+  Places places(field.pixels.size(), {-1, -1});
+  for (int y = 0; y < field.height; ++y)
+    for (int x = 0; x < field.width; ++x)
+      if (const auto& [hx, hy] = of_half[half.place(x / 2, y / 2)]; hx >= 0)
+        places[field.place(x, y)] = {2 * hx + x % 2, 2 * hy + y % 2};
+  return places;
+}
+
+/// Where the square around a pixel is known throughout.
+std::vector<char> whole_squares(const Field& field) {
+  const std::size_t row = static_cast<std::size_t>(field.width) + 1;
+  std::vector<int> sums(row * (static_cast<std::size_t>(field.height) + 1), 0);  // known pixels above and left
+  const auto sum = [&](int x, int y) -> int& {
+    return sums[static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x)];
+  };
+  for (int y = 0; y < field.height; ++y)
+    for (int x = 0; x < field.width; ++x)
+      sum(x + 1, y + 1) =
+          sum(x, y + 1) + sum(x + 1, y) - sum(x, y) + (field.pixels[field.place(x, y)] == Pixel::known ? 1 : 0);
+  constexpr int side = 2 * reach + 1;
+  std::vector<char> result(field.pixels.size(), 0);
+  for (int y = reach; y + reach < field.height; ++y)
+    for (int x = reach; x + reach < field.width; ++x) {
+      const int left = x - reach, top = y - reach, right = x + reach + 1, bottom = y + reach + 1;
+      result[field.place(x, y)] =
+          sum(right, bottom) - sum(left, bottom) - sum(right, top) + sum(left, top) == side * side ? 1 : 0;
+    }
+  return result;
+}
+
 /// Copies squares of known texture to the edge of what is wanted, those places first of which the most is known.
 class Quilt {
  public:
-  Quilt(Field& field, const CancelToken& cancel)
+  /// @param guess  where each pixel comes from, about; empty: squares are looked for everywhere.
+  Quilt(Field& field, Places guess, const CancelToken& cancel)
       : field_(field),
         cancel_(cancel),
+        guess_(std::move(guess)),
         from_(field.pixels.size(), {-1, -1}),
+        is_source_(whole_squares(field)),
         state_(field.pixels) {
-    for (int y = reach; y + reach < field.height; ++y)
-      for (int x = reach; x + reach < field.width; ++x)
-        if (is_all_known(x, y)) sources_.emplace_back(x, y);
-    is_source_.assign(field.pixels.size(), 0);
-    for (const auto& [x, y] : sources_) is_source_[field.place(x, y)] = 1;
+    for (int y = 0; y < field.height; ++y)
+      for (int x = 0; x < field.width; ++x)
+        if (is_source_[field.place(x, y)]) sources_.emplace_back(x, y);
   }
 
   /// Fewer would repeat themselves visibly.
@@ -237,14 +290,10 @@ class Quilt {
     }
   }
 
- private:
-  bool is_all_known(int x, int y) const {
-    for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx)
-        if (field_.pixels[field_.place(x + dx, y + dy)] != Pixel::known) return false;
-    return true;
-  }
+  /// Where each pixel came from.
+  Places&& places() && { return std::move(from_); }
 
+ private:
   int known_around(int x, int y) const {
     int count = 0;
     for (int dy = -reach; dy <= reach; ++dy)
@@ -287,31 +336,56 @@ class Quilt {
       for (int dx = -reach; dx <= reach; ++dx)
         if (field_.contains(x + dx, y + dy) && state_[field_.place(x + dx, y + dy)] == Pixel::known)
           compared_.push_back({dx, dy, field_.colors[field_.place(x + dx, y + dy)]});
-    std::vector<std::pair<int, int>> asked;
-    // The squares go on from which the neighbours came.
-    for (int dy = -reach; dy <= reach; dy += 4)
-      for (int dx = -reach; dx <= reach; dx += 4) {
-        if (!field_.contains(x + dx, y + dy)) continue;
-        const auto& [fx, fy] = from_[field_.place(x + dx, y + dy)];
-        if (fx >= 0 && field_.contains(fx - dx, fy - dy) && is_source_[field_.place(fx - dx, fy - dy)])
-          asked.emplace_back(fx - dx, fy - dy);
+    ask(x, y);
+    std::vector<float> costs(asked_.size());
+    const int count = static_cast<int>(asked_.size());
+    parallel_for(0, (count + at_once - 1) / at_once, 1, [&](int part) {
+      float best = std::numeric_limits<float>::max();  // of this part: what is kept does not depend on the order
+      for (int k = part * at_once; k < std::min((part + 1) * at_once, count); ++k) {
+        costs[k] = cost(asked_[k], nearly_best * best);
+        best = std::min(best, costs[k]);
       }
-    Draws draws(x, y);
-    while (asked.size() < candidates)
-      asked.push_back(sources_[static_cast<std::size_t>(draws.below(static_cast<int>(sources_.size())))]);
-    std::vector<float> costs(asked.size());
-    parallel_for(0, static_cast<int>(asked.size()), 250, [&](int k) { costs[k] = cost(asked[k]); });
+    });
     const float best = *std::min_element(costs.begin(), costs.end());
-    for (std::size_t k = asked.size(); k-- > 0;)  // the random ones first
-      if (costs[k] <= nearly_best * best) return asked[k];
-    return asked.front();
+    for (std::size_t k = asked_.size(); k-- > 0;)  // the random ones first
+      if (costs[k] <= nearly_best * best) return asked_[k];
+    return asked_.front();
   }
 
-  float cost(const std::pair<int, int>& source) const {
+  /// The squares that go on from which the neighbors came, those guessed, and random ones.
+  void ask(int x, int y) {
+    asked_.clear();
+    const auto ask_one = [&](const std::pair<int, int>& place, int dx, int dy) {
+      const std::pair<int, int> source(place.first - dx, place.second - dy);
+      if (place.first < 0 || !field_.contains(source.first, source.second)) return;
+      if (!is_source_[field_.place(source.first, source.second)]) return;
+      if (guess_.empty() || std::find(asked_.begin(), asked_.end(), source) == asked_.end()) asked_.push_back(source);
+    };
+    const auto ask_around = [&](const Places& places) {
+      for (int dy = -reach; dy <= reach; dy += 4)
+        for (int dx = -reach; dx <= reach; dx += 4)
+          if (field_.contains(x + dx, y + dy)) ask_one(places[field_.place(x + dx, y + dy)], dx, dy);
+    };
+    ask_around(from_);
+    if (!guess_.empty()) {
+      ask_around(guess_);
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) ask_one(guess_[field_.place(x, y)], dx, dy);
+      if (!asked_.empty()) return;
+    }
+    Draws draws(x, y);
+    while (asked_.size() < candidates)
+      asked_.push_back(sources_[static_cast<std::size_t>(draws.below(static_cast<int>(sources_.size())))]);
+  }
+
+  /// Beyond `most` some number beyond it.
+  float cost(const std::pair<int, int>& source, float most) const {
     float sum = 0;
-    for (const Compared& pixel : compared_)
+    for (std::size_t k = 0; k < compared_.size() && sum <= most; ++k) {
+      const Compared& pixel = compared_[k];
       sum +=
           (pixel.color - field_.colors[field_.place(source.first + pixel.dx, source.second + pixel.dy)]).squaredNorm();
+    }
     return sum;
   }
 
@@ -339,12 +413,24 @@ class Quilt {
 
   Field& field_;
   const CancelToken& cancel_;
-  std::vector<std::pair<int, int>> sources_, from_;
+  Places guess_, from_, sources_, asked_;
   std::vector<char> is_source_;
   std::vector<Pixel> state_;  ///< as far as it is filled
   std::vector<Compared> compared_;
   std::priority_queue<std::tuple<int, int, int>> front_;  ///< known pixels around, x, y
 };
+
+/// Large gaps first at half the size, whose squares say where to look. @returns where each pixel came from.
+Places fill_with_squares(Field& field, const CancelToken& cancel) {
+  Places guess;
+  if (std::count(field.pixels.begin(), field.pixels.end(), Pixel::wanted) > most_searched) {
+    Field half = known_half_of(field);
+    if (Quilt(half, {}, cancel).has_sources()) guess = doubled(fill_with_squares(half, cancel), half, field);
+  }
+  Quilt quilt(field, std::move(guess), cancel);
+  quilt.run();
+  return std::move(quilt).places();
+}
 
 }  // namespace
 
@@ -356,10 +442,10 @@ void inpaint_smoothly(Picture& picture, const std::vector<Pixel>& pixels) {
 
 void inpaint_like(Picture& picture, const std::vector<Pixel>& pixels, const CancelToken& cancel) {
   Field field = field_of(picture, pixels);
-  if (!Quilt(field, cancel).has_sources()) return inpaint_smoothly(picture, pixels);
+  if (!Quilt(field, {}, cancel).has_sources()) return inpaint_smoothly(picture, pixels);
   const std::vector<Rgb> shading = shading_of(field, coarsenings);
   for (std::size_t k = 0; k < shading.size(); ++k) field.colors[k] -= shading[k];
-  Quilt(field, cancel).run();
+  fill_with_squares(field, cancel);
   for (std::size_t k = 0; k < shading.size(); ++k) field.colors[k] += shading[k];
   put_back(field, picture);
 }

@@ -20,8 +20,8 @@ void inpaint_smoothly(Picture& picture, const std::vector<Pixel>& pixels);
 
 /// Texture like the known one: its shading is continued smoothly, and what remains is copied from the known pixels square by
 /// square, each time the one that fits best to what is there already (after Efros and Freeman 2001, and Criminisi, Pérez,
-/// Toyama 2004). Where too little is known, the smooth continuation. The same result for any number of threads. Cancelled, the
-/// picture is half done.
+/// Toyama 2004); in large gaps first at a fraction of the size, so that the time is nearly linear in the pixels. Where too little
+/// is known, the smooth continuation. The same result for any number of threads. Cancelled, the picture is half done.
 void inpaint_like(Picture& picture, const std::vector<Pixel>& pixels, const CancelToken& cancel = {});
 
 }  // namespace loopmend

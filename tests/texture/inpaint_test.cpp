@@ -71,11 +71,13 @@ double variance(const Scene& made, Pixel which) {
   return squares / count - sum * sum / (count * count);
 }
 
-Scene grainy() {
+bool is_in_stripe(int x) { return x / 5 % 3 == 0; }
+
+Scene grainy(int size = 160, double radius = 40) {
   Random random(5);
-  return scene(160, 40, [&](int x, int) {
+  return scene(size, radius, [&](int x, int) {
     return Color{static_cast<unsigned char>(
-                     std::lround(120 + 15 * std::clamp(random.bell(), -3.0, 3.0) + (x / 5 % 3 == 0 ? 40 : 0))),
+                     std::lround(120 + 15 * std::clamp(random.bell(), -3.0, 3.0) + (is_in_stripe(x) ? 40 : 0))),
                  90, 60, 255};
   });
 }
@@ -95,11 +97,27 @@ TEST(Inpaint, GrainGoesOn) {
     }
 }
 
+/// Of 70 000 pixels, so that the search begins at a quarter of the size: each stripe goes on where it was.
+TEST(Inpaint, StripesGoOnOverLargeGaps) {
+  Scene made = grainy(500, 150);
+  inpaint_like(made.picture, made.pixels);
+  double sums[2] = {0, 0}, counts[2] = {0, 0};
+  for (int y = 0; y < 500; ++y)
+    for (int x = 0; x < 500; ++x)
+      if (made.pixels[static_cast<std::size_t>(500 * y + x)] == Pixel::wanted) {
+        sums[is_in_stripe(x)] += made.picture.at(x, y)[0];
+        counts[is_in_stripe(x)] += 1;
+      }
+  EXPECT_GT(sums[1] / counts[1] - sums[0] / counts[0], 30);  // 40 around the gap
+}
+
 TEST(Inpaint, IsTheSameForAnyNumberOfThreads) {
-  Scene one = grainy(), all = grainy();
-  with_thread_budget(1, [&] { inpaint_like(one.picture, one.pixels); });
-  inpaint_like(all.picture, all.pixels);
-  EXPECT_EQ(one.picture.pixels, all.picture.pixels);
+  for (const auto& [size, radius] : {std::pair(160, 40.0), std::pair(320, 100.0)}) {
+    Scene one = grainy(size, radius), all = one;
+    with_thread_budget(1, [&] { inpaint_like(one.picture, one.pixels); });
+    inpaint_like(all.picture, all.pixels);
+    EXPECT_EQ(one.picture.pixels, all.picture.pixels);
+  }
 }
 
 }  // namespace
