@@ -11,6 +11,7 @@
 #include "remeshing/size_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -25,6 +26,8 @@ constexpr double most_rms_ratio = 0.4;
 constexpr double most_misfit = 0.012, most_misfit_anywhere = 0.06;  ///< of the loop from the surfaces, diameters
 constexpr double most_rms_of_lone_side = 0.002;                     ///< diameters, where it is no plane
 constexpr double farthest_seam = 0.6;                               ///< from where the labels change, diameters
+/// Diameters of the loop: where an edge fades out farther off, its sides are one beyond that. The first that can be continued counts.
+constexpr std::array reaches = {1.0, 0.5, 0.25};
 constexpr double domain_triangles = 2500;
 constexpr int remesh_rounds = 5;
 
@@ -170,7 +173,12 @@ bool is_plain(const Patch& patch) {
   return true;
 }
 
-bool have_sharp_edges(const Sides& sides) { return sides.rms < most_rms_ratio * sides.rms_of_one; }
+/// Those of a neighborhood of this reach; nothing where it has no sharp edges.
+std::optional<Sides> sharp_sides(const Patch& patch, double reach) {
+  std::optional<Sides> sides = find_sides(patch, 0, reach);
+  if (sides && sides->rms >= most_rms_ratio * sides->rms_of_one) sides.reset();
+  return sides;
+}
 
 /// Whether a side that is continued alone is so simple that its surface is surer than the flow.
 bool is_plain_side(const SideSurface& surface, double diameter) {
@@ -223,26 +231,17 @@ std::optional<Meshed> mesh_parts(const Patch& initial, const Domain& domain, con
   return std::nullopt;
 }
 
-}  // namespace
-
-bool ends_at_sharp_edges(const Patch& patch) {
-  const std::optional<Sides> sides = patch.loops.size() == 1 ? find_sides(patch, 0) : std::nullopt;
-  return sides && have_sharp_edges(*sides);
-}
-
-std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel) {
-  if (initial.loops.size() != 1 || !is_plain(initial)) return std::nullopt;
-  const std::optional<Sides> sides = find_sides(initial, 0);
-  if (!sides || !have_sharp_edges(*sides)) return std::nullopt;
+/// @param sides  of the neighborhood. @returns nothing where they do not fit the loop, or not each other.
+std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& sides, const CancelToken& cancel) {
   const Domain domain = domain_of(initial);
   if (domain.loop != static_cast<int>(initial.loops[0].size())) return std::nullopt;
-  const std::vector<int> labels = label_faces(domain, *sides, cancel);
+  const std::vector<int> labels = label_faces(domain, sides, cancel);
   if (labels.empty()) return std::nullopt;
   const double diameter = loop_diameter(initial, 0), reach = farthest_seam * diameter;
-  std::optional<Meshed> meshed = mesh_parts(initial, domain, *sides, labels, reach, cancel);
+  std::optional<Meshed> meshed = mesh_parts(initial, domain, sides, labels, reach, cancel);
   if (!meshed) return std::nullopt;
   Assembly& all = meshed->all;
-  const Points moves = carry_in(*sides, reach, all);
+  const Points moves = carry_in(sides, reach, all);
   double sum = 0, largest = meshed->layout.gap;
   for (const Vec3& move : moves) {
     sum += move.squaredNorm() / static_cast<double>(moves.size());
@@ -253,17 +252,32 @@ std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const Cance
   if (result.misfit > most_misfit || largest > most_misfit_anywhere * diameter) return std::nullopt;
   std::set<int> used;
   for (const Part& part : meshed->layout.parts) used.insert(part.side);
-  if (used.size() == 1 && !is_plain_side(sides->surfaces[*used.begin()], diameter)) return std::nullopt;
+  if (used.size() == 1 && !is_plain_side(sides.surfaces[*used.begin()], diameter)) return std::nullopt;
   result.sides = static_cast<int>(used.size());
   result.edges = meshed->layout.seams;
   if (result.sides > 1 && result.edges.empty()) return std::nullopt;
   for (int i = 0; i < domain.loop; ++i) {
-    const int outside = sides->of_edge[i];
+    const int outside = sides.of_edge[i];
     result.creased.push_back(outside >= 0 && outside != meshed->layout.side_inside[i]);
   }
   for (const Vec3& p : all.points) result.patch.points.push_back(initial.to_mesh(p));
   result.patch.triangles = std::move(all.triangles);
   return result;
+}
+
+}  // namespace
+
+bool ends_at_sharp_edges(const Patch& patch) {
+  return patch.loops.size() == 1 &&
+         std::any_of(reaches.begin(), reaches.end(), [&](double reach) { return sharp_sides(patch, reach); });
+}
+
+std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel) {
+  if (initial.loops.size() != 1 || !is_plain(initial)) return std::nullopt;
+  for (const double reach : reaches)
+    if (const std::optional<Sides> sides = sharp_sides(initial, reach))
+      if (std::optional<SharpPatch> patch = continue_sides(initial, *sides, cancel)) return patch;
+  return std::nullopt;
 }
 
 }  // namespace loopmend

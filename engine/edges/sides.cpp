@@ -165,10 +165,10 @@ void join_sides_of_one_surface(const Patch& patch, double diameter, std::vector<
 
 }  // namespace
 
-std::optional<Sides> find_sides(const Patch& patch, std::size_t l) {
+std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach) {
   const std::vector<int>& loop = patch.loops[l];
   const double diameter = loop_diameter(patch, l);
-  Triangles near = triangles_near(patch, loop, diameter);
+  Triangles near = triangles_near(patch, loop, reach * diameter);
   if (!(diameter > 0) || near.size() < 3) return std::nullopt;
   const FaceGroups groups = group_faces(patch, std::move(near));
 

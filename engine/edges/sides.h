@@ -22,10 +22,10 @@ struct Sides {
   double rms_of_one = 0;              ///< of all vertices from one polynomial
 };
 
-/// Faces within six rings and one diameter of the loop are grouped across edges below max(25°, 4 medians) of bend; small groups join the most similar
+/// Faces within six rings and `reach` diameters of the loop are grouped across edges below max(25°, 4 medians) of bend; small groups join the most similar
 /// neighbor. Sides that continue one another are one.
 /// @param loop  which of patch.loops
 /// @returns nothing where no edge is sharp, or where the sides do not say how they go on.
-std::optional<Sides> find_sides(const Patch& patch, std::size_t loop);
+std::optional<Sides> find_sides(const Patch& patch, std::size_t loop, double reach);
 
 }  // namespace loopmend

@@ -113,6 +113,23 @@ TEST(SharpEdges, AStripMissingInAFaceBetweenTwoEdgesIsPlane) {
   EXPECT_LT(filled.farthest(off_cube), 1e-9);
 }
 
+/// A roof whose ridge is rounded from some distance of the hole on: there both its sides are one.
+TEST(SharpEdges, AnEdgeThatFadesOutNearTheHoleRunsOn) {
+  const auto roof = [](double x, double y) { return -0.8 * std::hypot(x, 1.25 * std::max(0.0, std::abs(y) - 0.25)); };
+  const TriangleSoup scan = without_ball(make_graph(roof, 2, 96), Vec3::Zero(), 0.15);
+  const auto farthest = [&](SharpEdges edges) {
+    SurfaceModel model = make_surface_model(scan);
+    FillOptions options;
+    options.evolution->edges = edges;
+    EXPECT_FALSE(fill_all_holes(model, options).empty());
+    double largest = 0;
+    for (std::size_t i = scan.points.size(); i < model.soup.points.size(); ++i)
+      largest = std::max(largest, std::abs(model.soup.points[i].z() + 0.8 * std::abs(model.soup.points[i].x())));
+    return largest;
+  };
+  EXPECT_LT(farthest(SharpEdges::continued), 0.2 * farthest(SharpEdges::rounded));
+}
+
 TEST(SharpEdges, NoiseOfAScanKeepsTheEdge) {
   for (const double noise : {0.001, 0.004}) {  // edges of 1/24
     const Filled filled = fill(with_noise(without_ball(test::make_cube(24), {1, 1, 0.5}, 0.25), noise));
