@@ -16,6 +16,8 @@
 
 namespace loopmend {
 
+struct RenderOptions;
+
 /// Wrong usage that only shows once the input is read: exit code 2.
 class UsageError : public Error {
  public:
@@ -59,8 +61,11 @@ struct FillCommand {
 };
 
 struct RenderCommand {
-  std::vector<std::filesystem::path> inputs;  ///< one, or two for before and after
-  std::filesystem::path output;
+  std::vector<std::filesystem::path> inputs;    ///< one, or two for before and after
+  std::filesystem::path output;                 ///< a picture; empty: a film
+  std::filesystem::path film;                   ///< of the flow on one hole; empty: a picture
+  std::string flow = "mmcvf", mode = "steady";  ///< of a film
+  double sigma = 10;                            ///< of a film by steps
   std::string color = "auto";
   int width = 0, height = 0;      ///< pixels; 0: the default
   std::string view;               ///< "front", ...; empty: towards the holes
@@ -73,5 +78,8 @@ int run_info(const InfoCommand& command);
 int run_fill(const FillCommand& command);
 int run_sample(const std::filesystem::path& output);
 int run_render(const RenderCommand& command);
+/// The part of run_render() that makes a film.
+/// @param options  of its pictures
+int run_film(const RenderCommand& command, RenderOptions options);
 
 }  // namespace loopmend

@@ -13,6 +13,7 @@
 #include "core/memory.h"
 #include "core/threads.h"
 #include "core/version.h"
+#include "evolution/option_names.h"
 
 #include "cli/option_parser.h"
 
@@ -83,14 +84,34 @@ void check_fill_options(const std::vector<std::string>& options) {
 }
 
 void add_render(CLI::App& app, RenderCommand& command) {
-  CLI::App* render = app.add_subcommand("render", "Make a picture of a mesh; needs no display");
+  CLI::App* render = app.add_subcommand("render", "Make a picture of a mesh, or a film of a flow; needs no display");
   render->add_option("IN", command.inputs, "One mesh, or two to be shown side by side")->required()->expected(1, 2);
-  render->add_option("-o,--output", command.output, "PNG file to write")->required();
+  CLI::Option* picture = render->add_option("-o,--output", command.output, "PNG file to write");
+  CLI::Option* film =
+      render
+          ->add_option("--film", command.film, "GIF file to write: the flow on the hole of --loop, or the largest one")
+          ->excludes(picture);
+  render->add_option("--flow", command.flow, "Of a film: the flow")
+      ->check(CLI::IsMember(names_in(flow_names)))
+      ->needs(film)
+      ->capture_default_str();
+  render
+      ->add_option("--mode", command.mode,
+                   "Of a film: steady: straight to the steady state; steps: by the time steps of the paper's scheme")
+      ->check(CLI::IsMember(names_in(mode_names)))
+      ->needs(film)
+      ->capture_default_str();
+  render
+      ->add_option("--sigma", command.sigma, "Of a film by steps: their size; 10 is large, 0.1 shows the flow at work")
+      ->check(between(1e-6, 1e8))
+      ->needs(film)
+      ->capture_default_str();
   render
       ->add_option("--color", command.color,
                    "scan: the scan's own colours or texture; h: mean curvature; plain; "
                    "zebra: reflection lines; auto: scan where it has colours, else h")
       ->check(CLI::IsMember({"auto", "scan", "h", "plain", "zebra"}))
+      ->excludes(film)
       ->capture_default_str();
   const auto take_size = [&command](const std::string& text) {
     int used = 0;
@@ -124,7 +145,8 @@ void add_render(CLI::App& app, RenderCommand& command) {
   render->footer(
       "Examples:\n  loopmend render filled.ply -o filled.png\n"
       "  loopmend render scan.ply filled.ply -o before_after.png --color zebra --size 1600x800\n"
-      "  loopmend render scan.ply -o hole_3.png --loop 3");
+      "  loopmend render scan.ply -o hole_3.png --loop 3\n"
+      "  loopmend render scan.ply --film flow.gif --loop 3 --mode steps --sigma 0.1 --size 640x480");
 }
 
 int say(const std::exception& error, int code) {

@@ -42,15 +42,13 @@ bool is_gltf(const std::filesystem::path& path) {
 }
 bool is_stl(const std::filesystem::path& path) { return equals_ignoring_case(path_text(path.extension()), ".stl"); }
 
-/// @throws WriteError unless the name ends in .png.
-void require_picture_name(const std::filesystem::path& path) {
-  std::string extension = path_text(path.extension());
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (extension == ".png") return;
+/// @param what  "a picture". @param wanted  ".png". @throws WriteError unless the name ends in it.
+void require_extension(const std::filesystem::path& path, const std::string& what, const char* wanted) {
+  const std::string extension = path_text(path.extension());
+  if (equals_ignoring_case(extension, wanted)) return;
   throw WriteError(
-      path, extension.empty() ? "the name has no extension" : "a picture cannot be written as \"" + extension + "\"",
-      "Choose a name that ends in .png.");
+      path, extension.empty() ? "the name has no extension" : what + " cannot be written as \"" + extension + "\"",
+      std::string("Choose a name that ends in ") + wanted + ".");
 }
 
 }  // namespace
@@ -90,7 +88,8 @@ void CommandFiles::check() const {
       std::fprintf(stderr, "loopmend: %s has %s; %s the old file.\n", path_text(output.path).c_str(),
                    counted(names, "other name (hard link)", "other names (hard links)").c_str(),
                    names == 1 ? "that keeps" : "those keep");
-    if (output.kind == NamedFile::Kind::picture) require_picture_name(output.path);
+    if (output.kind == NamedFile::Kind::picture) require_extension(output.path, "a picture", ".png");
+    if (output.kind == NamedFile::Kind::film) require_extension(output.path, "a film", ".gif");
     if (output.kind == NamedFile::Kind::mesh)
       check_mesh_writable(output.path);
     else

@@ -20,7 +20,7 @@ namespace loopmend {
 
 /// A file that a command reads or writes, and how the person named it.
 struct NamedFile {
-  enum class Kind { mesh, picture, other };
+  enum class Kind { mesh, picture, film, other };
   std::string name;  ///< "the input", "--report"
   std::filesystem::path path;
   Kind kind = Kind::other;

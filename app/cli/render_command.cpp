@@ -47,6 +47,9 @@ RenderOptions options_of(const RenderCommand& command) {
 }  // namespace
 
 int run_render(const RenderCommand& command) {
+  if (command.output.empty() == command.film.empty())
+    throw UsageError("render writes a picture with -o, or a film with --film: give one of them");
+  if (!command.film.empty()) return run_film(command, options_of(command));
   CommandFiles files;
   for (const std::filesystem::path& input : command.inputs) files.reads("the input", input);
   files.writes(NamedFile::Kind::picture, "-o", command.output).check();

@@ -24,7 +24,7 @@ About::About(QWidget* parent) : QDialog(parent) {
                     "share and change "
                     "it. It comes without any warranty.<br><a href=\"https://www.gnu.org/licenses/gpl-3.0.html\">"
                     "gnu.org/licenses/gpl-3.0</a></p>"
-                    "<p>Built with Qt, VTK, QCustomPlot, Eigen, OpenMesh, CGAL and SuiteSparse.</p>")
+                    "<p>Built with Qt, VTK, QCustomPlot, giflib, Eigen, OpenMesh, CGAL and SuiteSparse.</p>")
                      .arg(QLatin1String(version())));
   text->setWordWrap(true);
   text->setOpenExternalLinks(true);

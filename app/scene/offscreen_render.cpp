@@ -4,6 +4,7 @@
 #include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "mesh/boundary_loops.h"
+#include "scene/film.h"
 #include "scene/mesh_scene.h"
 #include "scene/offscreen_window.h"
 #include "scene/view_direction.h"
@@ -156,7 +157,7 @@ vtkNew<vtkImageData> halve(vtkUnsignedCharArray* pixels, int width, int height) 
   return image;
 }
 
-std::string png_of(vtkRenderWindow* window, const RenderOptions& options) {
+vtkNew<vtkImageData> image_of(vtkRenderWindow* window, const RenderOptions& options) {
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   const int* size = window->GetSize();
@@ -164,15 +165,19 @@ std::string png_of(vtkRenderWindow* window, const RenderOptions& options) {
   if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
     throw Error("this machine could not draw a picture of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
                 " pixels. Try a smaller --size.");
+  return halve(pixels, options.width, options.height);
+}
+
+std::string png_of(vtkRenderWindow* window, const RenderOptions& options) {
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(halve(pixels, options.width, options.height));
+  writer->SetInputData(image_of(window, options));
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* png = writer->GetResult();
   return {reinterpret_cast<const char*>(png->GetPointer(0)), static_cast<std::size_t>(png->GetNumberOfValues())};
 }
 
-void add_caption(vtkRenderer* renderer, const char* words, double ratio, int height) {
+vtkNew<vtkTextActor> add_caption(vtkRenderer* renderer, const char* words, double ratio, int height) {
   vtkNew<vtkTextActor> text;
   text->SetInput(words);
   vtkTextProperty* look = text->GetTextProperty();
@@ -185,6 +190,7 @@ void add_caption(vtkRenderer* renderer, const char* words, double ratio, int hei
   text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   text->SetPosition(16 * ratio, height - 16 * ratio);
   renderer->AddActor2D(text);
+  return text;
 }
 
 /// The legend's strip at the right edge, so that it covers nothing. @returns how wide it is, device pixels.
@@ -291,6 +297,78 @@ std::string render_panels(const std::vector<Panel>& panels, int columns, const R
   const std::string png = png_of(window, options);
   window->Finalize();
   return png;
+}
+
+namespace {
+
+/// One camera and one colour range for all pictures of a film.
+class FilmStage {
+ public:
+  FilmStage(const SurfaceModel& model, const RenderOptions& options);
+  ~FilmStage() { window_->Finalize(); }
+  FilmStage(const FilmStage&) = delete;
+  FilmStage& operator=(const FilmStage&) = delete;
+  RgbPicture draw(const FilmState& state);
+
+ private:
+  RenderOptions options_;
+  vtkSmartPointer<vtkRenderWindow> window_;
+  SceneOfModel picture_;
+  vtkSmartPointer<vtkTextActor> caption_;
+};
+
+FilmStage::FilmStage(const SurfaceModel& model, const RenderOptions& options) : options_(options) {
+  check(options);
+  options_.shading = Shading::curvature;
+  const int width = supersampling * options.width, height = supersampling * options.height;
+  window_ = make_offscreen_window(width, height);
+  const double ratio = pixel_ratio(options.width, options.height);
+  MeshScene& scene = picture_.scene;
+  scene.set_pixel_ratio(ratio);
+  fill_scene(picture_, model, options_, scene_origin(model.soup));
+  scene.set_range(options.h_range.value_or(symmetric_range(picture_.shape->H)));
+  window_->AddRenderer(scene.renderer());
+  const int room = width - give_legend_room(scene, window_, ratio, width, height);
+  scene.renderer()->SetViewport(0, 0, static_cast<double>(room) / width, 1);
+  aim(scene, {picture_.shape.get()}, model, options, static_cast<double>(room) / height);
+  caption_ = add_caption(scene.renderer(), "", ratio, height).Get();
+  caption_->GetTextProperty()->SetBackgroundColor(0.97, 0.97, 0.97);  // it may lie over the surface
+  caption_->GetTextProperty()->SetBackgroundOpacity(1);
+}
+
+RgbPicture FilmStage::draw(const FilmState& state) {
+  MeshScene& scene = picture_.scene;
+  scene.set_patch(0, 0, state.patch);
+  scene.arrive();
+  caption_->SetInput(state.caption.c_str());
+  scene.renderer()->ResetCameraClippingRange();
+  const vtkNew<vtkImageData> image = image_of(window_, options_);
+  RgbPicture picture{options_.width, options_.height, {}};
+  const auto* bytes = static_cast<const unsigned char*>(image->GetScalarPointer());
+  const std::ptrdiff_t row = std::ptrdiff_t{3} * picture.width;
+  for (std::ptrdiff_t y = picture.height; y-- > 0;)  // VTK's rows come from the bottom
+    picture.bytes.insert(picture.bytes.end(), bytes + y * row, bytes + (y + 1) * row);
+  return picture;
+}
+
+}  // namespace
+
+std::size_t render_film(std::ostream& out, const SurfaceModel& model, const std::vector<FilmState>& states,
+                        const RenderOptions& options) {
+  if (states.empty()) throw InvalidArgument("a film needs at least one state.");
+  FilmStage stage(model, options);
+  const std::vector<std::size_t> shown = states_of_film(states.size());
+  const std::vector<int> durations = film_durations(shown.size());
+  const auto draw = [&](std::size_t k) { return stage.draw(states[shown[k]]); };
+  const std::vector<GifColor> palette = film_palette({draw(0), draw(shown.size() / 2), draw(shown.size() - 1)});
+  std::size_t k = 0;
+  write_film(out, options.width, options.height, palette, [&]() -> std::optional<FilmPicture> {
+    if (k == shown.size()) return std::nullopt;
+    FilmPicture picture{draw(k), durations[k]};
+    ++k;
+    return picture;
+  });
+  return k;
 }
 
 }  // namespace loopmend

@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
   void ask_preferences();
   void show_repair_dialog();
   void show_picture_dialog();
+  void show_film_dialog();
   void show_candidates();
   void step_back();
   void update_actions();

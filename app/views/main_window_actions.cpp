@@ -24,6 +24,7 @@
 #include "panels/small_holes_box.h"
 #include "panels/theme.h"
 #include "views/file_controller.h"
+#include "views/film_source.h"
 #include "views/mesh_view.h"
 #include "views/piece_menu.h"
 #include "views/tool_controller.h"
@@ -62,6 +63,7 @@ void MainWindow::connect_file_actions() {
   a.on("saveSessionAs", files_, &FileController::save_session_as);
   a.on("export", files_, &FileController::ask_export);
   a.on("screenshot", this, &MainWindow::show_picture_dialog);
+  a.on("film", this, &MainWindow::show_film_dialog);
   a.on("quit", this, &QWidget::close);
   a.on("preferences", this, &MainWindow::ask_preferences);
   a.on("help", this, [this] { show_beside<HelpWindow>(this); });
@@ -192,6 +194,7 @@ void MainWindow::update_actions() {
                            "zebra",
                            "isophotes"})
     a[name]->setEnabled(scan);
+  a["film"]->setEnabled(idle && has_film(document_, chosen_patches(document_, selection_)));
   a["scanColors"]->setEnabled(has_scan_colors_);
   a["orthographic"]->setEnabled(scan);
   a["showPieces"]->setEnabled(visibility_.hidden_count() > 0);
@@ -260,6 +263,15 @@ void MainWindow::show_candidates() {
 void MainWindow::show_picture_dialog() {
   auto* dialog = show_beside<PictureDialog>(this, *view_);
   connect(dialog, &PictureDialog::saved, this, [this](const QString& path) {
+    const QString words = tr("Wrote %1.").arg(path);
+    inspect_->log(words);
+    banner_->show_notice(words);
+  });
+}
+
+void MainWindow::show_film_dialog() {
+  auto* dialog = show_beside<FilmDialog>(this, film_of(*view_, document_, chosen_patches(document_, selection_)));
+  connect(dialog, &FilmDialog::saved, this, [this](const QString& path) {
     const QString words = tr("Wrote %1.").arg(path);
     inspect_->log(words);
     banner_->show_notice(words);

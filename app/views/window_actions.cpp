@@ -43,6 +43,10 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write scan and patches to a mesh file"), "Ctrl+E", "export"},
     {"screenshot", QT_TRANSLATE_NOOP("loopmend::WindowActions", "S&creenshot\u2026"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write the picture to a PNG file"), "F12", "camera"},
+    {"film", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Export fil&m\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Write the flow on the selected patches, or on all, as a film (animated GIF)"),
+     "", nullptr},
     {"quit", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Quit"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the window"), "Ctrl+Q", nullptr},
     {"undo", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Undo"),
@@ -265,7 +269,7 @@ QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const
 
 void WindowActions::build_menus(const QList<QAction*>& docks) {
   QMenu* file = add_menu(tr("&File"), {"open", "add", "sample", "-", "saveSession", "saveSessionAs", "-", "export",
-                                       "screenshot", "-", "quit"});
+                                       "screenshot", "film", "-", "quit"});
   recent_ = new QMenu(tr("Open &recent"), file);
   close_ = new QMenu(tr("C&lose"), file);
   file->insertMenu((*this)["sample"], recent_);

@@ -64,9 +64,9 @@ TEST_F(Files, NoCommandOverwritesWhatItReads) {
   for (const char* name : {"%/scan.ply", "%/./scan.ply", "%/hard.ply", "%/soft.ply"}) {
     const std::string out = std::string(name) + " ";
     for (const std::string& words :
-         {"fill %/scan.ply -o " + out, "render %/scan.ply -o " + out, "render %/poly.off %/scan.ply -o " + out,
-          "info %/scan.ply --json " + out, "fill %/scan.ply -o %/out.ply --report " + out,
-          "evolve %/scan.ply --where 'z>0.5' -o " + out,
+         {"fill %/scan.ply -o " + out, "render %/scan.ply -o " + out, "render %/scan.ply --film " + out,
+          "render %/poly.off %/scan.ply -o " + out, "info %/scan.ply --json " + out,
+          "fill %/scan.ply -o %/out.ply --report " + out, "evolve %/scan.ply --where 'z>0.5' -o " + out,
           "evolve %/scan.ply --where 'z>0.5' -o %/out.ply --report " + out,
           "evolve %/poly.off --region %/scan.ply -o " + out, "interpolate %/scan.ply --open -o " + out,
           "interpolate %/poly.off --fixed %/scan.ply -o %/out.ply --report " + out,
@@ -94,6 +94,7 @@ TEST_F(Files, ComparisonsNeverOverwriteTheirInput) {
 TEST_F(Files, APictureNeedsThePicturesExtension) {
   expect_nothing_done("render %/scan.ply -o %/out.ply", 4, "ends in .png");
   expect_nothing_done("render %/scan.ply -o %/out", 4, "ends in .png");
+  expect_nothing_done("render %/scan.ply --film %/out.png", 4, "ends in .gif");
 }
 
 TEST_F(Files, AReportThatCannotBeWrittenKeepsTheOldMesh) {

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Films of a flow: the file itself, the one that the window writes, the one that `loopmend render --film` writes.
+// What is in them, the GIF reader of Qt says.
+#include "driver.h"
+#include "test_main.h"
+
+#include "dialogs/film_dialog.h"
+#include "scene/film.h"
+
+#include <QAction>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QImageReader>
+#include <QLabel>
+#include <QPointer>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fstream>
+#include <numeric>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+struct ReadFilm {
+  explicit ReadFilm(const QString& path) {
+    QImageReader reader(path);
+    loops = reader.loopCount();
+    while (reader.canRead()) {
+      const QImage picture = reader.read();
+      if (picture.isNull()) break;
+      pictures << picture.convertToFormat(QImage::Format_RGB32);
+      delays << reader.nextImageDelay();  // ms, of the picture just read
+    }
+  }
+  QList<QImage> pictures;
+  QList<int> delays;
+  int loops = 0;
+};
+
+/// Mean over the channels of all pixels.
+double mean_difference(const QImage& a, const QImage& b) {
+  double sum = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+      sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
+    }
+  return sum / (3.0 * a.width() * a.height());
+}
+
+/// A ramp of two colors, `at` brighter.
+RgbPicture ramp(int width, int height, int at) {
+  RgbPicture picture{width, height, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      picture.bytes.push_back(static_cast<unsigned char>(255 * x / width));
+      picture.bytes.push_back(static_cast<unsigned char>(at));
+      picture.bytes.push_back(static_cast<unsigned char>(255 * y / height));
+    }
+  return picture;
+}
+
+QImage image_of(const RgbPicture& picture) {
+  return QImage(picture.bytes.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888)
+      .convertToFormat(QImage::Format_RGB32);
+}
+
+/// Fills the sample's first hole; its flow has several steps.
+void run_a_flow(MainWindow& window) {
+  window.selection().select({first_hole(window.document())});
+  trigger(window, "fillAction");
+  QVERIFY(wait_idle(window));
+}
+
+QPointer<FilmDialog> opened(MainWindow& window) {
+  trigger(window, "film");
+  QPointer<FilmDialog> dialog;
+  wait_until([&] { return (dialog = window.findChild<FilmDialog*>()) && dialog->isVisible(); }, 20);
+  return dialog;
+}
+
+}  // namespace
+
+class FilmTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_gif_keeps_colors_and_times();
+  void at_most_ten_pictures_a_second();
+  void the_window_writes_the_flow();
+  void a_film_given_up_leaves_no_file();
+  void a_film_that_cannot_be_written_says_so();
+  void the_command_line_writes_the_flow();
+
+ private:
+  QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  QTemporaryDir folder_;
+};
+
+void FilmTest::a_gif_keeps_colors_and_times() {
+  const std::vector<RgbPicture> pictures{ramp(160, 120, 40), ramp(160, 120, 120), ramp(160, 120, 120)};
+  const std::vector<GifColor> palette = film_palette(pictures);
+  QVERIFY(palette.size() > 100 && palette.size() <= most_gif_colors);
+  std::ofstream out(path("ramp.gif").toStdString(), std::ios::binary);
+  std::size_t k = 0;
+  const int times[] = {30, 10, 250};
+  const int count = write_film(out, 160, 120, palette, [&]() -> std::optional<FilmPicture> {
+    if (k == pictures.size()) return std::nullopt;
+    ++k;
+    return FilmPicture{pictures[k - 1], times[k - 1]};
+  });
+  out.close();
+  QCOMPARE(count, 3);
+  const ReadFilm film(path("ramp.gif"));
+  QCOMPARE(film.pictures.size(), 3);
+  QCOMPARE(film.loops, -1);  // for ever
+  for (int p = 0; p < 3; ++p) {
+    QCOMPARE(film.delays[p], 10 * times[p]);
+    // Dithering scatters single pixels; means of squares are the colors that the eye sees.
+    const QImage seen = film.pictures[p].scaled(20, 15, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const QImage wanted =
+        image_of(pictures[static_cast<std::size_t>(p)]).scaled(20, 15, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    QVERIFY2(mean_difference(seen, wanted) < 3, qPrintable(QString::number(mean_difference(seen, wanted))));
+  }
+  QCOMPARE(film.pictures[1], film.pictures[2]);  // what stands still does not flicker
+}
+
+void FilmTest::at_most_ten_pictures_a_second() {
+  for (std::size_t count : {1, 2, 7, 60, 120, 1000}) {
+    const std::vector<std::size_t> shown = states_of_film(count);
+    QCOMPARE(shown.size(), std::min(count, most_film_states));
+    QCOMPARE(shown.front(), std::size_t{0});
+    QCOMPARE(shown.back(), count - 1);
+    QVERIFY(std::adjacent_find(shown.begin(), shown.end(), std::greater_equal<>()) == shown.end());
+    const std::vector<int> durations = film_durations(shown.size());
+    QCOMPARE(durations.size(), shown.size());
+    for (int hundredths : durations) QVERIFY(hundredths >= 10);
+    QCOMPARE(*std::max_element(durations.begin(), durations.end()), durations.back());
+  }
+}
+
+void FilmTest::the_window_writes_the_flow() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  QVERIFY(!window.findChild<QAction*>(QStringLiteral("film"))->isEnabled());  // there is no flow yet
+  run_a_flow(window);
+  const QPointer<FilmDialog> dialog = opened(window);
+  QVERIFY(dialog);
+  const QImage before = window.view().picture();
+  QSignalSpy saved(dialog, &FilmDialog::saved);
+  GapMeter gaps;
+  dialog->save(path("flow.gif"));
+  QVERIFY(wait_until([&] { return saved.count() == 1; }));
+  gaps.report("film");
+  const OpenPatch& patch = *window.document().patch_of(first_hole(window.document()));
+  const ReadFilm film(path("flow.gif"));
+  QCOMPARE(static_cast<std::size_t>(film.pictures.size()), patch.timeline->size());
+  QVERIFY(film.pictures.size() > 1);
+  QCOMPARE(film.pictures.front().height(), 480);
+  QVERIFY(share_changed(film.pictures.front(), film.pictures.back()) > 0.002);  // the patch moved
+  QVERIFY(count_colors(film.pictures.back()) >= 64);
+  QVERIFY(film.delays.back() >= 2000);
+  QVERIFY(settle());
+  QVERIFY(share_changed(before, window.view().picture()) < 0.001);  // the view is what it was
+}
+
+void FilmTest::a_film_given_up_leaves_no_file() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  run_a_flow(window);
+  const QPointer<FilmDialog> dialog = opened(window);
+  QVERIFY(dialog);
+  const QStringList files = QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden);
+  QSignalSpy saved(dialog, &FilmDialog::saved);
+  dialog->save(path("given_up.gif"));
+  QVERIFY(wait_until(
+      [&] { return QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden) != files; }));  // it is being written
+  QElapsedTimer clock;
+  clock.start();
+  dialog->findChild<QPushButton*>(QStringLiteral("filmCancel"))->click();
+  QVERIFY(!dialog->busy());
+  QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
+  QVERIFY(wait_until([&] { return QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden) == files; }));
+  QCOMPARE(saved.count(), 0);
+  QVERIFY(dialog->isVisible());  // another size may be tried
+  dialog->close();
+}
+
+void FilmTest::a_film_that_cannot_be_written_says_so() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  run_a_flow(window);
+  const QPointer<FilmDialog> dialog = opened(window);
+  QVERIFY(dialog);
+  dialog->save(path("no_such_folder/flow.gif"));
+  auto* fault = dialog->findChild<QLabel*>(QStringLiteral("filmTrouble"));
+  QVERIFY(wait_until([&] { return !dialog->busy(); }));
+  QVERIFY(fault->isVisible());
+  QVERIFY2(fault->text().contains(QLatin1String("no_such_folder")), qPrintable(fault->text()));
+  dialog->close();
+}
+
+void FilmTest::the_command_line_writes_the_flow() {
+  const QString scan = sample_file(folder_);
+  const auto film = [&](const QStringList& options) {
+    QProcess program;
+    program.start(
+        QStringLiteral(LOOPMEND_PROGRAM),
+        QStringList{QStringLiteral("render"), scan, QStringLiteral("--size"), QStringLiteral("320x240")} + options);
+    program.waitForFinished(240000);
+    return program.exitCode();
+  };
+  const auto words = [](const char* text) { return QString::fromLatin1(text).split(QLatin1Char(' ')); };
+  QCOMPARE(film(words("--film") << path("steps.gif") << words("--loop 2 --mode steps --flow wf")), 0);
+  const ReadFilm steps(path("steps.gif"));
+  QVERIFY(steps.pictures.size() > 3);
+  QCOMPARE(steps.pictures.front().size(), QSize(320, 240));
+  QVERIFY(share_changed(steps.pictures.front(), steps.pictures.back()) > 0.02);
+  for (int delay : steps.delays) QVERIFY(delay >= 100);
+  QVERIFY(steps.delays.back() >= 2000);
+  QCOMPARE(film(words("--film") << path("a.gif") << words("--loop 99")), 2);
+  QCOMPARE(film(words("--film") << path("a.gif") << words("-o") << path("a.png")), 2);
+  QCOMPARE(film(words("--flow wf -o") << path("a.png")), 2);
+  QCOMPARE(film({}), 2);
+  QCOMPARE(film(words("--film") << path("a.png")), 4);
+  for (const char* name : {"a.gif", "a.png"}) QVERIFY(!QFile::exists(path(name)));
+}
+
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<FilmTest>(); }
+
+#include "film_test.moc"
