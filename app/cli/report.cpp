@@ -90,7 +90,7 @@ Json verdict_json(const Verdict& verdict) {
   Json findings = Json::array();
   for (const Notice& finding : verdict.findings)
     findings.push_back(
-        {{"code", to_string(finding.code)}, {"arguments", finding.arguments}, {"text", english(finding)}});
+        {{"code", to_string(finding.code)}, {"arguments", finding.arguments}, {"text", message_of(finding).english()}});
   return {{"grade", to_string(verdict.grade)},
           {"sentence", verdict.sentence()},
           {"findings", findings},
@@ -113,7 +113,7 @@ Json mirror_json(const MirrorFit& fit) {
   return {{"answer", to_string(fit.answer)},
           {"misfit", json_number(fit.misfit)},
           {"quadric", json_number(fit.quadric)},
-          {"text", english(notice_on(fit))},
+          {"text", message_of(notice_on(fit)).english()},
           {"plane",
            {{"point", vector_json(fit.plane.point)},
             {"normal", vector_json(fit.plane.normal)},

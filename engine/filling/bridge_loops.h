@@ -2,6 +2,7 @@
 // From two or more loops to the G0 patch that joins them: topology, guarded remeshing, one or two relaxations.
 #pragma once
 
+#include "core/message.h"
 #include "core/cancel.h"
 #include "filling/loop_patch.h"
 #include "mesh/patch.h"
@@ -24,7 +25,7 @@ struct Bridge {
 
 struct BridgeOutcome {
   std::optional<Bridge> bridge;  ///< empty when none was found, or when cancelled
-  std::string message;           ///< why there is none, or what is left to wish; empty when all is well
+  Message message;               ///< why there is none, or what is left to wish; empty when all is well
 };
 
 /// Joins the loops by one surface without further boundaries: a tube between two, a pair of trousers between three, ... The

@@ -2,6 +2,7 @@
 // From a boundary loop to the initial patch: triangulate, refine to the density of the neighborhood, remesh, relax.
 #pragma once
 
+#include "core/message.h"
 #include "core/cancel.h"
 #include "mesh/patch.h"
 #include "mesh/self_intersections.h"
@@ -28,7 +29,7 @@ void check(const InitialPatchOptions& options);
 
 struct LoopPatchOutcome {
   std::optional<LoopPatch> patch;  ///< empty when there is no valid triangulation, or when cancelled
-  std::string message;             ///< why there is none, or what is left to wish; empty when all is well
+  Message message;                 ///< why there is none, or what is left to wish; empty when all is well
   Validity quality;
 };
 

@@ -3,6 +3,7 @@
 // it; the window goes through the same steps one by one (initial_patch, solve_group, paste).
 #pragma once
 
+#include "core/message.h"
 #include "core/cancel.h"
 #include "evolution/option_names.h"
 #include "neighborhood/trim_boundary.h"
@@ -57,7 +58,7 @@ std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& mo
                                                           const std::vector<BoundaryLoop>& asked);
 
 /// What is said of a hole whose patch covers an island that should have been joined. @param why  no bridge was made.
-std::string island_not_joined(const std::string& why);
+Message island_not_joined(const Message& why);
 
 /// Every hole of the model; outer rims and cut seams are left. @throws InvalidArgument if an option is out of range.
 std::vector<HoleResult> fill_all_holes(SurfaceModel& model, const FillOptions& options = {},

@@ -2,6 +2,7 @@
 // What a person sees of a patch: sound or not, and what to look at. How the solver ended is no part of it.
 #pragma once
 
+#include "core/message.h"
 #include "analysis/seam_report.h"
 #include "core/notice.h"
 #include "mesh/patch.h"
@@ -36,7 +37,7 @@ struct Verdict {
   Proportion proportion;         ///< to the initial patch
 
   /// "a crease of 50° along 12 edges of the seam"; empty where it is good.
-  std::string sentence() const { return findings.empty() ? std::string() : english(findings.front()); }
+  Message message() const { return findings.empty() ? Message() : message_of(findings.front()); }
 };
 
 /// Where a loop lies. Patch frame.

@@ -28,7 +28,7 @@ py::dict verdict_figures(const Verdict& verdict) {
   py::list findings;
   for (const Notice& finding : verdict.findings)
     findings.append(
-        py::dict("code"_a = to_string(finding.code), "arguments"_a = finding.arguments, "text"_a = english(finding)));
+        py::dict("code"_a = to_string(finding.code), "arguments"_a = finding.arguments, "text"_a = message_of(finding).english()));
   return py::dict("grade"_a = to_string(verdict.grade), "sentence"_a = verdict.sentence(), "findings"_a = findings,
                   "crease_deg"_a = verdict.crease_deg, "height"_a = verdict.height, "folds"_a = verdict.folds);
 }
@@ -42,7 +42,7 @@ py::object mirror_figures(const MirrorFit& fit) {
   if (fit.answer == MirrorFit::Answer::not_asked) return py::none();
   const auto vector = [](const Vec3& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
   return py::dict("answer"_a = to_string(fit.answer), "is_taken"_a = fit.is_proposed(), "misfit"_a = fit.misfit,
-                  "quadric"_a = fit.quadric, "text"_a = english(notice_on(fit)),
+                  "quadric"_a = fit.quadric, "text"_a = message_of(notice_on(fit)).english(),
                   "plane_point"_a = vector(fit.plane.point), "plane_normal"_a = vector(fit.plane.normal),
                   "plane_misfit"_a = fit.plane.misfit);
 }
