@@ -144,8 +144,7 @@ int affordable_threads(int threads) {
   const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int affordable = claim_work_memory(wanted);
   if (affordable > 0) return affordable == wanted ? threads : affordable;
-  throw LimitError("the address space of this process is limited (ulimit -v), and " +
-                   std::to_string(least_work_memory >> 20) + " MB that the work needs are not left. Raise the limit.");
+  throw LimitError(say("the address space of this process is limited (ulimit -v), and %1 MB that the work needs are not left. Raise the limit.", least_work_memory >> 20));
 }
 
 /// How many words are batch's own: those behind "--" are options of fill.

@@ -49,8 +49,8 @@ void require_picture_name(const std::filesystem::path& path) {
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (extension == ".png") return;
   throw WriteError(
-      path, extension.empty() ? "the name has no extension" : "a picture cannot be written as \"" + extension + "\"",
-      "Choose a name that ends in .png.");
+      path, extension.empty() ? say("the name has no extension") : say("a picture cannot be written as \"%1\"", extension),
+      say("Choose a name that ends in .png."));
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ OutputLosses losses_of(const std::filesystem::path& output, const TriangleSoup& 
 
 nlohmann::ordered_json not_kept_json(const std::vector<NotKept>& list) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const NotKept& entry : list) json.push_back({{"what", entry.what}, {"count", entry.count}});
+  for (const NotKept& entry : list) json.push_back({{"what", entry.what.english()}, {"count", entry.count}});
   return json;
 }
 

@@ -92,7 +92,7 @@ Json verdict_json(const Verdict& verdict) {
     findings.push_back(
         {{"code", to_string(finding.code)}, {"arguments", finding.arguments}, {"text", message_of(finding).english()}});
   return {{"grade", to_string(verdict.grade)},
-          {"sentence", verdict.sentence()},
+          {"sentence", verdict.message().english()},
           {"findings", findings},
           {"crease_deg", json_number(verdict.crease_deg)},
           {"height", json_number(verdict.height)},
@@ -134,9 +134,11 @@ Json loop_json(const HoleResult& result) {
   const PatchResult& patch = result.outcome();
   Json json = loop_json(result.loop);
   json["status"] = to_string(result.status);
-  json["message"] = result.message;
+  json["message"] = result.message.english();
+  json["message_code"] = result.message.code;
   json["method"] = result.method();
-  json["reason"] = result.reason();
+  json["reason"] = result.reason().english();
+  json["reason_code"] = result.reason().code;
   json["attempts"] = patch.attempts;
   json["made_by"] = patch.made_by;
   if (is_filled(result.status)) {
@@ -172,7 +174,7 @@ Json brief_loop_json(const HoleResult& result) {
           {"perimeter", result.loop.perimeter},
           {"kind", to_string(result.loop.kind)},
           {"status", to_string(result.status)},
-          {"message", result.message},
+          {"message", result.message.english()},
           {"method", result.method()},
           {"grade", is_filled(result.status) ? Json(to_string(result.verdict().grade)) : Json()},
           {"expected_deviation", deviation_json(result.deviation())},
@@ -182,9 +184,9 @@ Json brief_loop_json(const HoleResult& result) {
 
 Json patch_json(const PatchResult& result) {
   return {{"status", to_string(result.status)},
-          {"message", result.message},
+          {"message", result.message.english()},
           {"method", method_name(result)},
-          {"reason", result.reason},
+          {"reason", result.reason.english()},
           {"free_vertices", result.patch.free_count},
           {"steps", result.steps},
           {"bending", result.bending},

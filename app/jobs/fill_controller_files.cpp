@@ -148,7 +148,7 @@ OpenedScanPtr load_kept(const SessionScan& wanted, const std::optional<Vec3>& or
   if (!wanted.file) return load_scan(wanted.path, origin, {}, cancel);
   const QTemporaryDir folder;
   if (!folder.isValid())
-    throw WriteError(folder.path().toStdString(), "cannot be written", "Make room for temporary files.");
+    throw WriteError(folder.path().toStdString(), say("cannot be written"), say("Make room for temporary files."));
   const OpenedScanPtr scan = load_scan(lay_out(*wanted.file, folder.path()), origin, {}, cancel);
   if (!scan) return scan;
   scan->path = wanted.path;
@@ -173,7 +173,7 @@ QString find_scans(std::vector<SessionScan>& scans, const SessionFile& file) {
 }
 
 [[noreturn]] void refuse_damaged(const QString& path, const char* what) {
-  throw ReadError(path.toStdString(), what, "", "Open the scan itself instead; the session file is damaged.");
+  throw ReadError(path.toStdString(), what, {}, say("Open the scan itself instead; the session file is damaged."));
 }
 
 /// With its loops and its surface as they belong to the scan. @param path  of the session, for errors.
@@ -229,8 +229,8 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
     const OpenedScanPtr scan = load_kept(wanted, origin, job->token());
     if (!scan) return {};
     if (scan->fingerprint != wanted.fingerprint)
-      throw ReadError(wanted.path.toStdString(), "this file has changed since the session was saved", "",
-                      "Put the old file back to restore the session, or open the new one by itself.");
+      throw ReadError(wanted.path.toStdString(), say("this file has changed since the session was saved"), {},
+                      say("Put the old file back to restore the session, or open the new one by itself."));
     origin = origin.value_or(scan->origin);
     restored.scans.push_back(scan);
   }

@@ -40,7 +40,7 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
   std::fprintf(out, "%d vertices: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
                evolved.patch.free_count, to_string(evolved.status), method_name(evolved).c_str(), evolved.steps,
                evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
-               evolved.message.c_str(), path_text(command.output).c_str(), seconds);
+               evolved.message.english().c_str(), path_text(command.output).c_str(), seconds);
   print_reason(out, evolved.reason);
 }
 
