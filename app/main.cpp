@@ -9,6 +9,7 @@
 #include "jobs/autosave.h"
 #include "views/main_window.h"
 #include "views/mesh_view.h"
+#include "window_start.h"
 
 #include <QApplication>
 #include <QOffscreenSurface>
@@ -19,7 +20,6 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <latch>
 #include <string>
 #include <string_view>
@@ -114,17 +114,10 @@ bool can_start(int threads) {
   return all;
 }
 
-bool has_display() {
-  const auto is_set = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value && *value;
-  };
-  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("QT_QPA_PLATFORM");
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
+  loopmend::find_console();
   loopmend::keep_freed_memory();
   static const std::string last_words = "loopmend-gui: a copy of what was not saved may be in " +
                                         loopmend::Autosave::place().toStdString() +
@@ -155,7 +148,7 @@ int main(int argc, char** argv) {
         needed);
     std::_Exit(exit_no_memory);
   }
-  if (!has_display()) {
+  if (!loopmend::has_display()) {
     std::fputs(
         "loopmend-gui: there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set). "
         "Start it from a desktop session, or use the command line: loopmend --help\n",

@@ -211,7 +211,8 @@ void print_cure(std::FILE* out, const ScanPlan& scan, int wide_cracks) {
 /// What became of very many loops: how many there are for each outcome, and each thing that is said of them.
 void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
   std::map<std::pair<std::string, std::string>, int> count;
-  for (const HoleResult& result : results) ++count[{to_string(result.status), without_numbers(result.message.english())}];
+  for (const HoleResult& result : results)
+    ++count[{to_string(result.status), without_numbers(result.message.english())}];
   for (const auto& [what, loops] : count)
     std::fprintf(out, "%s %s%s%s\n", counted(loops, "loop", "loops").c_str(), what.first.c_str(),
                  what.second.empty() ? "" : ": ", what.second.c_str());
@@ -337,7 +338,8 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
 /// The first reason, where there is one.
 std::string why_open(const std::vector<HoleResult>& results) {
   for (const HoleResult& result : results)
-    if (!result.message.empty()) return " (loop " + std::to_string(result.loop.number) + ": " + result.message.english() + ")";
+    if (!result.message.empty())
+      return " (loop " + std::to_string(result.loop.number) + ": " + result.message.english() + ")";
   return "";
 }
 

@@ -49,7 +49,8 @@ void require_picture_name(const std::filesystem::path& path) {
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (extension == ".png") return;
   throw WriteError(
-      path, extension.empty() ? say("the name has no extension") : say("a picture cannot be written as \"%1\"", extension),
+      path,
+      extension.empty() ? say("the name has no extension") : say("a picture cannot be written as \"%1\"", extension),
       say("Choose a name that ends in .png."));
 }
 

@@ -175,6 +175,7 @@ Json brief_loop_json(const HoleResult& result) {
           {"kind", to_string(result.loop.kind)},
           {"status", to_string(result.status)},
           {"message", result.message.english()},
+          {"message_code", result.message.code},
           {"method", result.method()},
           {"grade", is_filled(result.status) ? Json(to_string(result.verdict().grade)) : Json()},
           {"expected_deviation", deviation_json(result.deviation())},
@@ -185,8 +186,10 @@ Json brief_loop_json(const HoleResult& result) {
 Json patch_json(const PatchResult& result) {
   return {{"status", to_string(result.status)},
           {"message", result.message.english()},
+          {"message_code", result.message.code},
           {"method", method_name(result)},
           {"reason", result.reason.english()},
+          {"reason_code", result.reason.code},
           {"free_vertices", result.patch.free_count},
           {"steps", result.steps},
           {"bending", result.bending},
@@ -197,8 +200,8 @@ Json patch_json(const PatchResult& result) {
           {"min_angle_deg", result.validity.min_angle_deg}};
 }
 
-void print_reason(std::FILE* out, const std::string& reason) {
-  if (!reason.empty()) std::fprintf(out, "Not the flow itself: %s.\n", reason.c_str());
+void print_reason(std::FILE* out, const Message& reason) {
+  if (!reason.empty()) std::fprintf(out, "Not the flow itself: %s.\n", reason.english().c_str());
 }
 
 }  // namespace loopmend

@@ -24,6 +24,7 @@ QString options_of(const PatchRecipe& recipe) {
   if (run.mode == EvolutionMode::steady)
     text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief) +
             shell::edges_option(run.edges);
+  if (run.mirror == RunRecipe::Mirror::found) text += QStringLiteral(" --mirror");
   if (run.mode == EvolutionMode::steps || run.end == RunRecipe::End::after_steps)
     text += QStringLiteral(" --steps ") + QString::number(run.steps);
   return text;

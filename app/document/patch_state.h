@@ -23,7 +23,11 @@ struct RunRecipe {
   SeamContinuity continuity = SeamContinuity::curvature;  ///< likewise
   ReliefChoice relief;                                    ///< likewise
   SharpEdges edges = SharpEdges::continued;               ///< likewise
-  int steps = 0;                                          ///< taken
+  enum class Mirror {
+    none,
+    found,                  ///< the mirror image in a plane of symmetry that was looked for
+  } mirror = Mirror::none;  ///< likewise
+  int steps = 0;            ///< taken
   enum class End {
     whole,        ///< as far as it goes
     after_steps,  ///< stopped by a person after `steps`
@@ -33,8 +37,12 @@ struct RunRecipe {
 
 /// The run that these options lead to, before its first step.
 inline RunRecipe recipe_of(const EvolutionOptions& options) {
-  RunRecipe run{options.flow,         options.mode, options.sigma, options.boundary, options.continuity, {}, {}, 0,
-                RunRecipe::End::whole};
+  RunRecipe run;
+  run.flow = options.flow;
+  run.mode = options.mode;
+  run.sigma = options.sigma;
+  run.boundary = options.boundary;
+  run.continuity = options.continuity;
   run.edges = options.edges;
   if (options.mode == EvolutionMode::steady) run.relief = options.relief;
   return run;

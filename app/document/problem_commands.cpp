@@ -39,12 +39,13 @@ void add_input(ProblemWords& words, const Document& document, int index) {
 QString write_numbers(ProblemWords& words, const std::vector<int>& numbers, const char* ending) {
   constexpr std::size_t in_a_line = 16;
   const QString file = shell::beside(words.inputs.first(), QLatin1String(ending));
-  QString text = QStringLiteral("cat > ") + shell::quoted(file) + QStringLiteral(" <<'END'");
+  QStringList lines;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    text += QLatin1Char(k % in_a_line ? ' ' : '\n');
-    text += QString::number(numbers[k]);
+    if (k % in_a_line == 0) lines << QString();
+    if (k % in_a_line != 0) lines.last() += QLatin1Char(' ');
+    lines.last() += QString::number(numbers[k]);
   }
-  words.before << text + QStringLiteral("\nEND");
+  words.before << shell::writing(file, lines);
   return shell::quoted(file);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "document/document.h"
+#include "document/file_path.h"
 #include "document/session_stream.h"
 #include "io/atomic_file.h"
 
@@ -17,29 +18,18 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 8;
-constexpr qint32 version_without_deviation = 7;
-constexpr qint32 version_without_verdicts = 6;
-constexpr qint32 version_without_relief = 5;  ///< and without units
-constexpr qint32 version_without_bridges = 4;
-constexpr qint32 version_without_boundary = 3;
-constexpr qint32 never_written = 2, first_version = 1;  ///< without the view and without surfaces that were made here
+constexpr qint32 format_version = 10;  ///< no other one is read
 
 using Writer = SessionWriter;
 using Reader = SessionReader;
 
-/// The first number of a seam was a gap that nothing measured: written as 0 and not read, so that the layout stays.
-constexpr double no_gap = 0;
-
 void put(Writer& out, const SeamReport& seam) {
-  for (double x :
-       {no_gap, seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max, seam.h_jump_rms_times_diameter})
+  for (double x : {seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max, seam.h_jump_rms_times_diameter})
     out.put(x);
 }
 
 SeamReport seam(Reader& in) {
   SeamReport s;
-  in.number<double>();
   for (double* x : {&s.g1_rms_deg, &s.g1_max_deg, &s.h_jump_rms, &s.h_jump_max, &s.h_jump_rms_times_diameter})
     *x = in.number<double>();
   return s;
@@ -47,8 +37,7 @@ SeamReport seam(Reader& in) {
 
 void put(Writer& out, const Verdict& verdict) {
   out.put(static_cast<qint32>(verdict.grade));
-  out.put(verdict.crease_deg);
-  out.put(verdict.height);
+  for (double x : {verdict.crease_deg, verdict.height}) out.put(x);
   out.put(static_cast<qint32>(verdict.folds));
   out.put(static_cast<quint64>(verdict.findings.size()));
   for (const Notice& finding : verdict.findings) {
@@ -107,12 +96,14 @@ void check_triangles(const Reader& in, const Patch& patch) {
       edges.emplace_back(from, to);
     }
   std::sort(edges.begin(), edges.end());
-  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) in.fail(say("the triangles of a patch do not fit"));
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
+    in.fail(say("the triangles of a patch do not fit"));
 }
 
 void check_loops(const Reader& in, const Patch& patch) {
   for (const auto& loop : patch.loops) {
-    if (loop.empty() || !in_range(loop, 0, patch.vertex_count())) in.fail(say("a loop names a vertex that does not exist"));
+    if (loop.empty() || !in_range(loop, 0, patch.vertex_count()))
+      in.fail(say("a loop names a vertex that does not exist"));
     for (int v : loop)
       if (patch.ring[static_cast<std::size_t>(v)] != 1) in.fail(say("a loop is not the boundary of its patch"));
   }
@@ -165,7 +156,7 @@ void put(Writer& out, const PatchRecipe& recipe) {
     out.put(static_cast<qint32>(run.continuity));
     out.put(static_cast<qint32>(run.relief.kind));
     out.put(static_cast<quint64>(run.relief.seed));
-    out.put(static_cast<qint32>(run.edges));
+    for (const qint32 word : {static_cast<qint32>(run.edges), static_cast<qint32>(run.mirror)}) out.put(word);
   }
 }
 
@@ -173,7 +164,7 @@ PatchRecipe recipe(Reader& in) {
   PatchRecipe r;
   r.density = in.number<double>();
   if (!(r.density > 0) || !std::isfinite(r.density)) in.fail(say("a density is out of range"));
-  if (in.version > version_without_bridges) r.start = word(in, PatchRecipe::Start::bridge);
+  r.start = word(in, PatchRecipe::Start::bridge);
   for (int runs = in.count(sizeof(double)); runs > 0; --runs) {
     RunRecipe run;
     run.flow = word(in, FlowKind::mmcvf);
@@ -181,15 +172,12 @@ PatchRecipe recipe(Reader& in) {
     run.sigma = in.number<double>();
     run.steps = in.number<qint32>();
     run.end = word(in, RunRecipe::End::unnamed);
-    if (in.version > version_without_boundary) {
-      run.boundary = word(in, BoundaryTrust::robust);
-      run.continuity = word(in, SeamContinuity::curvature);
-    }
-    if (in.version > version_without_relief) {
-      run.relief.kind = word(in, ReliefChoice::Kind::continued);
-      run.relief.seed = in.number<quint64>();
-    }
-    if (in.version > version_without_deviation) run.edges = word(in, SharpEdges::rounded);
+    run.boundary = word(in, BoundaryTrust::robust);
+    run.continuity = word(in, SeamContinuity::curvature);
+    run.relief.kind = word(in, ReliefChoice::Kind::continued);
+    run.relief.seed = in.number<quint64>();
+    run.edges = word(in, SharpEdges::rounded);
+    run.mirror = word(in, RunRecipe::Mirror::found);
     r.runs.push_back(run);
   }
   return r;
@@ -207,10 +195,28 @@ StepRecord step(Reader& in) {
   return s;
 }
 
+void put(Writer& out, const Message& message) {
+  for (const std::string* text : {&message.text, &message.code}) out.put(QString::fromStdString(*text));
+  out.put(static_cast<qint32>(message.is_verbatim));
+  out.put(static_cast<quint64>(message.arguments.size()));
+  for (const Message& argument : message.arguments) put(out, argument);
+}
+
+/// @param depth  of arguments within arguments that may still come: a damaged file must not exhaust the stack
+Message message(Reader& in, int depth = 16) {
+  if (depth == 0) in.fail(say("a message is nested too deep"));
+  Message m;
+  for (std::string* text : {&m.text, &m.code}) *text = in.text().toStdString();
+  m.is_verbatim = in.number<qint32>() != 0;
+  for (int arguments = in.count(sizeof(qint32)); arguments > 0; --arguments)
+    m.arguments.push_back(message(in, depth - 1));
+  return m;
+}
+
 void put(Writer& out, const PatchState& state) {
   put(out, state.patch);
   out.put(static_cast<qint32>(state.status));
-  out.put(QString::fromStdString(state.message));
+  put(out, state.message);
   put(out, state.recipe);
   out.put(static_cast<qint32>(state.flow));
   out.put(static_cast<qint32>(state.steps));
@@ -233,8 +239,7 @@ void put(Writer& out, const PatchState& state) {
 Verdict verdict(Reader& in) {
   Verdict v;
   v.grade = word(in, Grade::bad);
-  v.crease_deg = in.number<double>();
-  v.height = in.number<double>();
+  for (double* x : {&v.crease_deg, &v.height}) *x = in.number<double>();
   v.folds = in.number<qint32>();
   const int findings = in.count(sizeof(qint32));
   for (int i = 0; i < findings; ++i) {
@@ -250,36 +255,26 @@ PatchStatePtr state(Reader& in) {
   auto s = std::make_shared<PatchState>();
   s->patch = patch(in);
   s->status = word(in, PatchStatus::step_limit);
-  // Number 6 was a verdict then.
-  if (in.version <= version_without_verdicts && s->status == PatchStatus::early_stop)
-    s->status = PatchStatus::converged;
-  s->message = in.text().toStdString();
+  s->message = message(in);
   s->recipe = recipe(in);
   s->patch.grading.density = s->recipe.density;
   s->flow = word(in, FlowKind::mmcvf);
   s->steps = in.number<qint32>();
   s->last_step = step(in);
-  s->energy.final = s->last_step.energy;
-  s->energy.initial = in.number<double>();
+  s->energy = {in.number<double>(), s->last_step.energy};
   s->seconds.total = in.number<double>();
   for (auto* reports : {&s->seams_before, &s->seams}) {
-    const int count = in.count(6 * sizeof(double));
+    const int count = in.count(5 * sizeof(double));
     for (int i = 0; i < count; ++i) reports->push_back(seam(in));
   }
   if (s->seams.size() != s->patch.loops.size() || s->seams_before.size() != s->seams.size())
     in.fail(say("the seams of a patch are not complete"));
-  if (in.version > version_without_verdicts) {
-    const int count = in.count(3 * sizeof(double));
-    for (int i = 0; i < count; ++i) s->verdicts.push_back(verdict(in));
-    if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
-      in.fail(say("the verdicts of a patch are not complete"));
-  }
-  if (in.version > version_without_deviation) {
-    const int count = in.count(4 * sizeof(double));
-    for (int i = 0; i < count; ++i) {
-      ExpectedDeviation& e = s->deviation.loops.emplace_back();
-      for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
-    }
+  for (int verdicts = in.count(3 * sizeof(double)); verdicts > 0; --verdicts) s->verdicts.push_back(verdict(in));
+  if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
+    in.fail(say("the verdicts of a patch are not complete"));
+  for (int loops = in.count(4 * sizeof(double)); loops > 0; --loops) {
+    ExpectedDeviation& e = s->deviation.loops.emplace_back();
+    for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
   }
   return s;
 }
@@ -410,10 +405,6 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 
 namespace {
 
-bool is_known(qint32 version) {
-  return version >= first_version && version <= format_version && version != never_written;
-}
-
 SessionPatch session_patch(Reader& in, int scans) {
   SessionPatch entry;
   entry.scan = in.number<qint32>();
@@ -421,25 +412,26 @@ SessionPatch session_patch(Reader& in, int scans) {
   entry.loop_numbers = in.array<int>();
   entry.acceptance = word(in, Acceptance::accepted);
   entry.state = state(in);
-  if (entry.loop_numbers.size() != entry.state->patch.loops.size()) in.fail(say("the loops of a patch are not complete"));
+  if (entry.loop_numbers.size() != entry.state->patch.loops.size())
+    in.fail(say("the loops of a patch are not complete"));
   return entry;
 }
 
 Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   constexpr int magic_size = sizeof magic - 1;
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
-    throw ReadError(path.toStdString(), say("this is not a session of Loopmend"), {}, say("Choose a file that Loopmend saved."));
+    throw ReadError(file_path(path), say("this is not a session of Loopmend"), {},
+                    say("Choose a file that Loopmend saved."));
   Reader in(bytes.mid(magic_size), path);
-  const auto version = in.version = in.number<qint32>();
-  if (!is_known(version))
-    throw ReadError(path.toStdString(), say("this session is of another version of Loopmend"), {},
+  if (in.number<qint32>() != format_version)
+    throw ReadError(file_path(path), say("this session is of another version of Loopmend"), {},
                     say("Open it with the version that saved it."));
   Session session;
   const int scans = in.count(sizeof(quint64));
   for (int i = 0; i < scans; ++i) {
     const QString absolute = in.text(), relative = in.text();
     SessionScan entry{found(absolute, relative, path), in.number<quint64>(), {}, nullptr, {}, nullptr};
-    if (version != first_version && in.number<qint32>() != 0) {
+    if (in.number<qint32>() != 0) {
       entry.name = in.text();
       entry.made = made_surface(in);
     }
@@ -447,12 +439,11 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   }
   const int patches = in.count(sizeof(quint64));
   for (int i = 0; i < patches; ++i) session.patches.push_back(session_patch(in, scans));
-  if (version != first_version && in.number<qint32>() != 0) session.view = session_view(in);
-  if (version > version_without_relief)
-    for (SessionScan& scan : session.scans) {
-      scan.unit = in.text().toStdString();
-      if (!scan.unit.empty() && !is_length_unit(scan.unit)) in.fail(say("a unit of length is not known"));
-    }
+  if (in.number<qint32>() != 0) session.view = session_view(in);
+  for (SessionScan& scan : session.scans) {
+    scan.unit = in.text().toStdString();
+    if (!scan.unit.empty() && !is_length_unit(scan.unit)) in.fail(say("a unit of length is not known"));
+  }
   if (!in.at_end()) in.fail(say("there is more in the file than there should be"));
   return session;
 }
@@ -462,7 +453,8 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
 Session session_from_file(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
-    throw ReadError(path.toStdString(), file.errorString().toStdString(), {}, say("Check the path and its permissions."));
+    throw ReadError(file_path(path), verbatim(file.errorString().toStdString()), {},
+                    say("Check the path and its permissions."));
   const QByteArray bytes = file.readAll();
   if (!is_packed(bytes)) return session_from_bytes(bytes, path);
   const UnpackedSession unpacked = unpack(bytes, path);
@@ -489,7 +481,7 @@ void write_session(const Session& session, const QString& path, const CancelToke
     bytes = pack(bytes, files);
   if (cancel.cancelled()) return;
   OutputTransaction output;
-  output.add(path.toStdString(), [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+  output.add(file_path(path), [&bytes](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
   if (!cancel.cancelled()) output.commit();
 }
 

@@ -4,11 +4,13 @@
 
 #include "core/error.h"
 #include "core/types.h"
+#include "document/file_path.h"
 
 #include <QDataStream>
 #include <QString>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -55,12 +57,10 @@ class SessionWriter {
 
 class SessionReader {
  public:
-  qint32 version = 0;  ///< of the format
-
   SessionReader(const QByteArray& bytes, const QString& path) : in_(bytes), path_(path) { SessionWriter::settle(in_); }
 
-  [[noreturn]] void fail(const char* problem) const {
-    throw ReadError(path_.toStdString(), problem, say("byte %1", in_.device()->pos()),
+  [[noreturn]] void fail(Message problem) const {
+    throw ReadError(file_path(path_), std::move(problem), say("byte %1", in_.device()->pos()),
                     say("Open the scan itself instead; the session file is damaged."));
   }
   template <class T>

@@ -7,21 +7,9 @@
 #include <QFileInfo>
 #include <QLocale>
 
-#include <algorithm>
-
 namespace loopmend::shell {
 
 QString exact(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
-
-QString quoted(const QString& path) {
-  static const QString plain = QStringLiteral("_-./,:=+@%");
-  const bool simple = !path.isEmpty() && std::all_of(path.begin(), path.end(), [](QChar c) {
-    return (c.unicode() < 128 && c.isLetterOrNumber()) || plain.contains(c);
-  });
-  if (simple) return path;
-  QString inside = path;
-  return QLatin1Char('\'') + inside.replace(QLatin1Char('\''), QStringLiteral("'\\''")) + QLatin1Char('\'');
-}
 
 QString word(FlowKind flow) { return QLatin1String(to_string(flow)); }
 

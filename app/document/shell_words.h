@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of a command line, for a POSIX shell.
+// Words of a command line, for a POSIX shell, or for cmd on Windows: in shell_words_posix.cpp and shell_words_windows.cpp.
 #pragma once
 
 #include "document/opened_scan.h"
@@ -14,6 +14,8 @@ namespace loopmend::shell {
 QString exact(double value);
 /// A path, in quotes where the shell needs them.
 QString quoted(const QString& path);
+/// A command that makes a file of these lines, which are words without meaning to the shell.
+QString writing(const QString& file, const QStringList& lines);
 /// As --flow takes it.
 QString word(FlowKind flow);
 /// --boundary and --continuity, with a blank before each; nothing where they are what the command takes by itself.

@@ -70,7 +70,7 @@ TriangleSoup plain_surface(const ExportTask& task) {
   return joined(std::move(soups));
 }
 
-ExportTask export_task(const Document& document, const std::string& path, ExportContent content) {
+ExportTask export_task(const Document& document, const std::filesystem::path& path, ExportContent content) {
   ExportTask task;
   task.path = path;
   task.content = content;

@@ -5,6 +5,7 @@
 #include "document/document.h"
 #include "io/not_kept.h"
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,21 +22,22 @@ struct ExportTask {
   std::vector<Part> parts;
   std::vector<NotKept> not_read;  ///< what reading left out already
   std::string unit;               ///< as chosen by a person for all scans; empty: as the files have it
-  std::string path;
+  std::filesystem::path path;
   ExportContent content = ExportContent::scene;
 };
 
 struct ExportResult {
   std::size_t triangles = 0;
   std::vector<NotKept> not_kept;
-  double largest_rounding = 0;       ///< mesh units
-  std::vector<std::string> remarks;  ///< of what is beside the mesh: sentences
-  std::set<int> left_open;           ///< loops of the document whose patches intersect the surface or one another
+  double largest_rounding = 0;   ///< mesh units
+  std::vector<Message> remarks;  ///< of what is beside the mesh: sentences
+  std::set<int> left_open;       ///< loops of the document whose patches intersect the surface or one another
 };
 
 /// The scene as it is. Patches that are `invalid` come along only where a person has accepted them; one that intersects
 /// another patch is left out in any case.
-ExportTask export_task(const Document& document, const std::string& path, ExportContent content = ExportContent::scene);
+ExportTask export_task(const Document& document, const std::filesystem::path& path,
+                       ExportContent content = ExportContent::scene);
 
 /// The scans with these patches, as they would be written, without their attributes. Patches are not tested against each
 /// other.

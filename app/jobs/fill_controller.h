@@ -87,6 +87,8 @@ class FillController : public QObject {
   bool busy() const { return activity_ != Activity::idle; }
   /// Whether the curvature of a large scan is being computed, beside other work: its holes can be filled meanwhile.
   bool computing_curvature() const { return curvature_job_ != nullptr; }
+  /// What work on patches of this scan shares.
+  ScanContextPtr context_of(int scan);
 
   void open(const QStringList& paths, OpenMode mode);
   void open_sample();
@@ -206,7 +208,6 @@ class FillController : public QObject {
   void on_evolved(const EvolveResult& result, RunEnd how);
   void record_run(const EvolveResult& result);
   QString run_words(const OpenPatch& before, const OpenPatch& now) const;
-  ScanContextPtr context_of(int scan);
   void push(std::vector<PatchChange::Pair> pairs, const QString& text,
             PatchChange::Joining joining = PatchChange::Joining::none);
 

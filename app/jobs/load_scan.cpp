@@ -2,6 +2,7 @@
 #include "jobs/load_scan.h"
 
 #include "core/threads.h"
+#include "document/file_path.h"
 #include "samples/sample_scan.h"
 
 #include <QCoreApplication>
@@ -13,7 +14,7 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("loopmend", text); }
 
 ImportedMesh read(const QString& path) {
-  if (!path.isEmpty()) return read_mesh(path.toStdString());
+  if (!path.isEmpty()) return read_mesh(file_path(path));
   ImportedMesh sample{make_sample_scan(), {}};
   sample.report.vertices = sample.soup.points.size();
   sample.report.faces = sample.report.triangles = sample.soup.triangles.size();
@@ -41,7 +42,7 @@ std::shared_ptr<const SurfaceShape> first_picture(const TriangleSoup& soup, Open
 }
 
 template <class... T>
-void say(const std::function<void(T...)>& to, const std::type_identity_t<T>&... what) {
+void tell(const std::function<void(T...)>& to, const std::type_identity_t<T>&... what) {
   if (to) to(what...);
 }
 
@@ -60,7 +61,7 @@ void add_colors(OpenedScan& scan, const CancelToken& cancel) {
 
 OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const LoadStages& stages,
                         const CancelToken& cancel) {
-  say(stages.stage, tr("Reading the file"));
+  tell(stages.stage, tr("Reading the file"));
   ImportedMesh imported = read(path);
   if (cancel.cancelled()) return nullptr;
 
@@ -73,7 +74,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   if (stages.picture) stages.picture(first_picture(imported.soup, *scan));
   if (cancel.cancelled()) return nullptr;
 
-  say(stages.stage, tr("Looking for holes"));
+  tell(stages.stage, tr("Looking for holes"));
   scan->fingerprint = fingerprint_of(imported.soup);
   scan->model = make_shared_surface_model(std::move(imported.soup), std::move(imported.survey));
   if (cancel.cancelled()) return nullptr;
@@ -89,7 +90,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   if (cancel.cancelled()) return nullptr;
   add_colors(*scan, cancel);
   if (cancel.cancelled()) return nullptr;
-  say(stages.opened, scan);
+  tell(stages.opened, scan);
   return scan;
 }
 

@@ -85,7 +85,8 @@ BoundaryLoop loop_in_base(const ProblemBase& base, std::size_t part, const Opene
     std::sort(points.begin(), points.end());
     if (points == wanted) return candidate;
   }
-  throw InvalidArgument(say("loop %1 of %2 is filled already: discard its patch, or choose another loop", loop.number, scan.name.toStdString()));
+  throw InvalidArgument(say("loop %1 of %2 is filled already: discard its patch, or choose another loop", loop.number,
+                            scan.name.toStdString()));
 }
 
 }  // namespace loopmend

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/task_runner.h"
 
+#include "core/error.h"
 #include "core/threads.h"
-#include "document/engine_words.h"
+#include "document/message_words.h"
+#include "jobs/thread_priority.h"
 
 #include <QCoreApplication>
 #include <QEvent>
-
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -58,19 +56,6 @@ void Job::linger(std::chrono::milliseconds time) const {
   while (!pause_.cancelled() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(look);
 }
 
-namespace {
-
-/// The window's thread goes first when both want the processor: what works for seconds can spare milliseconds.
-void yield_to_window(Yielding yielding) {
-  const int steps_back = yielding == Yielding::mostly ? 7 : 19;
-  // Linux gives every thread a niceness of its own; where that fails, nothing is lost but smoothness. Beyond the least
-  // priority it stops there.
-  const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
-  ::setpriority(PRIO_PROCESS, thread, ::getpriority(PRIO_PROCESS, thread) + steps_back);
-}
-
-}  // namespace
-
 TaskRunner::~TaskRunner() {
   for (Worker& worker : workers_) worker.thread.join();
 }
@@ -84,7 +69,7 @@ void TaskRunner::start(const JobPtr& job, std::function<void()> work, Failed fai
       // Among many, a second thread for each only makes the window wait.
       with_thread_budget(yielding == Yielding::as_it_can ? 1 : 0, work);
     } catch (const std::exception& error) {
-      job->post([failed, words = labels::engine_words(error.what())] { failed(words); });
+      job->post([failed, words = labels::in_words(message_of(error))] { failed(words); });
     }
     done->store(true);
   };

@@ -74,7 +74,11 @@ void DecisionBox::build() {
   auto* seam = make_button("showSeam", tr("Seam and plots"),
                            tr("Show or hide the seam in numbers, the energy of the run, a section, and the log"));
   connect(seam, &QPushButton::clicked, this, &DecisionBox::seam_wanted);
-  grid->addWidget(seam, 3, 0, 1, 2);
+  others_ = make_button("otherPatches", tr("Other patches\u2026"),
+                        tr("Compute other patches for this hole, see them side by side, take one (V)"));
+  connect(others_, &QPushButton::clicked, this, &DecisionBox::candidates_wanted);
+  grid->addWidget(others_, 3, 0);
+  grid->addWidget(seam, 3, 1);
   grid->addWidget(copy_, 4, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
@@ -135,6 +139,7 @@ void DecisionBox::update_timeline() {
 void DecisionBox::update_state() {
   const bool usable = !controller_.busy() && !chosen_patches(document_, selection_).empty();
   for (QPushButton* button : {accept_, reject_, copy_}) button->setEnabled(usable);
+  others_->setEnabled(usable && patches_to_move(document_, selection_).size() == 1);
   const bool reopen = all_accepted();
   accept_->setText(reopen ? tr("Open again") : tr("Accept"));
   explain(accept_, reopen ? tr("Open again") : tr("Accept"),

@@ -31,6 +31,7 @@ class DecisionBox : public QGroupBox {
 
  Q_SIGNALS:
   void seam_wanted();
+  void candidates_wanted();
   void notice(const QString& words);
   /// The patch whose state the timeline tells, or no_patch; again whenever that state is another.
   void state_told(int patch_id);
@@ -47,7 +48,7 @@ class DecisionBox : public QGroupBox {
   QElapsedTimer clicked_;  ///< since Accept was
   QuietLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;
-  QPushButton *accept_ = nullptr, *reject_ = nullptr, *copy_ = nullptr;
+  QPushButton *accept_ = nullptr, *reject_ = nullptr, *others_ = nullptr, *copy_ = nullptr;
   bool syncing_ = false;
 };
 

@@ -14,7 +14,15 @@ namespace {
 
 constexpr int dot_column_px = 18;
 
-QColor dot_color(HoleState state) {
+QPainterPath polyline(std::initializer_list<QPointF> points) {
+  QPainterPath path(*points.begin());
+  for (const QPointF& p : points) path.lineTo(p);
+  return path;
+}
+
+}  // namespace
+
+QColor sign_color(HoleState state) {
   switch (state) {
     case HoleState::open: return QColor(196, 0, 98);
     case HoleState::left_out: return QColor(150, 154, 160);
@@ -34,13 +42,6 @@ QColor dot_color(HoleState state) {
   return {};
 }
 
-QPainterPath polyline(std::initializer_list<QPointF> points) {
-  QPainterPath path(*points.begin());
-  for (const QPointF& p : points) path.lineTo(p);
-  return path;
-}
-
-/// A sign of its own for each state, so that colour is not needed to tell them apart; within ±4.
 void paint_sign(QPainter* painter, HoleState state, const QColor& color) {
   const QPen pen(color, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
   painter->setPen(pen);
@@ -94,8 +95,6 @@ void paint_sign(QPainter* painter, HoleState state, const QColor& color) {
   }
 }
 
-}  // namespace
-
 HoleDelegate::HoleDelegate(const Document& document, const HoleSelection& selection, QObject* parent)
     : QStyledItemDelegate(parent),
       document_(document),
@@ -121,7 +120,7 @@ void HoleDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   painter->translate(option.rect.left() + dot_column_px / 2.0 + 1, option.rect.center().y() + 0.5);
   const HoleState state = document_.state(loop);
   const bool selected = cell.state.testFlag(QStyle::State_Selected);
-  paint_sign(painter, state, selected ? option.palette.color(QPalette::HighlightedText) : dot_color(state));
+  paint_sign(painter, state, selected ? option.palette.color(QPalette::HighlightedText) : sign_color(state));
   painter->restore();
   cell.rect.setLeft(option.rect.left() + dot_column_px);
   QStyledItemDelegate::paint(painter, cell, index);

@@ -8,6 +8,11 @@ namespace loopmend {
 
 class Document;
 class HoleSelection;
+enum class HoleState;
+
+QColor sign_color(HoleState state);
+/// A sign of its own for each state, so that colour is not needed to tell them apart; within ±4.
+void paint_sign(QPainter* painter, HoleState state, const QColor& color);
 
 class HoleDelegate : public QStyledItemDelegate {
   Q_OBJECT

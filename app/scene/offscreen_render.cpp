@@ -4,8 +4,8 @@
 #include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "mesh/boundary_loops.h"
-#include "scene/egl_window.h"
 #include "scene/mesh_scene.h"
+#include "scene/offscreen_window.h"
 #include "scene/view_direction.h"
 
 #include <vtkCamera.h>
@@ -36,7 +36,9 @@ struct SceneOfModel {
 void check(const RenderOptions& options) {
   for (int size : {options.width, options.height})
     if (size < 64 || size > 8192)
-      throw InvalidArgument(say("picture size %1x%2 is out of range. Give a width and a height between 64 and 8192 pixels.", options.width, options.height));
+      throw InvalidArgument(
+          say("picture size %1x%2 is out of range. Give a width and a height between 64 and 8192 pixels.",
+              options.width, options.height));
   if (options.h_range && !(*options.h_range > 0)) throw InvalidArgument(say("the colour range must be larger than 0."));
   if (options.eye && !(options.eye->norm() > 0)) throw InvalidArgument(say("the eye must not stand in the middle."));
 }

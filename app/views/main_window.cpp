@@ -4,6 +4,7 @@
 #include "compare/compare_controller.h"
 #include "core/memory.h"
 #include "panels/banner.h"
+#include "panels/candidates_panel.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
 #include "panels/flow_box.h"
@@ -16,6 +17,7 @@
 #include "panels/scene_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
+#include "views/candidate_binder.h"
 #include "views/example_controller.h"
 #include "views/file_controller.h"
 #include "views/mesh_view.h"
@@ -62,6 +64,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       visibility_(document_),
       controller_(document_, undo_),
+      candidates_(document_, undo_, controller_),
       autosave_(document_, undo_),
       check_(document_, controller_),
       actions_(new WindowActions(this)) {
@@ -138,6 +141,7 @@ void MainWindow::build_docks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   holes_ = new HolesPanel(document_, selection_);
   patch_ = new PatchPanel(document_, selection_, controller_);
+  others_ = new CandidatesPanel(document_, selection_, candidates_, controller_);
   look_ = new LookPanel;
   scene_ = new ScenePanel(document_, visibility_);
   pieces_ = new PieceMenu(document_, visibility_, selection_, *view_, this);
@@ -157,10 +161,14 @@ void MainWindow::build_docks() {
   QDockWidget* look = dock("lookDock", tr("Display"), scrolled(look_), Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("inspectDock", tr("Inspect"), inspect_, Qt::BottomDockWidgetArea);
   QDockWidget* tools = dock("toolsDock", tr("Tools"), tools_->panel(), Qt::RightDockWidgetArea);
+  QDockWidget* others = dock("candidatesDock", tr("Other patches"), others_, Qt::RightDockWidgetArea);
   splitDockWidget(holes, right, Qt::Vertical);
   tabifyDockWidget(holes, scene);
   tabifyDockWidget(right, tools);
   tabifyDockWidget(tools, look);
+  tabifyDockWidget(look, others);
+  others->hide();
+  new CandidateBinder(document_, candidates_, *others_, *view_, this);
   connect(tools_, &ToolController::tool_changed, tools, [this, tools](Tool tool) {
     if (tool != Tool::none) tools->raise();
     update_actions();
@@ -258,6 +266,9 @@ void MainWindow::connect_panels() {
   connect(holes_, &HolesPanel::fill_wanted, &patch_->fill_box(),
           qOverload<const std::set<int>&>(&FillBox::fill_and_smooth));
   connect(patch_, &PatchPanel::updated, this, &MainWindow::update_actions);
+  connect(&patch_->decision_box(), &DecisionBox::candidates_wanted, this, &MainWindow::show_candidates);
+  connect(others_, &CandidatesPanel::begun, view_, [this](int loop) { view_->fly_to_unseen({loop}); });
+  connect(&candidates_, &CandidateController::taken, inspect_, &InspectPanel::log);
   connect(&patch_->decision_box(), &DecisionBox::notice, banner_, &Banner::show_notice);
   connect(&patch_->decision_box(), &DecisionBox::state_told, status_, &StatusLine::show_figures);
   connect(&patch_->decision_box(), &DecisionBox::state_told, inspect_, &InspectPanel::follow_run);
@@ -408,7 +419,8 @@ void MainWindow::offer_recovery() { files_->offer_recovery(); }
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
   const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
   const bool checked = check_.shut_down(at_most);
-  return controller_.shut_down(at_most) && compared && tried && checked;
+  const bool proposed = candidates_.shut_down(at_most);
+  return controller_.shut_down(at_most) && compared && tried && checked && proposed;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -8,6 +8,7 @@
 #include "document/scene_visibility.h"
 #include "document/undo_history.h"
 #include "jobs/autosave.h"
+#include "jobs/candidate_controller.h"
 #include "jobs/fill_controller.h"
 #include "jobs/print_check.h"
 
@@ -18,6 +19,8 @@ class QStackedLayout;
 namespace loopmend {
 
 class Banner;
+class CandidateBinder;
+class CandidatesPanel;
 class CompareController;
 class ExampleController;
 class FileController;
@@ -58,6 +61,7 @@ class MainWindow : public QMainWindow {
   UndoHistory& undo() { return undo_; }
   Autosave& autosave() { return autosave_; }
   PrintCheck& print_check() { return check_; }
+  CandidateController& candidates() { return candidates_; }
   MeshView& view() { return *view_; }
   CompareController& comparisons() { return *compare_; }
   ToolController& tools() { return *tools_; }
@@ -85,6 +89,7 @@ class MainWindow : public QMainWindow {
   void ask_preferences();
   void show_repair_dialog();
   void show_picture_dialog();
+  void show_candidates();
   void step_back();
   void update_actions();
   /// A scan that brings its own colours is shown in them.
@@ -98,6 +103,7 @@ class MainWindow : public QMainWindow {
   HoleSelection selection_;
   UndoHistory undo_;
   FillController controller_;
+  CandidateController candidates_;
   Autosave autosave_;
   PrintCheck check_;
   WindowActions* actions_;
@@ -110,6 +116,7 @@ class MainWindow : public QMainWindow {
   FileController* files_ = nullptr;
   HolesPanel* holes_ = nullptr;
   PatchPanel* patch_ = nullptr;
+  CandidatesPanel* others_ = nullptr;
   LookPanel* look_ = nullptr;
   ScenePanel* scene_ = nullptr;
   PieceMenu* pieces_ = nullptr;

@@ -4,6 +4,7 @@
 
 #include "compare/compare_controller.h"
 #include "dialogs/about.h"
+#include "dialogs/command_palette.h"
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
 #include "dialogs/preferences_dialog.h"
@@ -12,6 +13,7 @@
 #include "document/targets.h"
 #include "jobs/change_surface.h"
 #include "panels/banner.h"
+#include "panels/candidates_panel.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
 #include "panels/flow_box.h"
@@ -68,6 +70,12 @@ void MainWindow::connect_file_actions() {
     for (const WindowActions::Group& group : actions_->groups()) groups.push_back({group.title, group.actions});
     show_beside<ShortcutSheet>(this, groups);
   });
+  a.on("palette", this, [this] {
+    std::vector<CommandPalette::Group> groups;
+    for (const WindowActions::Group& group : actions_->groups()) groups.push_back({group.title, group.actions});
+    groups.push_back({tr("View"), dock_toggles_});
+    show_beside<CommandPalette>(this, groups);
+  });
   a.on("about", this, [this] { show_beside<About>(this); });
   connect(a.recent_menu(), &QMenu::aboutToShow, files_, [this] { files_->show_recent(actions_->recent_menu()); });
   connect(a.close_menu(), &QMenu::aboutToShow, files_, [this] { files_->show_scans(actions_->close_menu()); });
@@ -119,6 +127,7 @@ void MainWindow::connect_patch_actions() {
     // A key alone does not throw everything away; the button says what it is about.
     if (!selection_.selected().empty()) patch_->decision_box().reject();
   });
+  a.on("candidatesAction", this, &MainWindow::show_candidates);
   a.on("copyAction", &patch_->decision_box(), &DecisionBox::copy_command);
   for (const auto& [name, tool] : {std::pair{"toolRegionAction", Tool::region},
                                    {"toolPointsAction", Tool::points},
@@ -138,6 +147,8 @@ void MainWindow::connect_patch_actions() {
 void MainWindow::step_back() {
   if (controller_.busy()) {
     controller_.cancel();
+  } else if (candidates_.busy()) {
+    candidates_.cancel();
   } else if (tools_->trial().busy()) {
     tools_->step_back();
   } else if (banner_->isVisible()) {
@@ -206,6 +217,7 @@ void MainWindow::update_actions() {
   follow("acceptAction", "accept");
   follow("rejectAction", "reject");
   follow("copyAction", "copyCommand");
+  follow("candidatesAction", "otherPatches");
   const Look& look = look_->look();
   for (const auto& [name, shading] : shadings)
     if (shading == look.shading) a[name]->setChecked(true);
@@ -236,6 +248,13 @@ void MainWindow::show_repair_dialog() {
     open->raise();
   else
     show_beside<RepairDialog>(this, document_, controller_);
+}
+
+void MainWindow::show_candidates() {
+  auto* dock = findChild<QDockWidget*>(QStringLiteral("candidatesDock"));
+  dock->show();
+  dock->raise();
+  others_->compute();
 }
 
 void MainWindow::show_picture_dialog() {

@@ -28,8 +28,9 @@ LoopStyle style_of(HoleState state) {
   }
 }
 
-constexpr int trial_scan = -1;  ///< what is tried out, in place of scans
-constexpr int every_scan = -2;  ///< the legend is of all of them
+constexpr int trial_scan = -1;      ///< what is tried out, in place of scans
+constexpr int every_scan = -2;      ///< the legend is of all of them
+constexpr int first_instead = -10;  ///< patches that are shown in place of others have ids from here down
 
 QString elided(const QString& name) {
   constexpr int most = 14;
@@ -113,6 +114,8 @@ void MeshView::follow_document() {
   connect(&document, &Document::opened, this, [this] {
     impl_->fresh_scene = true;
     impl_->trial = {};
+    impl_->hidden_loops.clear();
+    impl_->instead.clear();
     // A preview is of the scan that is about to come: it stays until that is drawn.
     if (!impl_->preview_shown) impl_->scene.keep_scans({});
     impl_->scene.keep_patches({});
@@ -192,6 +195,7 @@ void MeshView::set_look(const Look& look) {
   if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
   update_colors();
   redraw();
+  Q_EMIT look_set();
 }
 
 Viewpoint MeshView::viewpoint() const {
@@ -285,6 +289,20 @@ void MeshView::update_legend_words() {
 void MeshView::show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts) {
   impl_->scene.set_ghosts(ghosts);
   redraw();
+}
+
+void MeshView::show_instead(const std::set<int>& loops,
+                            const std::vector<std::shared_ptr<const SurfaceShape>>& shapes) {
+  if (loops == impl_->hidden_loops && shapes == impl_->instead) return;
+  impl_->hidden_loops = loops;
+  impl_->instead = loops.empty() ? std::vector<std::shared_ptr<const SurfaceShape>>() : shapes;
+  show_surfaces();
+  redraw();
+}
+
+std::vector<float> MeshView::line_of_loop(int loop) const {
+  const Document& document = impl_->document;
+  return line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
 }
 
 void MeshView::show_marked(std::shared_ptr<const SurfaceShape> shape) {
@@ -387,8 +405,13 @@ void MeshView::show_surfaces() {
   }
   for (const OpenPatch& patch : document.patches()) {
     if (impl_->trial.hidden_scans.contains(patch.scan) || impl_->visibility.is_hidden_patch(patch)) continue;
+    if (impl_->is_replaced(patch)) continue;
     patches.push_back(patch.id);
     impl_->scene.set_patch(patch.id, patch.scan, patch.state->shape, Arrival::soon);
+  }
+  for (const auto& shape : impl_->instead) {
+    patches.push_back(first_instead - static_cast<int>(&shape - impl_->instead.data()));
+    impl_->scene.set_patch(patches.back(), document.scan_of(*impl_->hidden_loops.begin()), shape);
   }
   if (impl_->trial.patch) {
     patches.push_back(trial_scan);
@@ -412,7 +435,8 @@ void MeshView::place_scan(int scan, const Eigen::Matrix4d& placement) {
 
 void MeshView::on_patch_moved(int id) {
   const OpenPatch* patch = impl_->document.patch(id);
-  if (patch && !impl_->trial.hidden_scans.contains(patch->scan) && !impl_->visibility.is_hidden_patch(*patch))
+  if (patch && !impl_->trial.hidden_scans.contains(patch->scan) && !impl_->visibility.is_hidden_patch(*patch) &&
+      !impl_->is_replaced(*patch))
     impl_->scene.set_patch(id, patch->scan, patch->state->shape, arrival(id));
   redraw();
 }

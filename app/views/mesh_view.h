@@ -53,6 +53,10 @@ class MeshView : public QWidget {
   void drop_preview();
   /// Patches that are only thought of.
   void show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts);
+  /// Other patches in place of what closes these loops, as long as the mouse is over their card; without loops: as it is.
+  void show_instead(const std::set<int>& loops, const std::vector<std::shared_ptr<const SurfaceShape>>& shapes);
+  /// The boundary's vertices, in the scene's frame.
+  std::vector<float> line_of_loop(int loop) const;
 
   Viewpoint viewpoint() const;
   void set_viewpoint(const Viewpoint& viewpoint);
@@ -108,6 +112,8 @@ class MeshView : public QWidget {
   void clicked_nothing();
   /// A picture is on the screen.
   void drawn();
+  /// look() is another.
+  void look_set();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

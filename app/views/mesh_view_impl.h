@@ -63,6 +63,8 @@ struct MeshView::Impl {
   bool preview_shown = false;
   bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
   ProblemPicture trial;
+  std::set<int> hidden_loops;  ///< whose patches others are shown for
+  std::vector<std::shared_ptr<const SurfaceShape>> instead;
   Clipping clipping;
   Vec3 line_of_sight = -Vec3::UnitZ();  ///< when it was chosen to clip across
   ViewTool* tool = nullptr;
@@ -72,6 +74,7 @@ struct MeshView::Impl {
   CameraPose framed;                   ///< as Frame left it
   std::vector<LoopStyle> loop_styles;  ///< as drawn
 
+  bool is_replaced(const OpenPatch& patch) const { return hidden_loops.contains(patch.loops.front()); }
   vtkRenderer* renderer() const { return scene.renderer(); }
   vtkCamera* camera() const { return renderer()->GetActiveCamera(); }
   /// Whether the loop is in the scene, and shown.

@@ -164,6 +164,10 @@ const Spec specs[] = {
      "", nullptr},
     {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
+    {"candidatesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Other patches\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Compute other patches for the selected hole, see them side by side, take one"),
+     "V", nullptr},
     {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep the patch as it is, or take it up again"), "A", nullptr},
     {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Discard"),
@@ -175,6 +179,8 @@ const Spec specs[] = {
      nullptr},
     {"help", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Help"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "How things are done, with pictures"), "F1", nullptr},
+    {"palette", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Find a &command\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Find any command by typing, and run it"), "Ctrl+K", nullptr},
     {"shortcuts", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Keyboard shortcuts"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "All keys on one sheet"), "?", nullptr},
     {"about", QT_TRANSLATE_NOOP("loopmend::WindowActions", "A&bout Loopmend"),
@@ -228,6 +234,7 @@ QMenu* WindowActions::make_hole_menu() {
                            "toolBridgeAction",
                            "partAction",
                            "-",
+                           "candidatesAction",
                            "acceptAction",
                            "rejectAction",
                            "-",
@@ -287,6 +294,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                           "-",
                           "compare",
                           "-",
+                          "candidatesAction",
                           "acceptAction",
                           "rejectAction",
                           "copyAction",
@@ -294,7 +302,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                           "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
                           "toolFillPartAction", "-", "toolMeasureAction"});
-  add_menu(tr("&Help"), {"help", "shortcuts", "-", "about"});
+  add_menu(tr("&Help"), {"help", "palette", "shortcuts", "-", "about"});
 }
 
 void WindowActions::build_toolbar() {

@@ -54,20 +54,25 @@ Message sentence(const Notice& notice) {
   const std::string whole = rounded(number(0)), digits = two_digits(number(0)), more = two_digits(number(1));
   switch (notice.code) {
     case NoticeCode::crosses_surface:
-      return one ? say("crosses the surface or itself in 1 place") : say("crosses the surface or itself in %1 places", whole);
+      return one ? say("crosses the surface or itself in 1 place")
+                 : say("crosses the surface or itself in %1 places", whole);
     case NoticeCode::nonmanifold_edges:
       return one ? say("1 edge has more than two faces") : say("%1 edges have more than two faces", whole);
     case NoticeCode::folded_edges:
       return one ? say("1 edge is folded by more than 150°") : say("%1 edges are folded by more than 150°", whole);
     case NoticeCode::torn_seam:
-      return say("a crease of %1° along %2 edges of the seam, where the initial patch had %3°", whole, rounded(number(1)), rounded(number(2)));
+      return say("a crease of %1° along %2 edges of the seam, where the initial patch had %3°", whole,
+                 rounded(number(1)), rounded(number(2)));
     case NoticeCode::dome_over_flat_loop: return say("a dome %1 diameters high over a flat loop", digits);
     case NoticeCode::bubble:
-      return number(1) > 0.05 ? say("a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it", digits, more)
-                              : say("a bubble of %1 times the area of the initial patch", digits);
+      return number(1) > 0.05
+                 ? say("a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it", digits,
+                       more)
+                 : say("a bubble of %1 times the area of the initial patch", digits);
     case NoticeCode::curvature_torn:
       return say("mean curvature jumps at the seam by %1 / diameter, before the flow by %2", digits, more);
-    case NoticeCode::initial_patch_kept: return say("no flow or fairing gave a sound patch: the initial patch was kept");
+    case NoticeCode::initial_patch_kept:
+      return say("no flow or fairing gave a sound patch: the initial patch was kept");
     case NoticeCode::crease:
       return std::lround(number(1)) == 1 ? say("a crease of %1° along 1 edge of the seam", whole)
                                          : say("a crease of %1° along %2 edges of the seam", whole, rounded(number(1)));
@@ -77,10 +82,14 @@ Message sentence(const Notice& notice) {
     case NoticeCode::mirror_image:
       return say("copied from the mirror image, from which the surface around is %1 diameters away", digits);
     case NoticeCode::mirror_misfit:
-      return say("not copied from the mirror image, from which the surface around is %1 diameters away; from a quadric it is %2",
-                 digits, more);
+      return say(
+          "not copied from the mirror image, from which the surface around is %1 diameters away; from a quadric it is "
+          "%2",
+          digits, more);
     case NoticeCode::mirror_no_symmetry:
-      return say("not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent away", digits);
+      return say(
+          "not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent away",
+          digits);
     case NoticeCode::mirror_open: return say("not copied from the mirror image, which has no surface there");
     case NoticeCode::mirror_faulty:
       return say("not copied from the mirror image, which folds there, cuts the surface or does not close the hole");

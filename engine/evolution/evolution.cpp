@@ -37,7 +37,9 @@ Message reason_for(const SplitEstimate& estimate, Method method) {
   if (method == Method::robust_fairing) reason = say("%1, so that its curvature counts little", std::move(scan));
   if (reason.empty()) return {};
   return joined(std::move(reason), "; ", say("--boundary exact runs the flow itself"))
-      .with_code(!is_known ? "relief_unknown" : is_noisy ? "noisy" : "relief");
+      .with_code(!is_known  ? "relief_unknown"
+                 : is_noisy ? "noisy"
+                            : "relief");
 }
 
 std::string method_name(Method method, FlowKind flow) {

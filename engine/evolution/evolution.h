@@ -2,8 +2,8 @@
 // The evolution of one patch under one flow: a start in, accepted states out.
 #pragma once
 
-#include "core/message.h"
 #include "core/cancel.h"
+#include "core/message.h"
 #include "evolution/patch_status.h"
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"

@@ -22,7 +22,8 @@ constexpr double flow_tolerance = 1.05;  ///< docs/dev/numerics.md, "Semi-implic
 constexpr double linear_tolerance = 1e-4;
 constexpr double smallest_step = 1e-6;   ///< relative to the step that was asked for: below, the flow has stalled
 constexpr int semi_implicit_trials = 2;  ///< of a step, before Gauss-Newton takes it
-constexpr const char* collapsed_text = text_to_say("stopped early: only vanishing time steps keep the flow stable here");
+constexpr const char* collapsed_text =
+    text_to_say("stopped early: only vanishing time steps keep the flow stable here");
 
 bool has_energy(FlowKind flow) { return flow == FlowKind::mmcvf || flow == FlowKind::wf; }
 

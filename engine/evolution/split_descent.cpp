@@ -10,7 +10,8 @@ namespace loopmend {
 
 namespace {
 
-constexpr const char* descent_stalled_text = text_to_say("stopped early: no step lowers the energy of the split any further");
+constexpr const char* descent_stalled_text =
+    text_to_say("stopped early: no step lowers the energy of the split any further");
 
 double largest_move(const Patch& before, const Points& after) {
   double move = 0;

@@ -28,7 +28,8 @@ constexpr double smooth_start = 0.02;                  ///< its energy by cubic 
 constexpr double worn_growth = 1.05, worn_angle = 30;  ///< of the edges; smallest, degrees: a mesh beyond is remeshed
 constexpr const char* damped_text =
     text_to_say("stopped early: the flow has not converged, but only ever smaller steps lower the energy");
-constexpr const char* stalled_text = text_to_say("stopped early: no further step lowers the energy without folding the patch");
+constexpr const char* stalled_text =
+    text_to_say("stopped early: no further step lowers the energy without folding the patch");
 
 EvolutionState start_by_cubic_fits(const EvolvingPatch& patch) {
   return make_state(patch.start, patch.objective, Stencil::two_ring_cubic, nullptr, Fits::curvatures);

@@ -371,8 +371,10 @@ void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions&
         },
         *options.texture, cancel);
     if (painted.not_painted > 0)
-      written.remarks.push_back(say("%1 new triangles have no texture: their patch cannot be laid out in a plane, or the picture would be too "
-                                    "large.", painted.not_painted));
+      written.remarks.push_back(say(
+          "%1 new triangles have no texture: their patch cannot be laid out in a plane, or the picture would be too "
+          "large.",
+          painted.not_painted));
     if (!painted.picture.empty()) {
       written.painted = static_cast<std::size_t>(std::count(painted.is_painted.begin(), painted.is_painted.end(), 1));
       texture.add_patches(painted, like_face, *continued);
@@ -399,7 +401,8 @@ WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& 
   if (options.new_faces == NewFaces::labelled && !mark_new_faces(path, soup))
     written.remarks.push_back(say("STL and OFF have no label for new triangles: they are not told from others."));
   if (!options.expected_deviation.empty() && !label_expected_deviation(path, soup, options.expected_deviation))
-    written.remarks.push_back(say("Only PLY has room for the expected deviation of each vertex: it is not in the output."));
+    written.remarks.push_back(
+        say("Only PLY has room for the expected deviation of each vertex: it is not in the output."));
   // The rows of what is new stay valid: all of it comes along, in its order, or none.
   if (!options.written.empty()) soup = select_triangles(soup, options.written).soup;
   write_mesh(outputs, path, soup, options.encoding);

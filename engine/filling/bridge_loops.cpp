@@ -57,10 +57,12 @@ void check_loops(const std::vector<BoundaryLoop>& loops) {
     if (loop.kind == LoopKind::cut)
       throw InvalidArgument(say("%1 is no hole but a cut: it cannot be joined to others", name));
     if (!(loop.diameter > 0)) throw InvalidArgument(say("all vertices of %1 are in one place", name));
-    if (!edges.insert({loop.vertices[0], loop.vertices[1]}).second) throw InvalidArgument(say("%1 is named twice", name));
+    if (!edges.insert({loop.vertices[0], loop.vertices[1]}).second)
+      throw InvalidArgument(say("%1 is named twice", name));
     for (int v : loop.vertices)
       if (!vertices.insert(v).second)
-        throw InvalidArgument(say("%1 touches another loop, or itself, at a vertex: it cannot be joined to others", name));
+        throw InvalidArgument(
+            say("%1 touches another loop, or itself, at a vertex: it cannot be joined to others", name));
   }
 }
 
@@ -344,13 +346,14 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
     first.grading.density = options.density;
     const double vertices = expected_vertices(first, options.density);
     if (vertices > most_vertices) {
-      outcome.message = joined(say("the patch would need about %1 million vertices", static_cast<long>(vertices / 1e6)), ": ",
-                               say("a lower density needs fewer")).with_code("too_many_vertices");
+      outcome.message = joined(say("the patch would need about %1 million vertices", static_cast<long>(vertices / 1e6)),
+                               ": ", say("a lower density needs fewer"))
+                            .with_code("too_many_vertices");
       return outcome;
     }
     if (vertices > many_vertices && defect_count(patch_validity(first)) > tangled * first.patch_triangles) {
-      outcome.message =
-          joined(say("every first surface between these loops folds or cuts itself all over"), ": ", say("a lower density may help"));
+      outcome.message = joined(say("every first surface between these loops folds or cuts itself all over"), ": ",
+                               say("a lower density may help"));
       continue;
     }
     Start start(remeshed(first, cancel));
@@ -364,7 +367,8 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
   if (!best && !outcome.message.empty()) return outcome;
   outcome.message = {};
   if (!best) {
-    outcome.message = say("no surface that joins these loops was found: they do not face a common middle, nor each other");
+    outcome.message =
+        say("no surface that joins these loops was found: they do not face a common middle, nor each other");
     return outcome;
   }
   if (defect_count(best->quality) > 0) outcome.message = say("the bridge has %1 left", faults_of(best->quality));

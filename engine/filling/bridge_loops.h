@@ -2,8 +2,8 @@
 // From two or more loops to the G0 patch that joins them: topology, guarded remeshing, one or two relaxations.
 #pragma once
 
-#include "core/message.h"
 #include "core/cancel.h"
+#include "core/message.h"
 #include "filling/loop_patch.h"
 #include "mesh/patch.h"
 

@@ -189,8 +189,7 @@ double bulge(const Points& points, const Points& corners, int pieces) {
 }  // namespace
 
 Points fair_closed_curve(const Points& corners, int pieces) {
-  if (corners.size() < 3)
-    throw InvalidArgument(say("a closed curve needs at least 3 points, not %1", corners.size()));
+  if (corners.size() < 3) throw InvalidArgument(say("a closed curve needs at least 3 points, not %1", corners.size()));
   if (pieces < 1 || pieces > most_pieces)
     throw InvalidArgument(say("a curve's side is divided into 1 to 256 pieces, not %1", pieces));
   double chord = 0;

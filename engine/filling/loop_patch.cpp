@@ -351,12 +351,17 @@ Message reason_not_to_fill(const BoundaryLoop& loop) {
     case LoopKind::hole:
     case LoopKind::outer_rim: return {};
     case LoopKind::crack:
-      if (loop.coincident < loop.edges()) return say("a crack: a face at the same place covers it already").with_code("covered");
-      return joined(say("a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them"), "; ",
-                    say("stitching joins them")).with_code("crack");
+      if (loop.coincident < loop.edges())
+        return say("a crack: a face at the same place covers it already").with_code("covered");
+      return joined(
+                 say("a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them"),
+                 "; ", say("stitching joins them"))
+          .with_code("crack");
     case LoopKind::cut:
-      return say("no hole: it runs where the surface had to be cut, along an edge with more than two faces or because the surface is "
-                 "one-sided").with_code("cut");
+      return say("no hole: it runs where the surface had to be cut, along an edge with more than two faces or because "
+                 "the surface is "
+                 "one-sided")
+          .with_code("cut");
   }
   return {};
 }
@@ -392,7 +397,8 @@ Message why_no_triangulation(const FillContext& context) {
   int without_length = 0;
   for (int i = 0; i < context.n; ++i) without_length += context.points[i] == context.points[(i + 1) % context.n];
   if (without_length > 0)
-    return joined(say("%1 edges of this loop have no length", without_length), "; ", say("welding their vertices would help"))
+    return joined(say("%1 edges of this loop have no length", without_length), "; ",
+                  say("welding their vertices would help"))
         .with_code("edges_without_length");
   return say("no valid triangulation of this loop was found").with_code("no_triangulation");
 }
@@ -433,7 +439,8 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   const double vertices = expected_vertices(context, loop, options.density);
   if (vertices > options.most_vertices) {
     outcome.message = joined(say("the patch would need about %1 vertices", number_of(vertices)), ": ",
-                             say("a lower density needs fewer")).with_code("too_many_vertices");
+                             say("a lower density needs fewer"))
+                          .with_code("too_many_vertices");
     return outcome;
   }
   context.watch = watch_for(options.most_vertices + context.n, cancel);
@@ -455,7 +462,8 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
     return outcome;
   } catch (const TooManyVertices&) {
     outcome.message = joined(say("the patch would need more than %1 vertices", number_of(options.most_vertices)), ": ",
-                             say("a lower density needs fewer")).with_code("too_many_vertices");
+                             say("a lower density needs fewer"))
+                          .with_code("too_many_vertices");
     return outcome;
   }
   if (cancel.cancelled()) return outcome;

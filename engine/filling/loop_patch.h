@@ -2,8 +2,8 @@
 // From a boundary loop to the initial patch: triangulate, refine to the density of the neighborhood, remesh, relax.
 #pragma once
 
-#include "core/message.h"
 #include "core/cancel.h"
+#include "core/message.h"
 #include "mesh/patch.h"
 #include "mesh/self_intersections.h"
 #include "mesh/validity.h"

@@ -82,7 +82,8 @@ void check_flatness(const Points& points) {
   for (const Vec3& p : points) covariance += (p - mean) * (p - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
   if (!(eigen.eigenvalues()[0] > 1e-12 * eigen.eigenvalues()[2]))
-    throw InvalidArgument(say("all vertices of the polyhedron lie in one plane: there is no surface to find between them"));
+    throw InvalidArgument(
+        say("all vertices of the polyhedron lie in one plane: there is no surface to find between them"));
 }
 
 void check_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& options) {
@@ -95,13 +96,19 @@ void check_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& 
   if (repairs.non_manifold_edges + repairs.non_manifold_vertices + repairs.degenerate_faces + repairs.duplicate_faces >
       0)
     throw InvalidArgument(
-        say("the polyhedron is no simple surface: edges with more than two faces, faces that meet at a vertex alone, or faces that are double or without area. Repair it first."));
+        say("the polyhedron is no simple surface: edges with more than two faces, faces that meet at a vertex alone, "
+            "or faces that are double or without area. Repair it first."));
   const std::size_t faces = polyhedron.mesh.n_faces();
   if ((faces << (2 * options.subdivisions)) > most_triangles)
-    throw InvalidArgument(say("the subdivided polyhedron would have more than 4 million triangles: fewer subdivisions do"));
+    throw InvalidArgument(
+        say("the subdivided polyhedron would have more than 4 million triangles: fewer subdivisions do"));
   const std::vector<BoundaryLoop> boundaries = find_boundary_loops(polyhedron);
   if (options.boundary == PolyhedronBoundary::refuse && !boundaries.empty())
-    throw InvalidArgument(joined(boundaries.size() == 1 ? say("the polyhedron has 1 hole with %1 edges", boundaries.front().edges()) : say("the polyhedron has %1 holes, the largest with %2 edges", boundaries.size(), boundaries.front().edges()), ": ", say("close it, or let its boundary loops become smooth curves (--open)")));
+    throw InvalidArgument(joined(boundaries.size() == 1
+                                     ? say("the polyhedron has 1 hole with %1 edges", boundaries.front().edges())
+                                     : say("the polyhedron has %1 holes, the largest with %2 edges", boundaries.size(),
+                                           boundaries.front().edges()),
+                                 ": ", say("close it, or let its boundary loops become smooth curves (--open)")));
 }
 
 /// Which view vertices are interpolated.
@@ -110,7 +117,8 @@ std::vector<char> fixed_vertices(const SurfaceModel& polyhedron, const Subdivisi
   const std::set<int> wanted(options.fixed.begin(), options.fixed.end());
   for (int v : wanted)
     if (v < 0 || v >= static_cast<int>(polyhedron.soup.points.size()))
-      throw InvalidArgument(say("vertex %1 is to be fixed, but the vertices are 0 to %2", v, polyhedron.soup.points.size() - 1));
+      throw InvalidArgument(
+          say("vertex %1 is to be fixed, but the vertices are 0 to %2", v, polyhedron.soup.points.size() - 1));
   std::size_t count = 0;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (wanted.count(polyhedron.soup_vertex[i])) fixed[i] = 1;

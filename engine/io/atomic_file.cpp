@@ -250,7 +250,8 @@ class TemporaryFile {
   int descriptor() const { return descriptor_; }
 
   void take_properties_of(const std::filesystem::path& target) const {
-    if (const int reason = take_properties(descriptor_, target); reason != 0) fail(path_, say("cannot be written"), reason);
+    if (const int reason = take_properties(descriptor_, target); reason != 0)
+      fail(path_, say("cannot be written"), reason);
   }
 
   /// Everything is on the disk when this returns; a full disk may tell only now.
@@ -359,8 +360,10 @@ void OutputTransaction::add_folder(const std::filesystem::path& path) {
   auto folder = std::make_unique<NewFolder>(path);
   if (!std::filesystem::create_directory(path, error)) {
     folder->keep();  // it is not ours
-    throw WriteError(path, error ? say("cannot be made a folder: %1", error.message()) : say("cannot be made a folder: a file is there"),
-                     say("Choose another name."));
+    throw WriteError(
+        path,
+        error ? say("cannot be made a folder: %1", error.message()) : say("cannot be made a folder: a file is there"),
+        say("Choose another name."));
   }
   impl_->folders.push_back(std::move(folder));
 }

@@ -66,7 +66,8 @@ void refuse_known_strangers(const FileContent& file) {
                     say("Run `git lfs pull` in its repository to fetch the mesh."));
   }
   if (looks_like_utf16(bytes)) {
-    throw ReadError(file.path, say("the text is encoded as UTF-16"), say("byte 0"), say("Save it as UTF-8 or plain ASCII."));
+    throw ReadError(file.path, say("the text is encoded as UTF-16"), say("byte 0"),
+                    say("Save it as UTF-8 or plain ASCII."));
   }
 }
 
@@ -140,7 +141,8 @@ FileContent load_bytes(const std::filesystem::path& path) {
   stream.read(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
   if (stream.bad()) fail_open(path, errno);
   file.bytes.resize(static_cast<std::size_t>(stream.gcount()));  // it may have shrunk: judged like any other file
-  if (file.bytes.empty()) throw ReadError(path, say("the file is empty (0 bytes)"), {}, say("Export or copy the mesh again."));
+  if (file.bytes.empty())
+    throw ReadError(path, say("the file is empty (0 bytes)"), {}, say("Export or copy the mesh again."));
   return file;
 }
 

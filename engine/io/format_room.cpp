@@ -125,8 +125,10 @@ bool holds_names(const Room& room, const TriangleSoup& soup, std::string_view ke
 
 void add_table(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup) {
   const ScanAttributes& scan = attributes_of(soup);
-  if (scan.materials && !room.is_gltf()) count_not_kept(list, say("pictures of materials"), scan.materials->pictures.size());
-  if (scan.materials && !room.is(Format::three_mf)) count_not_kept(list, say("metadata"), scan.materials->metadata.size());
+  if (scan.materials && !room.is_gltf())
+    count_not_kept(list, say("pictures of materials"), scan.materials->pictures.size());
+  if (scan.materials && !room.is(Format::three_mf))
+    count_not_kept(list, say("metadata"), scan.materials->metadata.size());
   const bool has_unit = room.is(Format::three_mf) || (room.is_gltf() && scan.unit == "meter");
   // Of a scan in metres nothing is lost but the word.
   if (!scan.unit.empty() && !has_unit && scan.unit != "meter") count_not_kept(list, say("unit (%1)", scan.unit));
@@ -207,7 +209,8 @@ std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const
     for (const Triangle& triangle : soup.triangles)
       for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
     if (!gltf) count_not_kept(list, say("vertex colours"), soup.colors.size());
-    count_not_kept(list, say("vertices without faces"), static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));
+    count_not_kept(list, say("vertices without faces"),
+                   static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));
   }
   add_attributes(list, {format, encoding}, soup);
   return list;

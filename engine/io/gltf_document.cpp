@@ -89,8 +89,7 @@ GltfDocument::GltfDocument(const FileContent& file) : file_(file), errors_(file)
   open_container();
   try {
     root_ = Json::parse(json_, [&](int depth, Json::parse_event_t, Json&) {
-      if (depth > most_depth)
-        errors_.fail(say("the JSON text is nested more than %1 deep", most_depth), {});
+      if (depth > most_depth) errors_.fail(say("the JSON text is nested more than %1 deep", most_depth), {});
       return true;
     });
   } catch (const Json::parse_error& error) {
@@ -119,15 +118,13 @@ void GltfDocument::open_container() {
     errors_.fail(say("version %1 of GLB", word_at(bytes, 4)), say("byte 4"),
                  say("Loopmend reads version 2; export it again as such."));
   const std::uint32_t length = word_at(bytes, 8);
-  if (length > bytes.size())
-    errors_.truncated(say("a GLB file of %1 bytes", length), say("byte %1", bytes.size()));
+  if (length > bytes.size()) errors_.truncated(say("a GLB file of %1 bytes", length), say("byte %1", bytes.size()));
   std::size_t at = 12;
   for (int chunk = 0; at + 8 <= length; ++chunk) {
     const std::size_t size = word_at(bytes, at), left = length - at - 8;
     const std::string_view kind = bytes.substr(at + 4, 4);
     if (size > left)
-      errors_.fail(say("chunk %1 says %2 bytes, but there are %3", chunk, size, left),
-                   say("byte %1", at));
+      errors_.fail(say("chunk %1 says %2 bytes, but there are %3", chunk, size, left), say("byte %1", at));
     const std::string_view content = bytes.substr(at + 8, size);
     if (chunk == 0 && kind != "JSON") errors_.fail(say("the first chunk of the GLB file is no JSON"), say("byte 12"));
     if (chunk == 0) json_ = content;
@@ -149,8 +146,10 @@ void GltfDocument::require_known_extensions() const {
       continue;
     const bool compressed = extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
                             extension == "KHR_meshopt_compression";
-    errors_.fail(compressed ? say("the mesh is compressed with %1, which Loopmend does not know", in_quotes(extension)) : say("needs the extension %1, which Loopmend does not know", in_quotes(extension)),
-                 say("extensionsRequired"), compressed ? say("Export it without mesh compression.") : say("Export it without."));
+    errors_.fail(compressed ? say("the mesh is compressed with %1, which Loopmend does not know", in_quotes(extension))
+                            : say("needs the extension %1, which Loopmend does not know", in_quotes(extension)),
+                 say("extensionsRequired"),
+                 compressed ? say("Export it without mesh compression.") : say("Export it without."));
   }
 }
 
@@ -171,10 +170,8 @@ const Json& GltfDocument::list(const Json& object, const char* name, const Messa
 const Json& GltfDocument::element(const char* name, std::size_t index, const Message& place) const {
   const Json& all = list(name);
   if (index >= all.size())
-    errors_.fail(say("names element %1 of %2, but there are %3, from 0 on", index, in_quotes(name), all.size()),
-                 place);
-  if (!all[index].is_object())
-    errors_.fail(say("element %1 of %2 is no object", index, in_quotes(name)), place);
+    errors_.fail(say("names element %1 of %2, but there are %3, from 0 on", index, in_quotes(name), all.size()), place);
+  if (!all[index].is_object()) errors_.fail(say("element %1 of %2 is no object", index, in_quotes(name)), place);
   return all[index];
 }
 
@@ -234,9 +231,7 @@ std::string_view GltfDocument::buffer(std::size_t index, const Message& place) {
     errors_.fail(say("has neither a \"uri\" nor a binary chunk"), where,
                  say("If the mesh is compressed, export it without compression."));
   }
-  if (*length > bytes.size())
-    errors_.fail(say("announces %1 bytes, but there are %2", *length, bytes.size()),
-                 where);
+  if (*length > bytes.size()) errors_.fail(say("announces %1 bytes, but there are %2", *length, bytes.size()), where);
   return bytes.substr(0, *length);
 }
 
@@ -248,8 +243,7 @@ std::string_view GltfDocument::view(std::size_t index, const Message& place) {
   const std::size_t offset = whole(view, "byteOffset", where).value_or(0);
   const std::string_view all = buffer(*number, where);
   if (offset > all.size() || *length > all.size() - offset)
-    errors_.fail(say("bytes %1 to %2 of a buffer of %3", offset, offset + *length, all.size()),
-                 where);
+    errors_.fail(say("bytes %1 to %2 of a buffer of %3", offset, offset + *length, all.size()), where);
   return all.substr(offset, *length);
 }
 
@@ -263,7 +257,8 @@ GltfNumbers GltfDocument::numbers(std::size_t index, const Message& place) {
   const std::optional<std::size_t> view_index = whole(accessor, "bufferView", where);
   if (!count || !type) errors_.fail(say("\"count\" or \"componentType\" is missing"), where);
   if (!view_index && !sparse)
-    errors_.fail(say("has no data"), where, say("If the mesh is compressed (Draco, meshopt), export it without compression."));
+    errors_.fail(say("has no data"), where,
+                 say("If the mesh is compressed (Draco, meshopt), export it without compression."));
   constexpr std::array<std::string_view, 4> shapes = {"SCALAR", "VEC2", "VEC3", "VEC4"};
   const std::string shape = text(accessor, "type");
   const auto known = std::find(shapes.begin(), shapes.end(), shape);
@@ -289,14 +284,11 @@ void GltfDocument::find_elements(GltfNumbers& numbers, const Json& from, const M
   const std::string_view bytes = view(*view_index, where);
   numbers.stride = whole(element("bufferViews", *view_index, where), "byteStride", where).value_or(size);
   if (numbers.stride < size || numbers.stride > 252)
-    errors_.fail(
-        say("its elements of %1 bytes stand %2 bytes apart", size, numbers.stride),
-        where);
+    errors_.fail(say("its elements of %1 bytes stand %2 bytes apart", size, numbers.stride), where);
   const std::size_t offset = whole(from, "byteOffset", where).value_or(0);
   if (numbers.count > 0 && (offset > bytes.size() || bytes.size() - offset < size ||
                             (bytes.size() - offset - size) / numbers.stride < numbers.count - 1))
-    errors_.too_many(say("elements"),
-                     numbers.count, say("%1, byte %2 of %3", where, offset, bytes.size()));
+    errors_.too_many(say("elements"), numbers.count, say("%1, byte %2 of %3", where, offset, bytes.size()));
   if (numbers.count > 0) numbers.data = bytes.data() + offset;
 }
 
@@ -328,9 +320,7 @@ const char* GltfDocument::replaced_elements(const GltfNumbers& numbers, const Js
   for (std::size_t k = 0; k < which.count; ++k) {
     const auto at = static_cast<std::size_t>(which.value(k, 0));
     if (at >= numbers.count)
-      errors_.fail(
-          say("replaces element %1, but there are %2, from 0 on", at, numbers.count),
-          where);
+      errors_.fail(say("replaces element %1, but there are %2, from 0 on", at, numbers.count), where);
     std::memcpy(&all[at * size], what.data + k * what.stride, size);
   }
   return all.data();

@@ -63,9 +63,9 @@ ScanPicture read_picture_entry(GltfDocument& document, const Json& image, const 
       picture.problem = document.find_beside(name, picture.path);
     if (picture.name.empty() && !picture.path.empty()) picture.name = path_text(picture.path.filename());
   }
-  if (picture.bytes.empty() && picture.path.empty() && picture.problem.empty()) picture.problem = say("there are no data");
-  if (!picture.problem.empty())
-    picture.problem = say("The %1 of the scan cannot be used: %2.", place, picture.problem);
+  if (picture.bytes.empty() && picture.path.empty() && picture.problem.empty())
+    picture.problem = say("there are no data");
+  if (!picture.problem.empty()) picture.problem = say("The %1 of the scan cannot be used: %2.", place, picture.problem);
   return picture;
 }
 

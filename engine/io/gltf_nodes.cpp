@@ -97,8 +97,7 @@ class NodeWalk {
   bool read(const Json& node, const char* name, const Message& place, std::array<double, Size>& numbers) const {
     const Json& list = document_.list(node, name, place);
     if (list.empty()) return false;
-    if (list.size() != Size)
-      document_.errors().fail(say("%1 has %2 numbers", in_quotes(name), list.size()), place);
+    if (list.size() != Size) document_.errors().fail(say("%1 has %2 numbers", in_quotes(name), list.size()), place);
     for (std::size_t k = 0; k < Size; ++k) numbers[k] = document_.number(list[k], place);
     return true;
   }

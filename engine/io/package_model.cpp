@@ -53,8 +53,8 @@ class ModelReader {
 
  private:
   [[noreturn]] void fail(
-const Message& problem,
- const Message& cure = say("The file is damaged or incomplete; export or copy it again.")) const {
+      const Message& problem,
+      const Message& cure = say("The file is damaged or incomplete; export or copy it again.")) const {
     throw ReadError(file_.path, problem, xml_.place(), cure);
   }
 
@@ -194,7 +194,8 @@ const Message& problem,
     for (std::string_view token = cursor.next_token_across_lines(); !token.empty();
          token = cursor.next_token_across_lines()) {
       const std::optional<double> value = parse_double(token);
-      if (!value || !std::isfinite(*value)) fail(say("%1 stands where a number of a transform should be", in_quotes(token)));
+      if (!value || !std::isfinite(*value))
+        fail(say("%1 stands where a number of a transform should be", in_quotes(token)));
       if (count < numbers.size()) numbers[count] = *value;
       ++count;
     }
@@ -210,8 +211,7 @@ const Message& problem,
     const int count = static_cast<int>(object_->points.size());
     for (std::size_t f = 0; f < object_->triangles.size(); ++f)
       for (const int v : object_->triangles[f].vertices)
-        if (v >= count)
-          fail(say("face %1 names vertex %2, but there are %3, from 0 on", f, v, count));
+        if (v >= count) fail(say("face %1 names vertex %2, but there are %3, from 0 on", f, v, count));
     object_ = nullptr;
   }
 

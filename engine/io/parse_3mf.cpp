@@ -48,8 +48,8 @@ class PackageReader {
     if (known != parts_.end()) return known->second;
     PackageModel model = read_package_model(file_, archive_, key);
     if (!parts_.empty() && model.unit != parts_.begin()->second.unit)
-      errors_.fail(say("its parts have different units, %1 and %2", model.unit, parts_.begin()->second.unit), verbatim(key),
-                   say("Export it again."));
+      errors_.fail(say("its parts have different units, %1 and %2", model.unit, parts_.begin()->second.unit),
+                   verbatim(key), say("Export it again."));
     for (const NotKept& aside : model.not_kept) count_not_kept(soup_.not_kept, aside.what, aside.count);
     for (const auto& [id, object] : model.objects) stored_ += object.triangles.size();
     first_material_[key] = {};
@@ -66,8 +66,7 @@ class PackageReader {
 
   void add(const PackageReference& reference, const Eigen::Matrix4d& parent, int depth) {
     const Message place = say("object %1 of %2", reference.object, reference.part);
-    if (depth > most_depth)
-      errors_.fail(say("objects are made of one another more than %1 deep", most_depth), place);
+    if (depth > most_depth) errors_.fail(say("objects are made of one another more than %1 deep", most_depth), place);
     if (++references_ > most_references)
       errors_.fail(say("more than %1 objects", most_references), place, say("Export it with fewer copies."));
     const PackageModel& model = part(reference.part);
@@ -85,9 +84,8 @@ class PackageReader {
                 const Eigen::Matrix4d& here, const Message& place) {
     constexpr std::size_t always = 2'000'000, copies = 64;
     if (soup_.polygon_count() + object.triangles.size() > std::max(always, copies * stored_))
-      errors_.fail(
-          say("the same triangles are there again and again, in all more than %1", soup_.polygon_count()),
-          place, say("Export it with fewer copies."));
+      errors_.fail(say("the same triangles are there again and again, in all more than %1", soup_.polygon_count()),
+                   place, say("Export it with fewer copies."));
     const bool is_placed = !here.isIdentity(0);
     const std::size_t first = soup_.points.size();
     if (first + object.points.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -120,8 +118,7 @@ class PackageReader {
     const auto require = [&](std::size_t size) {
       for (const int member : members)
         if (member < 0 || static_cast<std::size_t>(member) >= size)
-          errors_.fail(say("names member %1 of property group %2, which has %3", member, group, size),
-                       place);
+          errors_.fail(say("names member %1 of property group %2, which has %3", member, group, size), place);
     };
     if (const auto materials = model.materials.find(group); materials != model.materials.end()) {
       require(materials->second.size());

@@ -122,8 +122,7 @@ class GltfReader {
   GltfNumbers numbers(std::size_t accessor, int least, int most, const char* name) {
     const GltfNumbers result = document_.numbers(accessor, where_);
     if (result.components < least || result.components > most)
-      document_.errors().fail(say("%1 has %2 numbers each", std::string(name), result.components),
-                              where_);
+      document_.errors().fail(say("%1 has %2 numbers each", std::string(name), result.components), where_);
     return result;
   }
 
@@ -202,8 +201,8 @@ class GltfReader {
     constexpr std::size_t for_each_byte = 4;
     if (soup_.corners.size() + more > std::max(always, for_each_byte * document_.bytes_read()))
       document_.errors().fail(
-          say("the same triangles are shown again and again, in all more than %1", soup_.polygon_count()),
-          where_, say("Export it with fewer instances."));
+          say("the same triangles are shown again and again, in all more than %1", soup_.polygon_count()), where_,
+          say("Export it with fewer instances."));
   }
 
   Vertex read_vertex(const Primitive& primitive, std::size_t v) {

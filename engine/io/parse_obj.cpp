@@ -287,16 +287,15 @@ class ObjReader {
     if (count < 3 || count == 5) fail_vertex_size();
     if (soup_.points.size() == std::numeric_limits<int>::max()) errors_.fail(say("more than 2147483647 vertices"), {});
     const int vertex = static_cast<int>(soup_.points.size());
-    const Vec3 point =
-        lone_.checked({values[0], values[1], values[2]}, vertex, soup_.points.size() + 1, [&] { return cursor_.place(); });
+    const Vec3 point = lone_.checked({values[0], values[1], values[2]}, vertex, soup_.points.size() + 1,
+                                     [&] { return cursor_.place(); });
     if (count >= 6) remember_color({values[3], values[4], values[5], count == 7 ? values[6] : 1.0});
     soup_.points.push_back(point);
   }
 
   [[noreturn]] void fail_vertex_size() const {
-    errors_.fail(
-        say("vertex %1 does not have 3 coordinates (or 6 with a colour)", soup_.points.size() + 1),
-        cursor_.place(), say("Correct that line, or export the mesh again."));
+    errors_.fail(say("vertex %1 does not have 3 coordinates (or 6 with a colour)", soup_.points.size() + 1),
+                 cursor_.place(), say("Correct that line, or export the mesh again."));
   }
 
   /// Colours wait until the end: only then is it known whether they are of 0..1 or of 0..255.
@@ -380,16 +379,15 @@ class ObjReader {
   }
 
   [[noreturn]] void fail_index(std::int64_t index, std::int64_t known) const {
-    errors_.bad_index(soup_.polygon_count() + 1, index, index == 0 ? say("OBJ counts from 1") : say("there are %1 before it", known),
-                      cursor_.place());
+    errors_.bad_index(soup_.polygon_count() + 1, index,
+                      index == 0 ? say("OBJ counts from 1") : say("there are %1 before it", known), cursor_.place());
   }
 
   /// A face may stand before its vertices; at the end they must be there.
   void require_forward_references() const {
     const auto count = static_cast<std::int64_t>(soup_.points.size());
     if (farthest_.vertex < count) return;
-    errors_.bad_index(farthest_.face, farthest_.vertex + 1, say("there are %1", count),
-                      say("line %1", farthest_.line));
+    errors_.bad_index(farthest_.face, farthest_.vertex + 1, say("there are %1", count), say("line %1", farthest_.line));
   }
 
   struct Reference {

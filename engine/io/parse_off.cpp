@@ -61,7 +61,8 @@ class OffReader {
     const std::uint64_t bytes = cursor_.bytes_left() + 1;
     if (vertex_count_ > bytes / 6) errors_.too_many(say("vertices"), vertex_count_, cursor_.place());
     if (face_count_ > bytes / 8) errors_.too_many(say("faces"), face_count_, cursor_.place());
-    if (vertex_count_ > std::numeric_limits<int>::max()) errors_.fail(say("more than 2147483647 vertices"), cursor_.place());
+    if (vertex_count_ > std::numeric_limits<int>::max())
+      errors_.fail(say("more than 2147483647 vertices"), cursor_.place());
   }
 
   void read_prefix(std::string_view prefix) {
@@ -167,8 +168,7 @@ class OffReader {
       const std::optional<std::int64_t> index = parse_integer(token);
       if (!index) errors_.not_a_number(token, say("a vertex index"), cursor_.place());
       if (*index < 0 || static_cast<std::uint64_t>(*index) >= vertex_count_) {
-        errors_.bad_index(f, *index, say("there are %1, from 0 on", vertex_count_),
-                          cursor_.place());
+        errors_.bad_index(f, *index, say("there are %1, from 0 on", vertex_count_), cursor_.place());
       }
       soup_.corners.push_back(static_cast<int>(*index));
     }

@@ -54,7 +54,8 @@ VertexPlan plan_vertices(const PlyElement& element, const ParseErrors& errors) {
     plan.scales[static_cast<std::size_t>(role)] = full_intensity(property.type);
   }
   if (!plan.present[0] || !plan.present[1] || !plan.present[2]) {
-    errors.fail(say("the vertices have no coordinates x, y and z"), element.place, say("Export the mesh with vertex positions."));
+    errors.fail(say("the vertices have no coordinates x, y and z"), element.place,
+                say("Export the mesh with vertex positions."));
   }
   return plan;
 }
@@ -137,7 +138,8 @@ class PlyBody {
  private:
   void require_counts() const {
     if (vertices_ == nullptr) {
-      errors_.fail(say("the header announces no element \"vertex\""), {}, say("This PLY file holds something else than a mesh."));
+      errors_.fail(say("the header announces no element \"vertex\""), {},
+                   say("This PLY file holds something else than a mesh."));
     }
     constexpr std::uint64_t most = std::numeric_limits<int>::max();
     if (vertices_->count > most) errors_.fail(say("more than 2147483647 vertices"), vertices_->place);
@@ -175,11 +177,12 @@ class PlyBody {
     } else if (floats && Rows::is_text) {
       const FloatRounding rounding = round_to_floats(soup_.points);
       floats = rounding.in_range;
-      count_not_kept(soup_.oddities,
-                     floats ? say("vertices of more digits than the single precision that the file declares, rounded to it "
-                                  "(--double keeps them)")
-                            : say("vertices of more digits than the single precision that the file declares, kept"),
-                     rounding.longer);
+      count_not_kept(
+          soup_.oddities,
+          floats ? say("vertices of more digits than the single precision that the file declares, rounded to it "
+                       "(--double keeps them)")
+                 : say("vertices of more digits than the single precision that the file declares, kept"),
+          rounding.longer);
     }
     if (floats) soup_.attributes.coordinates = PlyType::float32;
   }
@@ -477,8 +480,7 @@ class PlyBody {
 
   void require_vertex(std::int64_t index, std::uint64_t row) const {
     if (index >= 0 && static_cast<std::uint64_t>(index) < vertices_->count) return;
-    errors_.bad_index(row, index, say("there are %1, from 0 on", vertices_->count),
-                      rows_.place());
+    errors_.bad_index(row, index, say("there are %1, from 0 on", vertices_->count), rows_.place());
   }
 
   ParseErrors errors_;

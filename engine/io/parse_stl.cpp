@@ -184,8 +184,8 @@ std::size_t require_facet_count(const FileContent& file, const ParseErrors& erro
   if (!is_blank && is_small && rest.size() % facet_bytes != 0)
     count_not_kept(oddities, say("bytes after the last triangle, left out"), rest.size());
   else if (rest.size() >= facet_bytes && !is_blank) {
-    errors.fail(say("announces %1 triangles, but %2 more bytes follow them", count, rest.size()),
-                say("byte 80"), say("The count and the data do not belong together; export the mesh again."));
+    errors.fail(say("announces %1 triangles, but %2 more bytes follow them", count, rest.size()), say("byte 80"),
+                say("The count and the data do not belong together; export the mesh again."));
   }
   if (count > std::numeric_limits<int>::max() / 3) errors.fail(say("more than 715827882 triangles"), say("byte 80"));
   return count;

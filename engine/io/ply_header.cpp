@@ -141,8 +141,7 @@ class HeaderReader {
       const std::uint64_t row = element.least_row_bytes(header_.encoding);
       // The last row of a text needs no line end: hence the one byte more.
       const bool too_many = row == 0 ? false : element.count > (bytes + 1) / row;
-      if (too_many)
-        errors_.too_many(say("rows of %1", in_quotes(element.name)), element.count, element.place);
+      if (too_many) errors_.too_many(say("rows of %1", in_quotes(element.name)), element.count, element.place);
     }
     return std::move(header_);
   }

@@ -91,8 +91,7 @@ class PlyTextRows {
   std::string_view next() {
     const std::string_view token = cursor_.next_token_across_lines();
     if (token.empty()) {
-      errors_.truncated(say("%1 %2 of %3", element_->name, row_, element_->count),
-                        place());
+      errors_.truncated(say("%1 %2 of %3", element_->name, row_, element_->count), place());
     }
     return token;
   }
@@ -185,8 +184,7 @@ class PlyBinaryRows {
 
   void require(std::uint64_t count) const {
     if (count > bytes_.size() - at_) {
-      errors_.truncated(say("%1 %2 of %3", element_->name, row_, element_->count),
-                        place());
+      errors_.truncated(say("%1 %2 of %3", element_->name, row_, element_->count), place());
     }
   }
 

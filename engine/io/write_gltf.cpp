@@ -259,7 +259,8 @@ class GltfWriter {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto x = static_cast<float>(p[static_cast<Eigen::Index>(k)]);
         if (!std::isfinite(x))
-          throw WriteError(path_, say("the coordinates are too large for glTF"), say("Save as PLY, or scale the mesh down."));
+          throw WriteError(path_, say("the coordinates are too large for glTF"),
+                           say("Save as PLY, or scale the mesh down."));
         low[k] = std::min(low[k], x);
         high[k] = std::max(high[k], x);
         buffer_.put(x);

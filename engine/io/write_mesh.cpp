@@ -3,8 +3,8 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/format_writers.h"
 #include "io/file_content.h"
+#include "io/format_writers.h"
 #include "io/gzip.h"
 #include "io/single_precision.h"
 #include "io/text_cursor.h"
@@ -31,8 +31,7 @@ void require_valid(const TriangleSoup& soup) {
   }
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     for (const int v : soup.triangles[f]) {
-      if (v < 0 || v >= count)
-        throw InvalidArgument(say("write_mesh: triangle %1 has an index out of range", f));
+      if (v < 0 || v >= count) throw InvalidArgument(say("write_mesh: triangle %1 has an index out of range", f));
     }
   }
 }
@@ -41,7 +40,8 @@ void require_valid(const TriangleSoup& soup) {
 void require_float_range(const std::filesystem::path& path, const TriangleSoup& soup) {
   for (const Vec3& point : soup.points) {
     if (std::isfinite(static_cast<float>(point.cwiseAbs().maxCoeff()))) continue;
-    throw WriteError(path, say("the coordinates are too large for binary STL"), say("Save as PLY, or scale the mesh down."));
+    throw WriteError(path, say("the coordinates are too large for binary STL"),
+                     say("Save as PLY, or scale the mesh down."));
   }
 }
 

@@ -76,8 +76,7 @@ struct XmlReader::State {
   static void begin(void* data, const char* name, const char** attributes) {
     auto& state = *static_cast<State*>(data);
     state.guarded([&] {
-      if (++state.depth > deepest_element)
-        state.fail(say("the XML is nested more than %1 deep", deepest_element));
+      if (++state.depth > deepest_element) state.fail(say("the XML is nested more than %1 deep", deepest_element));
       state.handlers.begin(local_name(name), XmlAttributes(attributes));
     });
   }

@@ -74,13 +74,15 @@ void ZipArchive::read(std::string_view name, const std::function<void(std::strin
     }
   } entry{zip_fopen_index(state_->zip, *index, 0)};
   if (!entry.file)
-    fail(say("an entry cannot be unpacked: %1", std::string(zip_strerror(state_->zip))), say("Export it without encryption."));
+    fail(say("an entry cannot be unpacked: %1", std::string(zip_strerror(state_->zip))),
+         say("Export it without encryption."));
   std::array<char, piece_size> buffer{};
   zip_uint64_t size = 0;
   for (;;) {
     const zip_int64_t count = zip_fread(entry.file, buffer.data(), buffer.size());
     if (count < 0)
-      fail(say("an entry is damaged: %1", std::string(zip_file_strerror(entry.file))), say("Copy or download it again."));
+      fail(say("an entry is damaged: %1", std::string(zip_file_strerror(entry.file))),
+           say("Copy or download it again."));
     if (count == 0) return;
     size += static_cast<zip_uint64_t>(count);
     if (size > harmless_size && size / most_ratio > file_.bytes.size())

@@ -19,7 +19,7 @@ struct ScanPicture {
   std::string kind;            ///< media type: "image/png"; empty: not said
   std::string bytes;           ///< empty: `path`
   std::filesystem::path path;  ///< of a file beside the scan's, absolute; empty: `bytes`
-  Message problem;         ///< a sentence: why there is neither
+  Message problem;             ///< a sentence: why there is neither
 };
 
 struct ScanMaterial {

@@ -28,11 +28,13 @@ NamedLoop loop_named(const JoinedParts& parts, const std::string& word) {
     throw InvalidArgument(say("--loops takes FILE:LOOP,FILE:LOOP,..., such as 1:2,2:1, not '%1'", word));
   const std::size_t part = number_in(word.substr(0, colon), parts.loops.size());
   if (part == 0)
-    throw InvalidArgument(say("--loops %1: there is no file %2; %3 were given", word, word.substr(0, colon), parts.loops.size()));
+    throw InvalidArgument(
+        say("--loops %1: there is no file %2; %3 were given", word, word.substr(0, colon), parts.loops.size()));
   const auto& loops = parts.loops[part - 1];
   const std::size_t loop = number_in(word.substr(colon + 1), loops.size());
   if (loop == 0)
-    throw InvalidArgument(say("--loops %1: file %2 has %3 loops; 'loopmend info' lists them", word, part, loops.size()));
+    throw InvalidArgument(
+        say("--loops %1: file %2 has %3 loops; 'loopmend info' lists them", word, part, loops.size()));
   return {word, loops[loop - 1]};
 }
 
@@ -66,7 +68,10 @@ std::vector<NamedLoop> choose_part_loops(const JoinedParts& parts, const std::st
   } else {
     const auto& loops = parts.loops.front();
     if (loops.size() != 2)
-      throw InvalidArgument(loops.size() == 1 ? say("the file has 1 loop, not two: name those to be joined, such as --loops 1:1,1:2") : say("the file has %1 loops, not two: name those to be joined, such as --loops 1:1,1:2", loops.size()));
+      throw InvalidArgument(
+          loops.size() == 1
+              ? say("the file has 1 loop, not two: name those to be joined, such as --loops 1:1,1:2")
+              : say("the file has %1 loops, not two: name those to be joined, such as --loops 1:1,1:2", loops.size()));
     for (std::size_t l = 0; l < 2; ++l) chosen.push_back({name_of(0, l), loops[l]});
   }
   if (chosen.size() < 2) throw InvalidArgument(say("a blend needs at least two loops: --loops names one"));

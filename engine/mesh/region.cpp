@@ -121,7 +121,8 @@ Region make_region(const SurfaceModel& model, const std::vector<int>& vertices) 
   const std::vector<int> ring = rings_around(model.mesh, free, order);
   patch.free_count = static_cast<int>(std::count(free.begin(), free.end(), 1));
   if (patch.free_count == 0)
-    throw InvalidArgument(say("the region has no vertex that could move: it is empty, or lies on the surface's boundary"));
+    throw InvalidArgument(
+        say("the region has no vertex that could move: it is empty, or lies on the surface's boundary"));
   check_held(model.mesh, free);
 
   Eigen::AlignedBox3d box;

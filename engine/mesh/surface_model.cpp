@@ -23,8 +23,7 @@ void check_indices(const TriangleSoup& soup) {
   const int n = static_cast<int>(soup.points.size());
   for (std::size_t f = 0; f < soup.triangles.size(); ++f)
     for (int v : soup.triangles[f])
-      if (v < 0 || v >= n)
-        throw InvalidArgument(say("face %1 names vertex %2, but there are %3 vertices", f, v, n));
+      if (v < 0 || v >= n) throw InvalidArgument(say("face %1 names vertex %2, but there are %3 vertices", f, v, n));
 }
 
 /// Some boundary vertices have several fans: the boundary goes on from each to the next.
@@ -60,8 +59,7 @@ std::vector<int> add_faces(const TriangleSoup& soup, const FlatView& view, const
     if (!is_wanted(t)) continue;
     const auto face =
         model.mesh.add_face(VertexHandle(view_of[t[0]]), VertexHandle(view_of[t[1]]), VertexHandle(view_of[t[2]]));
-    if (!face.is_valid())
-      throw InvalidArgument(say("face %1 cannot be joined to its neighbours", view.face(k)));
+    if (!face.is_valid()) throw InvalidArgument(say("face %1 cannot be joined to its neighbours", view.face(k)));
     model.soup_face.push_back(view.face(k));
   }
   if (view.is_split) link_all_fans(model.mesh);

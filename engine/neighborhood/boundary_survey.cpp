@@ -3,8 +3,9 @@
 
 namespace loopmend {
 
-BoundarySurvey survey_boundary(const Patch& patch, const CancelToken& cancel) {
-  return {estimate_split(patch, cancel), boundary_fits(patch, FixedSurface(patch))};
+BoundarySurvey survey_boundary(const Patch& patch, const CancelToken& cancel,
+                               const std::optional<SplitEstimate>& split) {
+  return {split ? *split : estimate_split(patch, cancel), boundary_fits(patch, FixedSurface(patch))};
 }
 
 }  // namespace loopmend

@@ -5,6 +5,8 @@
 #include "neighborhood/boundary_fits.h"
 #include "split/split_estimate.h"
 
+#include <optional>
+
 namespace loopmend {
 
 struct BoundarySurvey {
@@ -13,7 +15,8 @@ struct BoundarySurvey {
 };
 
 /// @param patch  its free vertices and own triangles are not looked at: there need not be any. The survey of a patch is that
-/// of every patch with the same loops, to the last bit.
-BoundarySurvey survey_boundary(const Patch& patch, const CancelToken& cancel = {});
+/// of every patch with the same loops, to the last bit. @param split  of the patch, where it is known.
+BoundarySurvey survey_boundary(const Patch& patch, const CancelToken& cancel = {},
+                               const std::optional<SplitEstimate>& split = std::nullopt);
 
 }  // namespace loopmend

@@ -2,11 +2,12 @@
 #include "operators/hybrid_curvature.h"
 
 #include "core/threads.h"
+#include "operators/small_least_squares.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -25,8 +26,10 @@ constexpr double ridge = 1e-7;    ///< of the normal matrix, in units of its wei
 constexpr double most_bent = 9;   ///< times the mean of ‖A‖²: more is taken for noise
 constexpr int vertices_at_a_time = 16;
 
-using Vector10 = Eigen::Matrix<double, 10, 1>;
-using Matrix10 = Eigen::Matrix<double, 10, 10>;
+/// Of the height fields: xᵃ yᵇ with these powers.
+constexpr int terms = 10, x_power[] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0}, y_power[] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
+using Vector10 = Eigen::Matrix<double, terms, 1>;
+using Pair = Eigen::Array2d;  ///< of two samples: the processor's vectors hold as many everywhere
 
 struct Fit {
   double H = 0, bent = 0, height = 0;  ///< bent: ‖A‖²; height: of the field over the vertex
@@ -36,7 +39,7 @@ struct Fit {
 /// All that one fit is made of. Lengths are in units of its width.
 class Fitter {
  public:
-  /// @returns false where the vertex has no normal or no neighbor.
+  /// @returns false where the vertex has no normal or no neighbor, or a position is not finite.
   bool fit(int i, const Points& points, const Points& normals, const std::vector<int>& neighbors) {
     center_ = i;
     normal_ = normals[i];
@@ -44,8 +47,9 @@ class Fitter {
     choose_samples(points, neighbors);
     if (!(width_ > 0)) return false;
     weigh(normals);
+    take_steps(points);
     for (int pass = 0; pass < passes; ++pass) {
-      solve(points);
+      if (!solve()) return false;
       if (pass + 1 < passes && std::hypot(c_[1], c_[2]) < steepest)
         normal_ = (normal_ - c_[1] * u_ - c_[2] * v_).normalized();
     }
@@ -80,7 +84,8 @@ class Fitter {
   Vector10 derivative_of_coefficients(double of_H, double of_height) const;
   void choose_samples(const Points& points, const std::vector<int>& neighbors);
   void weigh(const Points& normals);
-  void solve(const Points& points);
+  void take_steps(const Points& points);
+  bool solve();
   static Vector10 row(double x, double y) {
     Vector10 row;
     row << 1, x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y;
@@ -91,9 +96,10 @@ class Fitter {
   double width_ = 0;
   Vec3 normal_, u_, v_;
   Vector10 c_;
-  Eigen::LDLT<Matrix10> normal_matrix_;
+  SmallCholesky<terms> normal_matrix_;
   std::vector<Sample> samples_;
-  std::vector<double> weight_;
+  std::vector<double> weight_;            ///< an even number: one sample too many counts nothing
+  std::vector<std::array<Pair, 3>> way_;  ///< from the center to the samples, in units of the width
 };
 
 void Fitter::choose_samples(const Points& points, const std::vector<int>& neighbors) {
@@ -113,7 +119,7 @@ void Fitter::choose_samples(const Points& points, const std::vector<int>& neighb
 }
 
 void Fitter::weigh(const Points& normals) {
-  weight_.resize(samples_.size());
+  weight_.assign((samples_.size() + 1) / 2 * 2, 0);
   const double widest2 = width_ * width_;
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     const double turn = std::acos(std::clamp(normals[samples_[k].vertex].dot(normals[center_]), -1.0, 1.0)) / crease;
@@ -121,20 +127,39 @@ void Fitter::weigh(const Points& normals) {
   }
 }
 
-void Fitter::solve(const Points& points) {
-  u_ = normal_.unitOrthogonal();
-  v_ = normal_.cross(u_);
-  Matrix10 A = Matrix10::Zero();
-  Vector10 b = Vector10::Zero();
+void Fitter::take_steps(const Points& points) {
+  const Pair none = Pair::Zero();
+  way_.assign((samples_.size() + 1) / 2, {none, none, none});
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     const Vec3 way = (points[samples_[k].vertex] - points[center_]) / width_;
-    const Vector10 terms = row(way.dot(u_), way.dot(v_)), weighted = weight_[k] * terms;
-    A.noalias() += weighted * terms.transpose();
-    b += way.dot(normal_) * weighted;
+    for (int c = 0; c < 3; ++c) way_[k / 2][c][k % 2] = way[c];
   }
-  A.diagonal().array() += ridge;
-  normal_matrix_.compute(A);
-  c_ = normal_matrix_.solve(b);
+}
+
+/// A c = Σ ω z p for the terms p.
+bool Fitter::solve() {
+  u_ = normal_.unitOrthogonal();
+  v_ = normal_.cross(u_);
+  const Pair zero = Pair::Zero();
+  Moments<0, 6, Pair> moments(zero);
+  Moments<0, 3, Pair> right(zero);
+  for (std::size_t k = 0; k < way_.size(); ++k) {
+    const auto along = [&](const Vec3& axis) -> Pair {
+      return way_[k][0] * axis[0] + way_[k][1] * axis[1] + way_[k][2] * axis[2];
+    };
+    const Pair x = along(u_), y = along(v_), weight = Eigen::Map<const Pair>(&weight_[2 * k]);
+    moments.add(weight, x, y);
+    right.add(weight * along(normal_), x, y);
+  }
+  double A[terms][terms];
+  for (int i = 0; i < terms; ++i) {
+    for (int j = 0; j <= i; ++j) A[i][j] = moments(x_power[i] + x_power[j], y_power[i] + y_power[j]).sum();
+    A[i][i] += ridge;
+    c_[i] = right(x_power[i], y_power[i]).sum();
+  }
+  if (!normal_matrix_.factorize(A)) return false;
+  normal_matrix_.solve(c_.data());
+  return true;
 }
 
 Vector10 Fitter::derivative_of_coefficients(double of_H, double of_height) const {
@@ -153,7 +178,8 @@ Vector10 Fitter::derivative_of_coefficients(double of_H, double of_height) const
 /// With A c = Σ ω z p for the terms p, residuals z − c·p: A dc = Σ ω (dz − ∇f·dξ) p + Σ ω (z − f) dp + Σ dω (z − f) p.
 void Fitter::add_derivative(double of_H, double of_height, const Points& points, const Points& normals,
                             std::vector<std::pair<int, Vec3>>& moves, std::vector<std::pair<int, Vec3>>& turns) const {
-  const Vector10 t = normal_matrix_.solve(derivative_of_coefficients(of_H, of_height));
+  Vector10 t = derivative_of_coefficients(of_H, of_height);
+  normal_matrix_.solve(t.data());
   Vec3 back = Vec3::Zero(), center_turn = Vec3::Zero(), widest_move = Vec3::Zero();
   const double widest2 = width_ * width_;
   double of_widest2 = 0;

@@ -2,6 +2,7 @@
 #include "operators/polynomial_fit.h"
 
 #include "core/quantile.h"
+#include "operators/small_least_squares.h"
 
 #include <Eigen/Geometry>
 
@@ -66,29 +67,14 @@ struct Polynomial {
 
   /// Lower triangle of Aᵀ W A, from the moments Σ w uᵃ vᵇ: it has no other entries.
   static void normal_matrix(const FitScratch& scratch, double (&N)[terms][terms]) {
-    constexpr int least = 2 * first, most = 2 * degree;
-    double sum[most + 1][most + 1] = {};  // at [a + b][b]
-    for (std::size_t k = 0; k < scratch.flat.size(); ++k) {
-      const Eigen::Vector2d& q = scratch.flat[k];
-      double power[most + 1];  // w uᵃ vᵇ of one degree
-      power[0] = scratch.weight[k];
-      sum[0][0] += power[0];
-      // Unrolled, the powers stay in registers.
-#pragma GCC unroll 8
-      for (int d = 1; d <= most; ++d) {
-        power[d] = power[d - 1] * q[1];
-#pragma GCC unroll 8
-        for (int l = 0; l < d; ++l) power[l] *= q[0];
-        if (d < least) continue;
-#pragma GCC unroll 8
-        for (int l = 0; l <= d; ++l) sum[d][l] += power[l];
-      }
-    }
+    Moments<2 * first, 2 * degree> moments(0.0);
+    for (std::size_t k = 0; k < scratch.flat.size(); ++k)
+      moments.add(scratch.weight[k], scratch.flat[k][0], scratch.flat[k][1]);
     const auto scale = [](int k) { return 1 / (factorial[u_power[k]] * factorial[v_power[k]]); };
     for (int i = 0; i < terms; ++i)
       for (int j = 0; j <= i; ++j) {
-        const int v = v_power[i + first] + v_power[j + first];
-        N[i][j] = scale(i + first) * scale(j + first) * sum[u_power[i + first] + u_power[j + first] + v][v];
+        const int k = i + first, l = j + first;
+        N[i][j] = scale(k) * scale(l) * moments(u_power[k] + u_power[l], v_power[k] + v_power[l]);
       }
   }
 };
@@ -99,46 +85,6 @@ double trace(const double (&matrix)[size][size]) {
   double sum = 0;
   for (int i = 0; i < size; ++i) sum += matrix[i][i];
   return sum;
-}
-
-/// Lower triangle of N⁻¹ from that of N, by Cholesky. False when N is not positive definite. By hand, since Eigen's
-/// triangular solves take several times as long at this size.
-template <int size>
-bool invert(const double (&N)[size][size], double (&inverse)[size][size]) {
-  double L[size][size], L_inverse[size][size];
-#pragma GCC unroll 10
-  for (int j = 0; j < size; ++j) {
-    double pivot = N[j][j];
-#pragma GCC unroll 10
-    for (int k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
-    if (!(pivot > 0)) return false;
-    L_inverse[j][j] = 1 / std::sqrt(pivot);
-#pragma GCC unroll 10
-    for (int i = j + 1; i < size; ++i) {
-      double sum = N[i][j];
-#pragma GCC unroll 10
-      for (int k = 0; k < j; ++k) sum -= L[i][k] * L[j][k];
-      L[i][j] = sum * L_inverse[j][j];
-    }
-  }
-#pragma GCC unroll 10
-  for (int j = 0; j < size; ++j)
-#pragma GCC unroll 10
-    for (int i = j + 1; i < size; ++i) {
-      double sum = 0;
-#pragma GCC unroll 10
-      for (int k = j; k < i; ++k) sum -= L[i][k] * L_inverse[k][j];
-      L_inverse[i][j] = sum * L_inverse[i][i];
-    }
-#pragma GCC unroll 10
-  for (int i = 0; i < size; ++i)
-#pragma GCC unroll 10
-    for (int j = 0; j <= i; ++j) {
-      inverse[i][j] = 0;
-#pragma GCC unroll 10
-      for (int k = i; k < size; ++k) inverse[i][j] += L_inverse[k][i] * L_inverse[k][j];
-    }
-  return true;
 }
 
 /// Huber's weights times those that the samples had at first.
@@ -177,11 +123,13 @@ bool solve(std::span<const Vec3> points, int centre, const FitOptions& options, 
   Eigen::Matrix<double, terms, 1> unit;
   for (int i = 0; i < terms; ++i) unit[i] = units[u_power[i + first] + v_power[i + first]];
   double N[terms][terms], inverse[terms][terms];
+  SmallCholesky<terms> factors;
   Eigen::Matrix<double, terms, terms> rows;
   Eigen::Matrix<double, 3, terms> r;
   for (int round = options.outliers == Outliers::count ? reweightings : 0; round <= reweightings; ++round) {
     P::normal_matrix(scratch, N);
-    if (!invert(N, inverse)) return false;
+    if (!factors.factorize(N)) return false;
+    factors.invert(inverse);
     if (!(trace(N) * trace(inverse) * least_condition * least_condition <= 1)) return false;
     for (int i = 0; i < terms; ++i)
       for (int j = 0; j < terms; ++j) rows(i, j) = inverse[std::max(i, j)][std::min(i, j)] / unit[i];

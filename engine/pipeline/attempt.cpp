@@ -22,7 +22,8 @@ Message message_on_outliers(int outliers) {
   Message message =
       outliers == 1
           ? say("one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it")
-          : say("%1 boundary vertices are outliers: the patch meets them, but does not take its curvature from them", outliers);
+          : say("%1 boundary vertices are outliers: the patch meets them, but does not take its curvature from them",
+                outliers);
   return std::move(message).with_code("outliers");
 }
 
@@ -41,8 +42,11 @@ void take_rolled_back(const AttemptContext& context, const Patch& start, const E
   result.seams = std::move(seams);
   result.verdicts = std::move(verdicts);
   result.energy.final = energy_of(result.patch, evolution.options().flow);
-  result.message = say("the patch would have folded or cut the surface at a few places: there, at %1 of its %2 vertices, it goes "
-                       "back towards what it set out from", rollback->moved, result.patch.free_count).with_code("rolled_back");
+  result.message =
+      say("the patch would have folded or cut the surface at a few places: there, at %1 of its %2 vertices, it goes "
+          "back towards what it set out from",
+          rollback->moved, result.patch.free_count)
+          .with_code("rolled_back");
 }
 
 struct CheckedPatch {
@@ -84,7 +88,8 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
     result.message = say("the flow could not start: %1", evolution.message()).with_code("flow_not_started");
     return false;
   }
-  result.reason = is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : Message();
+  result.reason =
+      is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : Message();
   CheckedPatch found = checked(
       problem, context.clean_neighborhood ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch(),
       context.cancel);

@@ -143,7 +143,8 @@ std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, c
 }
 
 Message bent_message() {
-  return joined(say("bent past loose crumbs of surface in the hole"), "; ", say("--repair removes such crumbs")).with_code("bent");
+  return joined(say("bent past loose crumbs of surface in the hole"), "; ", say("--repair removes such crumbs"))
+      .with_code("bent");
 }
 
 }  // namespace loopmend

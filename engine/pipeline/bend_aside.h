@@ -2,8 +2,8 @@
 // Moves a patch out of the way of crumbs: small pieces of other surface, as they float in the openings of scans.
 #pragma once
 
-#include "core/message.h"
 #include "core/cancel.h"
+#include "core/message.h"
 #include "mesh/patch.h"
 #include "pipeline/validate.h"
 

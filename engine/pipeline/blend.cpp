@@ -48,8 +48,12 @@ void tell_of_creases(const EvolutionOptions& options, PatchResult& result) {
   double worst = 0;
   for (const SeamReport& seam : result.seams) worst = std::max(worst, seam.g1_rms_deg);
   if (!(worst > visible_angle)) return;
-  add_message(result, say("a crease of %1 degrees is left at a seam: the patch turns too sharply there for edges of this length; "
-                          "finer meshes would help", std::lround(worst)).with_code("crease"));
+  add_message(
+      result,
+      say("a crease of %1 degrees is left at a seam: the patch turns too sharply there for edges of this length; "
+          "finer meshes would help",
+          std::lround(worst))
+          .with_code("crease"));
 }
 
 /// The ring as it is: creases at its seams are what was asked for.
@@ -59,7 +63,8 @@ PatchResult ring_result(const PatchProblem& problem) {
   PatchResult result = initial_result(problem, options.flow);
   judge_again(problem, options, result);
   result.reason = joined(say("both surfaces end at these loops, so that a straight ring joins them"), "; ",
-                         say("--boundary exact runs the flow itself")).with_code("ring");
+                         say("--boundary exact runs the flow itself"))
+                      .with_code("ring");
   return result;
 }
 
@@ -68,8 +73,11 @@ PatchResult refused(const Validity& validity) {
   result.validity = validity;
   result.message = nonmanifold_message(validity.nonmanifold_edges);
   if (validity.intersections > 0)
-    result.message = say("every patch that was found would cut the surface or itself, in %1 places: the loops cannot be joined as "
-                         "they lie", validity.intersections).with_code("every_patch_crosses");
+    result.message =
+        say("every patch that was found would cut the surface or itself, in %1 places: the loops cannot be joined as "
+            "they lie",
+            validity.intersections)
+            .with_code("every_patch_crosses");
   return result;
 }
 

@@ -108,14 +108,16 @@ bool sharp_edges(const Situation& s, PatchResult& result) {
   const PatchProblem& problem = s.context.problem;
   Patch patch = make_patch(problem.scan.model, problem.loops, {s.sharp->patch});
   patch.grading = problem.initial.grading;
-  take_patch(s.context, s.context.judge.expecting_creases({s.sharp->creased}), s.options.flow, std::move(patch), result);
+  take_patch(s.context, s.context.judge.expecting_creases({s.sharp->creased}), s.options.flow, std::move(patch),
+             result);
   result.status = PatchStatus::faired;
   result.method = Method::sharp_edges;
   const auto edges = s.sharp->edges.size();
   result.reason = joined(edges == 0   ? say("the surface of one side alone runs on here")
                          : edges == 1 ? say("1 sharp edge runs on across the hole")
                                       : say("%1 sharp edges run on across the hole", edges),
-                         "; ", say("--edges round runs the flow")).with_code("sharp_edges");
+                         "; ", say("--edges round runs the flow"))
+                      .with_code("sharp_edges");
   return true;
 }
 
@@ -181,7 +183,8 @@ Message reason_of_cut(const Situation& s) {
   const bool flat = std::find(s.ends.begin(), s.ends.end(), LoopEnd::curved) == s.ends.end();
   return joined(flat ? say("the surface ends at this loop, which is flat, so that it was closed flat")
                      : say("the surface ends at this loop, so that it was closed by a minimal surface"),
-                "; ", say("--boundary exact runs the flow itself")).with_code("surface_ends");
+                "; ", say("--boundary exact runs the flow itself"))
+      .with_code("surface_ends");
 }
 
 PatchResult best_candidate(const Situation& s) {
@@ -212,7 +215,8 @@ PatchResult best_candidate(const Situation& s) {
     PatchResult initial = judged_initial(s.context.problem, s.options, s.context.judge);
     open_folds(s.context, s.options.flow, initial);
     if (best.made_by.empty() || faults(initial.verdicts) < faults(best.verdicts)) {
-      initial.message = joined(why_not_the_first, ": ", say("the initial patch was kept")).with_code("initial_patch_kept");
+      initial.message =
+          joined(why_not_the_first, ": ", say("the initial patch was kept")).with_code("initial_patch_kept");
       for (Verdict& verdict : initial.verdicts) {
         verdict.grade = std::max(verdict.grade, Grade::look);
         verdict.findings.push_back({NoticeCode::initial_patch_kept, {}});
@@ -254,7 +258,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                         const CancelToken& cancel) {
   if (problem.initial.free_count == 0) {
     PatchResult result = initial_result(problem, options.flow);
-    result.message = say("too small to hold a free vertex: closed by triangles between its own vertices").with_code("tiny");
+    result.message =
+        say("too small to hold a free vertex: closed by triangles between its own vertices").with_code("tiny");
     return result;
   }
   PatchResult mirrored;
@@ -264,8 +269,13 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   }
   const std::vector<LoopEnd> ends = ends_of(problem);
   const Judge judge = judge_for(problem, options, ends);
-  Situation situation{
-      {problem, nullptr, judge, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt, ends, std::nullopt};
+  Situation situation{{problem, nullptr, judge, on_step, cancel},
+                      options,
+                      std::nullopt,
+                      std::nullopt,
+                      std::nullopt,
+                      ends,
+                      std::nullopt};
   if (is_judged(options)) {
     if (options.edges == SharpEdges::continued && problem.loops.size() == 1 && !situation.is_cut())
       situation.sharp = continue_sharp_edges(problem.initial, cancel);

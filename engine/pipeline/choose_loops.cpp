@@ -51,7 +51,8 @@ SeamContinuity continuity_of(const std::string& word) {
 void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int vertex,
                   std::map<std::size_t, std::optional<SeamContinuity>>& named) {
   if (vertex < 0 || vertex >= static_cast<int>(model.soup.points.size()))
-    throw InvalidArgument(say("there is no vertex %1: the mesh has %2, numbered from 0", vertex, model.soup.points.size()));
+    throw InvalidArgument(
+        say("there is no vertex %1: the mesh has %2, numbered from 0", vertex, model.soup.points.size()));
   bool found = false;
   for (std::size_t k = 0; k < loops.size(); ++k)
     for (int v : loops[k].vertices)
@@ -65,7 +66,8 @@ void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
     const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
     used = used || std::find(t.begin(), t.end(), vertex) != t.end();
   });
-  throw InvalidArgument(used ? say("vertex %1 lies on no boundary loop", vertex) : say("vertex %1 belongs to no face", vertex));
+  throw InvalidArgument(used ? say("vertex %1 lies on no boundary loop", vertex)
+                             : say("vertex %1 belongs to no face", vertex));
 }
 
 /// Indices into `loops` that are named, each with the continuity that is named for it; empty when none is.
@@ -87,9 +89,11 @@ Message why_no_hole(const BoundaryLoop& loop, LoopSelection::OuterRim outer_rim)
   if (loop.kind == LoopKind::cut) return say("no hole: runs where the surface had to be cut").with_code("cut");
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
     return say("crack: a face at the same place covers it already").with_code("covered");
-  if (loop.kind == LoopKind::crack) return say("crack: nothing is missing, its sides are only not joined").with_code("crack");
+  if (loop.kind == LoopKind::crack)
+    return say("crack: nothing is missing, its sides are only not joined").with_code("crack");
   if (loop.kind == LoopKind::outer_rim && outer_rim == LoopSelection::OuterRim::leave && loop.coincident > 0)
-    return say("boundary that coincides with another along %1 edges: the mesh is split there", loop.coincident).with_code("split_mesh");
+    return say("boundary that coincides with another along %1 edges: the mesh is split there", loop.coincident)
+        .with_code("split_mesh");
   return {};
 }
 
@@ -103,7 +107,8 @@ LoopChoice::Cure cure_of(const BoundaryLoop& loop) {
 /// Why a loop is left that could be filled; empty where it is not left.
 Message reason_to_leave(const BoundaryLoop& loop, const LoopSelection& selection, bool named) {
   if (!named && loop.kind == LoopKind::outer_rim && selection.outer_rim == LoopSelection::OuterRim::leave)
-    return with_cure(say("outer rim of an open sheet, since %1: left open", why_outer_rim(loop)), say("--include-outer-rim fills it"))
+    return with_cure(say("outer rim of an open sheet, since %1: left open", why_outer_rim(loop)),
+                     say("--include-outer-rim fills it"))
         .with_code("outer_rim");
   if (selection.max_edges && loop.edges() > *selection.max_edges)
     return say("has more than %1 edges (--max-edges)", *selection.max_edges).with_code("too_many_edges");

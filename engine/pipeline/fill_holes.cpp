@@ -84,9 +84,12 @@ Message not_finished() { return say("not finished when stopped").with_code("not_
 Message memory_message(double vertices, double needed_mb, double most_memory_mb) {
   if (!(needed_mb > most_memory_mb)) return {};
   if (!(vertices < 1e9))
-    return say("its edges are too short for its size: left open; a smaller density needs less memory").with_code("no_memory");
-  return say("about %1 new vertices would take %2 MB of memory, and %3 MB are allowed: left open; a smaller density needs less",
-             std::llround(vertices), std::llround(std::ceil(needed_mb)), std::llround(std::max(0.0, std::floor(most_memory_mb))))
+    return say("its edges are too short for its size: left open; a smaller density needs less memory")
+        .with_code("no_memory");
+  return say("about %1 new vertices would take %2 MB of memory, and %3 MB are allowed: left open; a smaller density "
+             "needs less",
+             std::llround(vertices), std::llround(std::ceil(needed_mb)),
+             std::llround(std::max(0.0, std::floor(most_memory_mb))))
       .with_code("no_memory");
 }
 
@@ -166,9 +169,10 @@ GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& o
     for (HoleResult& hole : alone.holes) hole.message = joined(std::move(hole.message), "; ", island_not_joined(why));
     for (const BoundaryLoop& island : place)
       if (task.asked.contains(island.number))
-        alone.holes.push_back(open_hole(island, PatchStatus::skipped,
-                                        say("the piece lies within hole %1, whose patch covers it: left as it is", place[0].number)
-                                            .with_code("covered_island")));
+        alone.holes.push_back(
+            open_hole(island, PatchStatus::skipped,
+                      say("the piece lies within hole %1, whose patch covers it: left as it is", place[0].number)
+                          .with_code("covered_island")));
     return alone;
   }
   GroupResult result;
@@ -355,7 +359,8 @@ void check(const FillOptions& options) {
   if (!(options.most_memory_mb > 0)) throw InvalidArgument(say("the memory for patches must be above 0 MB"));
   if (options.evolution) check(*options.evolution);
   if (!options.evolution && (options.mirror == FillOptions::Mirror::find || !options.mirror_planes.empty()))
-    throw InvalidArgument(say("a patch without a flow is left as its first shape, and is no mirror image: choose a flow"));
+    throw InvalidArgument(
+        say("a patch without a flow is left as its first shape, and is no mirror image: choose a flow"));
 }
 
 Message island_not_joined(const Message& why) {

@@ -3,8 +3,8 @@
 // it; the window goes through the same steps one by one (initial_patch, solve_group, paste).
 #pragma once
 
-#include "core/message.h"
 #include "core/cancel.h"
+#include "core/message.h"
 #include "evolution/option_names.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/solve_group.h"

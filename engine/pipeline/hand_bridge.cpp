@@ -54,7 +54,10 @@ TriangleSoup with_bridge(const SurfaceModel& model, int a, int b) {
     for (const BridgeSeat& second : seats_b)
       if (first.loop == second.loop) s = first, t = second;
   if (s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to)
-    throw InvalidArgument(say("the boundary edges that begin at vertices %1 and %2 have a vertex in common: a bridge needs two that lie apart", a, b));
+    throw InvalidArgument(
+        say("the boundary edges that begin at vertices %1 and %2 have a vertex in common: a bridge needs two that lie "
+            "apart",
+            a, b));
   TriangleSoup soup = model.soup;
   const auto at = [&](int v) { return Vec3(model.soup.points[v]); };
   const double edge = ((at(s.to) - at(s.from)).norm() + (at(t.to) - at(t.from)).norm()) / 2;

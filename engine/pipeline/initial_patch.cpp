@@ -205,28 +205,34 @@ InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const
   return part;
 }
 
-std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges) {
-  const auto treatment = [&](const std::vector<int>& members) {
+std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges) {
+  const auto treatment = [&](LoopsAlike& alike) {
+    const std::vector<int>& members = alike.members;
     if (std::all_of(members.begin(), members.end(),
                     [&](int k) { return loop_end(model, group.loops[k]) != LoopEnd::runs_on; }))
       return Treatment::flat_cut;
     const std::optional<Patch> patch =
         joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);
     if (!patch || (edges == SharpEdges::continued && ends_at_sharp_edges(*patch))) return Treatment::apart;
-    return estimate_split(*patch).is_exact() ? Treatment::exact : Treatment::apart;
+    alike.split = estimate_split(*patch);
+    return alike.split->is_exact() ? Treatment::exact : Treatment::apart;
   };
+  std::vector<LoopsAlike> alone;
   std::map<Treatment, std::vector<int>> of_treatment;
-  for (int k = 0; k < static_cast<int>(group.loops.size()); ++k) of_treatment[treatment({k})].push_back(k);
-  std::vector<std::vector<int>> result;
+  for (int k = 0; k < static_cast<int>(group.loops.size()); ++k) {
+    alone.push_back({{k}, std::nullopt});
+    of_treatment[treatment(alone.back())].push_back(k);
+  }
+  std::vector<LoopsAlike> result;
   for (const auto& [asked, loops] : of_treatment)
     for (const std::vector<int>& members : group_loops(model, picked(group.loops, loops))) {
-      const std::vector<int> together = picked(loops, members);
-      if (together.size() == 1 || (asked != Treatment::apart && treatment(together) == asked))
-        result.push_back(together);
+      LoopsAlike together{picked(loops, members), std::nullopt};
+      if (together.members.size() > 1 && asked != Treatment::apart && treatment(together) == asked)
+        result.push_back(std::move(together));
       else
-        for (int k : together) result.push_back({k});
+        for (int k : together.members) result.push_back(alone[k]);
     }
-  std::sort(result.begin(), result.end());
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.members < b.members; });
   return result;
 }
 

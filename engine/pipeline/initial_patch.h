@@ -2,8 +2,8 @@
 // From the holes of a scan to groups and their initial patches.
 #pragma once
 
-#include "core/message.h"
 #include "core/cancel.h"
+#include "core/message.h"
 #include "evolution/evolution.h"
 #include "filling/loop_patch.h"
 #include "mesh/boundary_loops.h"
@@ -33,6 +33,7 @@ struct InitialPatch {
   /// Whether the loops are known to ask for one treatment of the boundary data.
   enum class Alike { unknown, known } alike = Alike::unknown;
   std::optional<BoundarySurvey> survey;  ///< of the patch's neighborhood, where it was made beside the patch
+  std::optional<SplitEstimate> split;    ///< the same of its estimate alone
   double seconds = 0;                    ///< that it took
   double survey_seconds = 0;             ///< that the survey took beyond that
 
@@ -53,9 +54,15 @@ InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<Bo
 InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const std::vector<int>& members,
                      const InitialPatchOptions& options);
 
+/// Loops of a group that ask for the same treatment of the boundary data.
+struct LoopsAlike {
+  std::vector<int> members;            ///< indices into the group's loops
+  std::optional<SplitEstimate> split;  ///< of the neighborhood of all of them, where it was asked for
+};
+
 /// Parts a group into groups whose loops, each looked at alone, ask for the same treatment of the boundary data: one rough
 /// hole does not decide for its neighbors. Loops at which sharp edges end that run on are parts of their own.
-/// @returns groups of indices into the group's loops, whose outcomes are known.
-std::vector<std::vector<int>> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges);
+/// @param group  whose outcomes are known.
+std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges);
 
 }  // namespace loopmend

@@ -2,8 +2,8 @@
 // What a person sees of a patch: sound or not, and what to look at. How the solver ended is no part of it.
 #pragma once
 
-#include "core/message.h"
 #include "analysis/seam_report.h"
+#include "core/message.h"
 #include "core/notice.h"
 #include "mesh/patch.h"
 #include "mesh/validity.h"

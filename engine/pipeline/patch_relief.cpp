@@ -32,20 +32,29 @@ void add_relief(const PatchProblem& problem, const SplitEstimate& estimate, cons
       choice.seed * 1'000'003 + (result.patch.loop_numbers.empty() ? 0 : result.patch.loop_numbers.front());
   const std::optional<ContinuedRelief> relief = continue_relief(result.patch, estimate, seed, cancel);
   if (cancel.cancelled()) return;
-  if (!relief) return add_message(result, say("the scan around the hole has no relief to continue").with_code("no_relief"));
-  const std::string own = height(relief->patch, result.patch.scale), around = height(relief->around, result.patch.scale);
+  if (!relief)
+    return add_message(result, say("the scan around the hole has no relief to continue").with_code("no_relief"));
+  const std::string own = height(relief->patch, result.patch.scale),
+                    around = height(relief->around, result.patch.scale);
   Patch rough = result.patch;
   std::copy(relief->positions.begin(), relief->positions.end(), rough.positions.begin());
   if (rough.positions == result.patch.positions)
-    return add_message(result, say("the patch has as much relief as the scan without any added, rms %1 (%2 around the hole)", own, around).with_code("relief_enough"));
+    return add_message(
+        result,
+        say("the patch has as much relief as the scan without any added, rms %1 (%2 around the hole)", own, around)
+            .with_code("relief_enough"));
   Validity validity = validate(problem.scan, rough);
   if (!validity.is_clean() && !no_worse(validity, validate(problem.scan, problem.initial)) &&
       !no_worse(validity, result.validity))
-    return add_message(result, say("with relief the patch would fold or cut the surface: it stays smooth").with_code("relief_crosses"));
+    return add_message(
+        result,
+        say("with relief the patch would fold or cut the surface: it stays smooth").with_code("relief_crosses"));
   result.patch = std::move(rough);
   result.validity = std::move(validity);
   result.seams = seam_reports(result.patch);
-  add_message(result, say("relief continued at random, rms %1 (%2 around the hole)", own, around).with_code("relief_continued"));
+  add_message(
+      result,
+      say("relief continued at random, rms %1 (%2 around the hole)", own, around).with_code("relief_continued"));
 }
 
 }  // namespace loopmend

@@ -2,8 +2,8 @@
 // The one outcome: what a job made of one patch, and how.
 #pragma once
 
-#include "core/message.h"
 #include "analysis/seam_report.h"
+#include "core/message.h"
 #include "evolution/evolution.h"
 #include "mesh/patch.h"
 #include "mesh/validity.h"

@@ -126,7 +126,8 @@ StitchTolerance stitch_tolerance_of(const std::string& text) {
   if (is_percent) word.remove_suffix(1);
   const std::optional<double> number = number_in(word);
   if (!number || *number < 0 || (is_percent && *number > most_percent))
-    throw InvalidArgument(say("--stitch takes a length such as 0.5, or up to 40 % of the edges there such as 5%, not '%1'", text));
+    throw InvalidArgument(
+        say("--stitch takes a length such as 0.5, or up to 40 % of the edges there such as 5%, not '%1'", text));
   if (is_percent) return {*number / 100, std::nullopt};
   return {StitchTolerance().edges, *number};
 }
@@ -138,7 +139,8 @@ PrepareOptions::Base base_of(const std::string& text) {
   const std::optional<double> distance = number_in(std::string_view(text).substr(names_loop ? colon + 1 : 0));
   const bool is_number = loop && *loop == std::floor(*loop) && *loop >= (names_loop ? 1 : 0) && *loop < 1e9;
   if (!is_number || !distance || !(*distance > 0))
-    throw InvalidArgument(say("--base takes a length above 0 such as 5, or a loop and a length such as 2:5, not '%1'", text));
+    throw InvalidArgument(
+        say("--base takes a length above 0 such as 5, or a loop and a length such as 2:5, not '%1'", text));
   return {static_cast<int>(*loop), *distance};
 }
 

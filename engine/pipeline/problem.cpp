@@ -43,8 +43,7 @@ PosedProblem pose_region(const ModelPtr& model, const std::vector<int>& vertices
                    [model, region](const Patch& evolved) { return with_region(*model, *region, evolved); }};
   posed.replaced = region->own_triangle;
   if (region->held_at_boundary > 0)
-    posed.remark =
-        say("%1 vertices of the region lie on the surface's boundary: they stay", region->held_at_boundary);
+    posed.remark = say("%1 vertices of the region lie on the surface's boundary: they stay", region->held_at_boundary);
   posed.solve = [model, region](const EvolutionOptions& options, const Evolution::OnStep& on_step,
                                 const CancelToken& cancel) {
     Solution solution{{}, evolve_region(*region, options, on_step, cancel), {}};
@@ -93,7 +92,8 @@ PosedProblem pose_holes(const ModelPtr& model, const std::vector<BoundaryLoop>& 
                         const InitialPatchOptions& options, const CancelToken& cancel) {
   InitialPatch initial = make_initial_patch(*model, holes, options, cancel);
   if (!initial.patch)
-    throw InvalidArgument(joined(say("no hole could be filled"), ": ", initial.outcomes.empty() ? Message() : initial.outcomes.front().message));
+    throw InvalidArgument(joined(say("no hole could be filled"), ": ",
+                                 initial.outcomes.empty() ? Message() : initial.outcomes.front().message));
   PosedProblem posed;
   posed.problem = {std::move(*initial.patch), pasting(model)};
   return posed;

@@ -108,8 +108,10 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
     if (2 * closing <= loop.edges()) continue;
     choice.fill = false;
     choice.left = LoopChoice::Left::wide_crack;
-    choice.why_not = with_cure(say("crack: %1 of its %2 edges lie beside another within a tenth of their length", closing, loop.edges()),
-                               say("--stitch joins them")).with_code("wide_crack");
+    choice.why_not = with_cure(say("crack: %1 of its %2 edges lie beside another within a tenth of their length",
+                                   closing, loop.edges()),
+                               say("--stitch joins them"))
+                         .with_code("wide_crack");
   }
 }
 
@@ -124,7 +126,9 @@ void name_cures(ScanPlan& plan, const ScanJob& job) {
     switch (choice.cure) {
       case LoopChoice::Cure::none: break;
       case LoopChoice::Cure::stitch: choice.why_not = with_cure(choice.why_not, say("--stitch joins them")); break;
-      case LoopChoice::Cure::repair: choice.why_not = with_cure(choice.why_not, say("--repair makes a hole of it, or nothing")); break;
+      case LoopChoice::Cure::repair:
+        choice.why_not = with_cure(choice.why_not, say("--repair makes a hole of it, or nothing"));
+        break;
     }
   }
 }
@@ -152,9 +156,10 @@ void name_rings(const ScanPlan& plan, std::vector<HoleResult>& results) {
   for (const auto& [i, j] : plan.rings)
     for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
       Message& message = results[static_cast<std::size_t>(own)].message;
-      message = joined(std::move(message), "; ",
-                       say("a wall ends at this loop and at loop %1: 'loopmend blend --loops 1:%2,1:%3' joins them by a ring", other + 1,
-                           std::min(i, j) + 1, std::max(i, j) + 1));
+      message =
+          joined(std::move(message), "; ",
+                 say("a wall ends at this loop and at loop %1: 'loopmend blend --loops 1:%2,1:%3' joins them by a ring",
+                     other + 1, std::min(i, j) + 1, std::max(i, j) + 1));
     }
 }
 
@@ -227,8 +232,9 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
     const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
     const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.near) : 0;
     if (closing > 0)
-      results[k].message = joined(say("%1 of its edges lie beside another within a tenth of their length: --stitch joins them", closing),
-                                  "; ", results[k].message.empty() ? Message() : say("without it, %1", results[k].message));
+      results[k].message =
+          joined(say("%1 of its edges lie beside another within a tenth of their length: --stitch joins them", closing),
+                 "; ", results[k].message.empty() ? Message() : say("without it, %1", results[k].message));
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
       results[k].message = say("not finished in the time that --max-time allows: left open").with_code("out_of_time");
   }

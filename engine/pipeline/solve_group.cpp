@@ -29,9 +29,13 @@ std::vector<int> free_vertices_per_loop(const Patch& patch) {
 
 Message why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
   if (Message why = why_no_patch_exists(scan, loop); !why.empty()) return why;
-  return joined(say("every patch that was found would cut the surface or itself, in %1 places: left open", intersections), "; ",
-                say("removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the hole "
-                    "(--bridge) may help")).with_code("every_patch_crosses");
+  return joined(
+             say("every patch that was found would cut the surface or itself, in %1 places: left open", intersections),
+             "; ",
+             say("removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip "
+                 "across the hole "
+                 "(--bridge) may help"))
+      .with_code("every_patch_crosses");
 }
 
 GroupResult failed_group(const std::vector<BoundaryLoop>& loops, const Message& why) {
@@ -250,7 +254,8 @@ class GroupSolver {
 
   PatchResult solved(const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
-    const BoundarySurvey survey = initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_);
+    const BoundarySurvey survey =
+        initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_, initial.split);
     const double survey_seconds = initial.survey ? initial.survey_seconds : seconds_since(start);
     const std::vector<BoundaryLoop> loops = loops_of(initial);
     const PatchProblem problem{scan_, *initial.patch, loops, &options_.mirror_planes};
@@ -299,9 +304,11 @@ std::vector<double> expected_deviations(const std::vector<HoleResult>& holes) {
 Message why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop) {
   const int pierced = pierced_edges(scan, loop);
   if (pierced == 0) return {};
-  return joined(pierced == 1 ? say("1 boundary edge intersects the surface, so that no valid patch exists: left open")
-                             : say("%1 boundary edges intersect the surface, so that no valid patch exists: left open", pierced),
-                "; ", say("remove what crosses (--trim-crossing)")).with_code("boundary_crosses");
+  return joined(pierced == 1
+                    ? say("1 boundary edge intersects the surface, so that no valid patch exists: left open")
+                    : say("%1 boundary edges intersect the surface, so that no valid patch exists: left open", pierced),
+                "; ", say("remove what crosses (--trim-crossing)"))
+      .with_code("boundary_crosses");
 }
 
 HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, Message why) {
@@ -323,10 +330,14 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
   std::vector<InitialPatch> parts;
   if (options.evolution && is_judged(*options.evolution)) {
     try {
-      const std::vector<std::vector<int>> groups = groups_alike(scan.model, known, options.evolution->edges);
+      const std::vector<LoopsAlike> groups = groups_alike(scan.model, known, options.evolution->edges);
       if (groups.size() > 1)
-        for (const std::vector<int>& members : groups)
-          parts.push_back(part_of(scan.model, known, members, options.initial));
+        for (const LoopsAlike& group : groups) {
+          parts.push_back(part_of(scan.model, known, group.members, options.initial));
+          parts.back().split = group.split;
+        }
+      else
+        known.split = groups.front().split;
     } catch (const std::exception&) {  // where it cannot be told, all loops stay together
       parts.clear();
     }

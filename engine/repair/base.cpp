@@ -85,7 +85,8 @@ TriangleSoup with_base(const SurfaceModel& model, const BoundaryLoop& loop, doub
     above = std::move(below);
   }
   const Triangles cap = triangulate_seen_flat(soup.points, above);
-  if (cap.empty()) throw InvalidArgument(say("%1: the loop overlaps itself seen from below: no straight wall fits", name));
+  if (cap.empty())
+    throw InvalidArgument(say("%1: the loop overlaps itself seen from below: no straight wall fits", name));
   soup.triangles.insert(soup.triangles.end(), cap.begin(), cap.end());
   check_cuts(soup, model.soup.triangles.size(), name);
   return soup;

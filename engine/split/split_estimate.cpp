@@ -247,24 +247,19 @@ class Search {
   Search(const Likelihood& likelihood, const CancelToken& cancel) : likelihood_(likelihood), cancel_(cancel) {}
 
   std::pair<double, double> best() {
-    ask({{0.01, 0},
-         {0.1, 0},
-         {0.4, 0},
-         {1.6, 0},
-         {6.4, 0},
-         {25, 0},
-         {0.01, 0.5},
-         {0.4, 0.5},
-         {6.4, 0.5},
-         {0.01, 1},
-         {0.4, 1},
-         {6.4, 1},
-         {0.01, 2},
-         {0.4, 2},
-         {6.4, 2},
-         {0.01, 4},
-         {0.4, 4},
-         {6.4, 4}});
+    std::vector<Place> row;
+    for (double w : {0.01, 0.1, 0.4, 1.6, 6.4, 25.0}) row.emplace_back(w, 0);
+    ask(row);
+    row = {{0.01, 0.5}, {0.4, 0.5}, {6.4, 0.5}};
+    double less_noise = 0;
+    while (!row.empty()) {  // more noise where the noise before it made the likelihood greater
+      ask(row);
+      std::erase_if(row, [&](const Place& place) {
+        return place.second >= most_noise || known_[place] >= known_[{place.first, less_noise}];
+      });
+      if (!row.empty()) less_noise = row.front().second;
+      for (Place& place : row) place.second *= 2;
+    }
     for (int round = 0; round < most_rounds; ++round) {
       const auto [w, v] = least();
       std::vector<Place> places{{2 * w, v}, {w / 2, v}};
@@ -280,6 +275,7 @@ class Search {
  private:
   using Place = std::pair<double, double>;
   static constexpr int most_rounds = 4;
+  static constexpr double most_noise = 4;  ///< of the table
 
   /// Side by side; those without noise have one pattern, those with noise another.
   void ask(const std::vector<Place>& places) {

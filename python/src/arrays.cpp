@@ -22,7 +22,8 @@ void check_shape(const py::array& array, const char* name, py::ssize_t columns) 
 
 void check_kind(const py::array& array, const char* name, const std::string& kinds, const char* what) {
   if (kinds.find(array.dtype().kind()) == std::string::npos)
-    throw InvalidArgument(say("%1 must be %2, not %3", std::string(name), what, py::str(array.dtype()).cast<std::string>()));
+    throw InvalidArgument(
+        say("%1 must be %2, not %3", std::string(name), what, py::str(array.dtype()).cast<std::string>()));
 }
 
 Points points_of(const py::array& vertices) {
@@ -34,7 +35,8 @@ Points points_of(const py::array& vertices) {
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     const Vec3 point(rows(i, 0), rows(i, 1), rows(i, 2));
     if (!point.allFinite())
-      throw InvalidArgument(say("vertex %1 has a coordinate that is no finite number. Remove it and its faces first.", i));
+      throw InvalidArgument(
+          say("vertex %1 has a coordinate that is no finite number. Remove it and its faces first.", i));
     points[static_cast<std::size_t>(i)] = point;
   }
   return points;
@@ -48,7 +50,8 @@ Triangles triangles_from(const py::array_t<Number, py::array::forcecast>& faces,
     for (py::ssize_t c = 0; c < 3; ++c) {
       const Number v = rows(f, c);
       if (v < 0 || static_cast<std::uint64_t>(v) >= vertices)
-        throw InvalidArgument(say("face %1 names vertex %2, but the mesh has %3 vertices, numbered from 0", f, v, vertices));
+        throw InvalidArgument(
+            say("face %1 names vertex %2, but the mesh has %3 vertices, numbered from 0", f, v, vertices));
       triangles[static_cast<std::size_t>(f)][static_cast<std::size_t>(c)] = static_cast<int>(v);
     }
   return triangles;
@@ -68,7 +71,8 @@ std::vector<Color> colors_of(const py::object& given, std::size_t vertices) {
   if (!colors) throw InvalidArgument(say("colors must be an array of the shape (n, 4)"));
   check_shape(colors, "colors", 4);
   if (!py::isinstance<py::array_t<std::uint8_t>>(colors))
-    throw InvalidArgument(say("colors must be of uint8, 0 to 255, not %1", py::str(colors.dtype()).cast<std::string>()));
+    throw InvalidArgument(
+        say("colors must be of uint8, 0 to 255, not %1", py::str(colors.dtype()).cast<std::string>()));
   const auto rows = py::array_t<std::uint8_t>(colors).unchecked<2>();
   if (static_cast<std::size_t>(rows.shape(0)) != vertices)
     throw InvalidArgument(say("colors must have one row for each of the %1 vertices, not %2", vertices, rows.shape(0)));

@@ -101,8 +101,8 @@ void carry(const py::object& carried, TriangleSoup& soup) {
       rows.triangle_rows.empty() ? rows.attributes->triangle_count : rows.triangle_rows.size();
   if (points > std::max<std::size_t>(soup.points.size(), 1) ||
       triangles > std::max<std::size_t>(soup.triangles.size(), 1))
-    throw InvalidArgument(
-        say("the mesh has fewer vertices or faces than what it carries: leave `carried` out where you change the arrays"));
+    throw InvalidArgument(say(
+        "the mesh has fewer vertices or faces than what it carries: leave `carried` out where you change the arrays"));
   soup.attributes = rows.attributes;
   soup.point_rows = rows.point_rows;
   soup.triangle_rows = rows.triangle_rows;

@@ -27,10 +27,11 @@ py::list seams_of(const std::vector<SeamReport>& seams) {
 py::dict verdict_figures(const Verdict& verdict) {
   py::list findings;
   for (const Notice& finding : verdict.findings)
-    findings.append(
-        py::dict("code"_a = to_string(finding.code), "arguments"_a = finding.arguments, "text"_a = message_of(finding).english()));
-  return py::dict("grade"_a = to_string(verdict.grade), "sentence"_a = verdict.message().english(), "findings"_a = findings,
-                  "crease_deg"_a = verdict.crease_deg, "height"_a = verdict.height, "folds"_a = verdict.folds);
+    findings.append(py::dict("code"_a = to_string(finding.code), "arguments"_a = finding.arguments,
+                             "text"_a = message_of(finding).english()));
+  return py::dict("grade"_a = to_string(verdict.grade), "sentence"_a = verdict.message().english(),
+                  "findings"_a = findings, "crease_deg"_a = verdict.crease_deg, "height"_a = verdict.height,
+                  "folds"_a = verdict.folds);
 }
 
 py::object deviation_figures(const ExpectedDeviation& deviation) {
@@ -107,10 +108,10 @@ py::dict loop_figures(const BoundaryLoop& loop) {
 }
 
 py::dict patch_figures(const PatchResult& result) {
-  return py::dict("status"_a = to_string(result.status), "message"_a = result.message.english(), "method"_a = method_name(result),
-                  "reason"_a = result.reason.english(), "steps"_a = result.steps, "energy_before"_a = result.energy.initial,
-                  "energy_after"_a = result.energy.final, "folds"_a = result.validity.folds,
-                  "self_intersections"_a = result.validity.intersections,
+  return py::dict("status"_a = to_string(result.status), "message"_a = result.message.english(),
+                  "method"_a = method_name(result), "reason"_a = result.reason.english(), "steps"_a = result.steps,
+                  "energy_before"_a = result.energy.initial, "energy_after"_a = result.energy.final,
+                  "folds"_a = result.validity.folds, "self_intersections"_a = result.validity.intersections,
                   "min_angle_deg"_a = result.validity.min_angle_deg, "seams_before"_a = seams_of(result.seams_before),
                   "seams_after"_a = seams_of(result.seams));
 }

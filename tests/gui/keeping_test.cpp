@@ -269,7 +269,7 @@ void KeepingTest::a_session_is_looked_at_as_before() {
 }
 
 void KeepingTest::a_session_of_the_first_version_opens() {
-  // Without a view and without patches, the eighth version ends so: four bytes that say that the scan has a file of its own,
+  // Without a view and without patches, the ninth version ends so: four bytes that say that the scan has a file of its own,
   // eight that count the patches, four that say that there is no view, four of a unit without letters. The first had the eight
   // alone.
   Session session;
@@ -280,7 +280,7 @@ void KeepingTest::a_session_of_the_first_version_opens() {
   }
   QByteArray bytes = to_bytes(session, folder_.path());
   constexpr int version_at = 17;  // behind "Loopmend session\n"
-  QCOMPARE(bytes[version_at], '\10');
+  QCOMPARE(bytes[version_at], '\11');
   bytes[version_at] = '\1';
   bytes.chop(8);
   bytes.remove(bytes.size() - 12, 4);

@@ -113,6 +113,10 @@ void show_story(MainWindow& window, const QString& file) {
   shoot(window, "window");
   shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");
   shoot_part(window, part<QDockWidget>(window, "patchDock"), "patch");
+  press(window, "otherPatches");
+  wait_until([&] { return !window.candidates().busy(); }, 300);
+  shoot(window, "candidates");
+  part<QDockWidget>(window, "candidatesDock")->close();
   auto* tabs = part<QTabWidget>(window, "inspectTabs");
   tabs->setCurrentIndex(1);
   shoot_part(window, part<QDockWidget>(window, "inspectDock"), "inspect");

@@ -64,8 +64,8 @@ int run_evolve(const EvolveCommand& command) {
   ProgressLine(command.words.verbosity())
       .say("evolving a region of " + std::to_string(region.patch.free_count) + " vertices");
   const PatchResult evolved = evolve_region(region, *options_of(command.words).evolution, nullptr, CancelToken());
-  if (const std::string refusal = refusal_of(region, evolved); !refusal.empty()) {
-    std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.c_str());
+  if (const Message refusal = refusal_of(region, evolved); !refusal.empty()) {
+    std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.english().c_str());
     return exit_loops_failed;
   }
   TriangleSoup surface = with_region(opened.model, region, evolved.patch);

@@ -33,8 +33,8 @@ int run_interpolate(const InterpolateCommand& command) {
   const Interpolation result =
       interpolate_points(opened.model, subdivision, options_of(command.words).evolution, CancelToken());
   const PatchResult& evolved = result.outcome;
-  if (const std::string refusal = refusal_of(evolved); !refusal.empty()) {
-    std::fprintf(stderr, "loopmend: %s. Nothing was written.\n", refusal.c_str());
+  if (const Message refusal = refusal_of(evolved); !refusal.empty()) {
+    std::fprintf(stderr, "loopmend: %s. Nothing was written.\n", refusal.english().c_str());
     return exit_loops_failed;
   }
   OutputTransaction outputs;

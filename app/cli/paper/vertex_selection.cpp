@@ -79,7 +79,8 @@ std::vector<int> read_vertex_numbers(const std::filesystem::path& path) {
       numbers.push_back(value);
     }
   }
-  if (numbers.empty()) throw ReadError(path, say("holds no vertex number"), {}, say("Write one or more, parted by blanks."));
+  if (numbers.empty())
+    throw ReadError(path, say("holds no vertex number"), {}, say("Write one or more, parted by blanks."));
   return numbers;
 }
 

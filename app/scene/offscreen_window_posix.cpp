@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/egl_window.h"
+#include "scene/offscreen_window.h"
 
 #include "core/error.h"
 
@@ -30,7 +30,8 @@ class EglContext {
     const EGLint config_wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config{};
     EGLint count = 0;
-    if (!eglChooseConfig(display_, config_wanted, &config, 1, &count) || count == 0) fail(say("no EGL configuration fits"));
+    if (!eglChooseConfig(display_, config_wanted, &config, 1, &count) || count == 0)
+      fail(say("no EGL configuration fits"));
     const EGLint context_wanted[] = {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 2, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
@@ -49,7 +50,10 @@ class EglContext {
 
  private:
   [[noreturn]] static void fail(const std::string& why) {
-    throw Error(say("cannot draw without a display: %1. Install the package libegl-mesa0 (software rendering) or a graphics driver with EGL.", why));
+    throw Error(
+        say("cannot draw without a display: %1. Install the package libegl-mesa0 (software rendering) or a graphics "
+            "driver with EGL.",
+            why));
   }
 
   EGLDisplay display_ = EGL_NO_DISPLAY;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A VTK render window that needs no display: an EGL context without a surface.
+// A VTK render window that needs no display: an EGL context without a surface in offscreen_window_posix.cpp, a window that is not shown in
+// offscreen_window_windows.cpp.
 #pragma once
 
 #include <vtkSmartPointer.h>

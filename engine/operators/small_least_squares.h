@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Normal equations of polynomials in two variables and their factors, for the innermost loops: sizes are known to the compiler and
+// loops are unrolled, since Eigen's decompositions take several times as long at ten unknowns. For the .cpp files of this folder.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace loopmend {
+
+/// Σ w uᵃ vᵇ of degree a + b from `least` to `most`. A number may stand for several samples side by side.
+template <int least, int most, class Number = double>
+class Moments {
+ public:
+  /// @param zero  which Eigen's arrays are not from the beginning
+  explicit Moments(const Number& zero) {
+    for (auto& row : sum_) row.fill(zero);
+  }
+  void add(const Number& weight, const Number& u, const Number& v) {
+    std::array<Number, most + 1> power;  // w uᵃ vᵇ of one degree
+    power[0] = weight;
+    if (least == 0) sum_[0][0] += power[0];
+      // Unrolled, the powers stay in registers.
+#pragma GCC unroll 8
+    for (int d = 1; d <= most; ++d) {
+      power[d] = power[d - 1] * v;
+#pragma GCC unroll 8
+      for (int l = 0; l < d; ++l) power[l] *= u;
+      if (d < least) continue;
+#pragma GCC unroll 8
+      for (int l = 0; l <= d; ++l) sum_[d][l] += power[l];
+    }
+  }
+  const Number& operator()(int a, int b) const { return sum_[a + b][b]; }
+
+ private:
+  std::array<std::array<Number, most + 1>, most + 1> sum_;  ///< at [a + b][b]
+};
+
+/// Of a symmetric positive definite matrix, of which the lower triangle is read.
+template <int size>
+class SmallCholesky {
+ public:
+  using Matrix = double[size][size];
+
+  /// @returns false if the matrix is not positive definite.
+  bool factorize(const Matrix& N) {
+#pragma GCC unroll 10
+    for (int j = 0; j < size; ++j) {
+      double pivot = N[j][j];
+#pragma GCC unroll 10
+      for (int k = 0; k < j; ++k) pivot -= L_[j][k] * L_[j][k];
+      if (!(pivot > 0)) return false;
+      inverse_[j] = 1 / std::sqrt(pivot);
+#pragma GCC unroll 10
+      for (int i = j + 1; i < size; ++i) {
+        double sum = N[i][j];
+#pragma GCC unroll 10
+        for (int k = 0; k < j; ++k) sum -= L_[i][k] * L_[j][k];
+        L_[i][j] = sum * inverse_[j];
+      }
+    }
+    return true;
+  }
+
+  /// @param x  the right-hand side, then the solution; `size`
+  void solve(double* x) const {
+#pragma GCC unroll 10
+    for (int i = 0; i < size; ++i) {
+#pragma GCC unroll 10
+      for (int k = 0; k < i; ++k) x[i] -= L_[i][k] * x[k];
+      x[i] *= inverse_[i];
+    }
+#pragma GCC unroll 10
+    for (int i = size - 1; i >= 0; --i) {
+#pragma GCC unroll 10
+      for (int k = i + 1; k < size; ++k) x[i] -= L_[k][i] * x[k];
+      x[i] *= inverse_[i];
+    }
+  }
+
+  /// Its lower triangle.
+  void invert(Matrix& inverse) const {
+    Matrix L;  // inverted
+#pragma GCC unroll 10
+    for (int j = 0; j < size; ++j) {
+      L[j][j] = inverse_[j];
+#pragma GCC unroll 10
+      for (int i = j + 1; i < size; ++i) {
+        double sum = 0;
+#pragma GCC unroll 10
+        for (int k = j; k < i; ++k) sum -= L_[i][k] * L[k][j];
+        L[i][j] = sum * inverse_[i];
+      }
+    }
+#pragma GCC unroll 10
+    for (int i = 0; i < size; ++i)
+#pragma GCC unroll 10
+      for (int j = 0; j <= i; ++j) {
+        inverse[i][j] = 0;
+#pragma GCC unroll 10
+        for (int k = i; k < size; ++k) inverse[i][j] += L[k][i] * L[k][j];
+      }
+  }
+
+ private:
+  Matrix L_;              ///< below the diagonal
+  double inverse_[size];  ///< of the diagonal
+};
+
+}  // namespace loopmend
